@@ -65,14 +65,17 @@ def _of_wall(wall: DrawnWall, edge: PlanEdge) -> AlongWall | None:
 
 
 def _left(span: AlongWall, taken: Sequence[AlongWall]) -> list[AlongWall]:
+    """Returns the stretches of a span that nothing takes, each as long as one whose middle is on whole mm."""
     left, low = [], span[0]
     for start, end in taken:
         if start > low:
             left.append((low, min(start, span[1])))
         low = max(low, end)
         if low >= span[1]:
-            return left
-    return [*left, (low, span[1])]
+            break
+    else:
+        left.append((low, span[1]))
+    return [(low, high - (high - low) % 2) for low, high in left]
 
 
 def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> tuple[FloorCorners, int]:

@@ -5,7 +5,7 @@ Comes in: bytes. Goes out: PlanImport. May import: every stage. Not here: what a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import replace
 from typing import Final
 
@@ -59,7 +59,7 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
         notes.guess(entrance.id, "main_entrance", "true", entrance.message)
     words = understood(scene, known).understood_as
     if any(room.furniture for room in scene.rooms) and format != OWN:
-        scene = _at_walls(scene, known)
+        scene = _at_walls(scene, known, notes)
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
         drawn = {body.id: body.rotation for room in scene.rooms for body in all_bodies(room)}
         broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
@@ -80,15 +80,35 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
     )  # fmt: skip
 
 
-def _at_walls(scene: Scene, known: Catalogs) -> Scene:
-    """Returns a scene whose pieces that stand at walls name the wall that they are drawn at: moved, they stay at one."""
+def _at_walls(scene: Scene, known: Catalogs, notes: PlanNotes) -> Scene:
+    """Returns a scene whose pieces that stand at walls name the wall that they are drawn at: moved, they stay at one.
+
+    One that stands with its back at a wall and is drawn with its front at one, and nothing behind it, is turned about.
+    """
     named = understood(scene, known).scene
+    walls = _walls_of(named, known)
+    about = _walls_of(_turned_about(named, {name for name, wall in walls.items() if wall is None}), known)
+    turned = {name for name, wall in about.items() if wall is not None and walls[name] is None}
+    for name in sorted(turned):
+        notes.change("furniture", name, 0.0, "turned by 180 degrees: it is drawn with its front at a wall")
+    rooms = []
+    for room in _turned_about(scene, turned).rooms:
+        pieces = (replace(piece, wall=piece.wall or about[piece.id]) for piece in room.furniture)
+        rooms.append(replace(room, furniture=tuple(pieces)))
+    return replace(scene, rooms=tuple(rooms))
+
+
+def _walls_of(named: Scene, known: Catalogs) -> dict[str, str | None]:
+    """Returns the wall at the back of each piece, by its id; None where none is, or its kind does not stand at one."""
     settings = RepairSettings(known, moved=frozenset(piece.id for room in named.rooms for piece in room.furniture))
     told = [with_walls_told(room_problem(named, room, (), settings)) for room in named.rooms]
-    walls = {piece.id: piece.wall for room in told for piece in room.furniture}
+    return {piece.id: piece.wall for room in told for piece in room.furniture}
+
+
+def _turned_about(scene: Scene, names: Set[str]) -> Scene:
     rooms = []
     for room in scene.rooms:
-        pieces = (replace(piece, wall=piece.wall or walls[piece.id]) for piece in room.furniture)
+        pieces = (replace(one, rotation=(one.rotation + 180) % 360) if one.id in names else one for one in room.furniture)
         rooms.append(replace(room, furniture=tuple(pieces)))
     return replace(scene, rooms=tuple(rooms))
 

@@ -159,3 +159,21 @@ def test_what_is_far_above_or_below_the_floor_is_left_out_and_named(height: floa
     answer = imported(piece("Toilet", 2.0, 2.0, width=0.4, depth=0.66, height=0.8, elevation=height))
     assert not answer.scene.rooms[0].furniture and not answer.scene.rooms[0].decorations
     assert [one["reason"] for one in answer.unread] == ["'Toilet': it is more than 50 m from the floor"]
+
+
+def test_a_piece_drawn_with_its_front_at_a_wall_is_turned_about() -> None:
+    """A wardrobe and a sofa face the wall; another sofa stands free, a chair looks at the wall as chairs may."""
+    size = {"width": 2.0, "depth": 0.9, "height": 0.8}
+    plan = collection(
+        box("Living room", 0, 0, 6, 5),
+        piece("Wardrobe", 1.2, 0.35, width=1.6, depth=0.6, height=2.0, rotation=180, id="wardrobe"),
+        piece("Sofa", 4.2, 0.55, **size, rotation=180, id="facing"),
+        piece("Sofa", 3.2, 3.0, **size, rotation=180, id="free"),
+        piece("Chair", 0.4, 4.0, width=0.45, depth=0.45, height=0.9, rotation=270, id="chair"),
+        y="down",
+    )
+    answer = read(plan)
+    turns = {one.id: one.rotation for one in answer.scene.rooms[0].furniture}
+    assert turns == {"wardrobe": 0.0, "facing": 0.0, "free": 180.0, "chair": 270.0}
+    told = [change["of"] for change in answer.changes if "drawn with its front at a wall" in str(change["message"])]
+    assert told == ["facing", "wardrobe"]

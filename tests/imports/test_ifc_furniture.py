@@ -90,8 +90,20 @@ def test_a_piece_is_as_large_as_its_shapes_and_stands_where_they_do(kind: str) -
     seat, back = corners_of((0.2, 0.3, 0.0), (2.2, 1.0, 0.4)), corners_of((0.2, 1.0, 0.0), (2.2, 1.2, 0.8))
     building.add("IfcFurniture", "M_Sofa:2000mm:2000mm:167283", [shell(building.file, one, kind) for one in (seat, back)], (0.0, 0.7, 0.0))
     (sofa,) = building.pieces()
-    assert (sofa.name, sofa.width, sofa.depth, sofa.height) == ("M_Sofa", 2.0, 0.9, 0.8)
+    assert (sofa.name, sofa.width, sofa.depth, sofa.height) == ("Sofa", 2.0, 0.9, 0.8)
     assert (sofa.x, sofa.z, sofa.rotation) == (pytest.approx(3.7, abs=0.06), pytest.approx(0.55, abs=0.06), 0.0)
+
+
+def test_a_family_says_first_what_it_is_and_then_which() -> None:
+    building = Building()
+    sizes = {"M_Base Cabinet-Double Door & 2 Drawer:1000mm:1000mm:159262": 0.9, "M_Table-Coffee:0610 x 0610mm:167655": 0.4}
+    for at, (name, high) in enumerate(sizes.items()):
+        building.add(
+            "IfcFurniture", name, [shell(building.file, corners_of((0, 0, 0), (1, 0.6, high)), "IfcFacetedBrep")], (at * 1.5 - 1.5, 1, 0)
+        )
+    answer = read(str(building.file.to_string()).encode(), "house.ifc")
+    assert [one.name for one in answer.scene.rooms[0].furniture] == ["Double Door & 2 Drawer Base Cabinet", "Coffee Table"]
+    assert [*answer.understood_as.values()] == ["medium_counter", "coffee_table"]
 
 
 def test_pieces_of_one_shape_are_each_turned_their_own_way() -> None:

@@ -243,9 +243,14 @@ class _ReadBuilding:
 
 
 def _called(piece: Element) -> str:
-    """Returns what a piece is called: its family, where its name is Revit's `family:type:number`, else its type."""
+    """Returns what a piece is called: its family, where its name is Revit's `family:type:number`, else its type.
+
+    Families say first what they are, then which: `M_Table-Coffee` is a coffee table.
+    """
     family = REVIT.fullmatch(piece.Name or "")
-    return str(family[1] if family else piece.ObjectType or piece.Name or "")
+    if not family:
+        return str(piece.ObjectType or piece.Name or "")
+    return " ".join(part.strip() for part in reversed(family[1].removeprefix("M_").split("-")))
 
 
 def _kind(element: Element, is_window: bool) -> Any:
