@@ -85,10 +85,22 @@ def names_placed(arrangement: Arrangement, catalogs: Catalogs) -> list[str]:
     return [named[kinds[number][0]].names[1] for (number,) in KIND.iter_unpack(content)]
 
 
-def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style) -> Room:
-    """Returns a furnished room in the colours of a style, drawn as for new furniture; what has no kind keeps its colour."""
-    colours = _colours(sorted({piece.kind for piece in room.furniture if piece.kind in catalogs.furniture}), catalogs, style, stream)
-    return replace(room, furniture=tuple(replace(piece, color=colours.get(piece.kind or "", piece.color)) for piece in room.furniture))
+def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style | None, bare: bool = False) -> Room:
+    """Returns a furnished room in the colours of a style, drawn as for new furniture; what has no kind keeps its colour.
+
+    Args:
+        room: with furniture.
+        catalogs: whose kinds the pieces are of.
+        stream: from which colours are drawn.
+        style: None: the kinds' own colours.
+        bare: only what has no colour gets one.
+    """
+    kinds = {piece.kind for piece in room.furniture if piece.kind in catalogs.furniture and not (bare and piece.color)}
+    colours = _colours(sorted(kinds), catalogs, style, stream)
+    pieces = (
+        piece if bare and piece.color else replace(piece, color=colours.get(piece.kind or "", piece.color)) for piece in room.furniture
+    )
+    return replace(room, furniture=tuple(pieces))
 
 
 def ids_of(room: Room, arrangement: Arrangement, catalogs: Catalogs) -> dict[str, str]:

@@ -13,6 +13,7 @@ from typing import Any
 from catalogs import Catalogs, load_catalogs
 from solver.errors import RequestError, SceneError
 from solver.floorplan import program_counts, program_of
+from solver.furnished import recoloured
 from solver.guessed import KEEPS, FurnishedPlan
 from solver.guessing import guessed_types, with_entrance, with_types
 from solver.materials import chosen_style, with_materials
@@ -21,6 +22,7 @@ from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
 from solver.scene_bodies import check_ids
+from solver.streams import Stream
 from solver.understanding import understood
 from solver.validator import validate
 
@@ -85,7 +87,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     asked = set(rooms) or {room.id for room in plan.rooms if keep != "all" or not room.furniture}
     told = {"style": _style_of(plan, style, known, drawn), "decorate": decorate, **walked_by(plan, access, known)}
     plan = _with_request(_of_seed(plan, drawn, known), known, program, told)
-    plan = _with_floors(plan, known, drawn)
+    plan = _with_finishes(plan, known, drawn)
     timing.lap("guesses")
     done, left = _furnished_rooms(plan, asked, keep, drawn, known)
     done = with_access(named.in_their_words(done), known)
@@ -127,11 +129,12 @@ def _with_request(scene: Scene, known: Catalogs, program: Mapping[str, int] | st
     return replace(scene, request={**request, **{key: value for key, value in every.items() if value is not None}})
 
 
-def _with_floors(scene: Scene, known: Catalogs, seed: int) -> Scene:
-    """Returns a scene whose rooms have floors and walls of its style, where they say none."""
+def _with_finishes(scene: Scene, known: Catalogs, seed: int) -> Scene:
+    """Returns a scene whose rooms have floors and walls of its style, and furniture its colours, where they say none."""
     style = known.styles.get(str((scene.request or {}).get("style")))
 
     def finished(room: Room) -> Room:
+        room = recoloured(room, known, Stream(seed, "colour", room.index), style, bare=True)
         made = with_materials(room, known, style, seed)
         return replace(made, flooring=room.flooring or made.flooring, walls=room.walls or made.walls)
 

@@ -103,7 +103,7 @@ def test_foreign_names_stay_foreign() -> None:
     piece = replace(BED, name="Doppelbett")
     (room,) = furnish(Scene(rooms=(replace(BEDROOM, type="", furniture=(piece,)),)), ["a"], seed=1).scene.rooms
     assert room.type.startswith("bedroom")
-    assert room.furniture[0] == piece
+    assert replace(room.furniture[0], color=None) == piece
 
 
 @pytest.mark.parametrize(
@@ -130,3 +130,17 @@ def test_a_door_that_only_one_room_lists_stays_free_on_both_sides() -> None:
         made = furnish(Scene(wall_thickness=0.1, rooms=rooms), seed=seed)
         assert [issue.message for issue in made.issues if issue.severity == "error"] == []
         assert all(room.furniture for room in made.scene.rooms)
+
+
+def test_what_stays_and_has_no_colour_gets_one_of_the_style() -> None:
+    bed = replace(BED, kind="bed")
+    desk = Furniture("desk", "desk", x=3.3, z=1.2, rotation=270, width=1.2, depth=0.6, height=0.75, kind="desk", color="#ff00ff")
+    strange = Furniture("strange", "gizmo", x=3.5, z=3.0, width=0.4, depth=0.4, height=0.4)
+    plan = Scene(rooms=(replace(BEDROOM, furniture=(bed, desk, strange)),))
+    for style in ("modern", "rustic"):
+        (room,) = furnish(plan, style=style, seed=1).scene.rooms
+        colours = {piece.id: piece.color for piece in room.furniture}
+        palettes = KNOWN.styles[style].palette
+        allowed = next(palettes[key] for key in ("bed", KNOWN.furniture["bed"].category) if key in palettes)
+        assert colours["mine"] in allowed
+        assert (colours["desk"], colours["strange"]) == ("#ff00ff", None)
