@@ -45,6 +45,12 @@ def test_a_sheet_of_paper_is_to_the_scale_that_makes_doors_doors(scale: int) -> 
     assert f"1:{scale}" in str(told["message"])
 
 
+@pytest.mark.parametrize("said", ["100", "1:100"])
+def test_a_sheet_may_say_its_scale(said: str) -> None:
+    answer = drawn(TWO_ROOMS, f"viewBox='0 0 200 120' width='10cm' height='60mm' data-scale='{said}'")
+    assert sizes_of(answer) == sizes_of(drawn(TWO_ROOMS, unit="0.05"))
+
+
 def test_a_unit_that_nothing_tells_is_asked_for() -> None:
     with pytest.raises(FieldError, match="doors' median width is 18"):
         drawn(TWO_ROOMS)

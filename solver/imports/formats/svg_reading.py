@@ -113,7 +113,7 @@ def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> _Unit
     if not found or found[2] not in PIXELS or found[2] in ("", "px"):
         return _Unit(None)
     paper = PIXELS[found[2]] / PIXELS["mm"] / 1000 * float(found[1]) / (view[2] if view else float(found[1]) * PIXELS[found[2]])
-    scale = _attribute(said, "data-scale", "svg")
+    scale = _attribute({**said, "data-scale": said["data-scale"].removeprefix("1:")} if "data-scale" in said else said, "data-scale", "svg")
     doors = [math.dist(one.start, one.end) * paper for one in openings if one.kind == "door"]
     if scale or not doors:
         return _Unit(paper * scale if scale else None)
