@@ -8,6 +8,7 @@ Comes in: rooms' edges, openings, mm. Goes out: `Joined`s. May import: rectiline
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -26,6 +27,8 @@ TOLD: Final = 10
 """An opening that is shifted or shortened by more, mm, is told of."""
 HEIGHTS: Final = {"door": 2.1, "garage_door": 2.2, "passage": 2.2, "window": 1.2}
 """How high openings are, m, where the file does not say."""
+THINNEST: Final = 100
+"""What is drawn narrower, mm, is no opening."""
 SILLS: Final = {"door": 0.0, "garage_door": 0.0, "passage": 0.0, "window": 0.9}
 
 
@@ -70,9 +73,13 @@ def joined(
             by_axis[level, edge.axis].append(edge)
     found = []
     for opening in openings:
+        kind, width = opening.drawn.kind.replace("_", " "), math.dist(opening.start, opening.end)
+        if width < THINNEST:
+            notes.leave(opening.drawn.where, f"a {kind} {width / 1000:.2f} m wide: a part of one, such as its frame")
+            continue
         one = _joined(opening, by_axis, half)
         if isinstance(one, str):
-            notes.leave(opening.drawn.where, f"a {opening.drawn.kind.replace('_', ' ')} without a wall: {one}")
+            notes.leave(opening.drawn.where, f"a {kind} without a wall: {one}")
             continue
         _tell(opening, one, notes)
         found.append(one)

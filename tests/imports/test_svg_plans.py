@@ -166,3 +166,14 @@ def test_other_formats_are_read_as_they_are_stored() -> None:
     plan = collection(box("Kitchen", 0, 0, 4, 3))
     assert sizes_of(read(gzip.compress(json.dumps(plan).encode()), "plan.geojson.gz")) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
     assert sizes_of(read(json.dumps(plan).encode("utf-16"), "plan.geojson")) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
+
+
+def test_the_frame_of_a_window_is_no_window() -> None:
+    frames = "".join(
+        f"<path class='window' d='M{x} 9.3 V10.7'/><rect class='window' x='{x}' y='9.8' width='0.4' height='0.4'/>" for x in (15, 75)
+    )
+    body = TWO_ROOMS + f"<g class='window'><line x1='25' y1='10' x2='49' y2='10'/>{frames}</g>"
+    answer = drawn(body, unit="0.05")
+    windows = [one.width for room in answer.scene.rooms for one in room.openings if one.kind == "window"]
+    assert windows == [1.2]
+    assert sum("a part of one, such as its frame" in str(one["reason"]) for one in answer.unread) >= 2
