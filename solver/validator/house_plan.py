@@ -38,9 +38,11 @@ def opening_wrong(case: RuleCase) -> Iterator[Finding]:
     for opening in place.room.openings:
         if id(opening) not in placed:
             yield Finding((), 0, f"the {opening.kind} {opening.id} is in no wall of {place.room.id}")
-    for number, hole in enumerate(place.holes):
-        demand(PAIR_WORK * number)
-        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, place.holes[:number])
+    in_line: dict[tuple[str, int], list[Hole]] = {}
+    for hole in place.holes:
+        before = in_line.setdefault((hole.edge.side, hole.edge.line), [])
+        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before)
+        before.append(hole)
         if found is not None:
             amount, why = found
             yield Finding((), amount, f"the {hole.opening.kind} {hole.opening.id} of {place.room.id} {why}")
@@ -120,10 +122,14 @@ def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:
     return missing + end - at
 
 
-def _meets(hole: Hole, others: Iterable[Hole]) -> tuple[int, str] | None:
-    for other in others:
-        along = min(hole.edge.end, other.edge.end) - max(hole.edge.start, other.edge.start)
-        same = along > 0 and (other.edge.side, other.edge.line) == (hole.edge.side, hole.edge.line)
-        if same and min(hole.top, other.top) > max(hole.sill, other.sill):
-            return along, f"and the {other.opening.kind} {other.opening.id} share {words(along)} of its wall"
-    return None
+def _meets(hole: Hole, others: Sequence[Hole]) -> tuple[int, str] | None:
+    """Judges an opening beside those listed before it in the same line of wall."""
+    start, end, sill, top = hole.edge.start, hole.edge.end, hole.sill, hole.top
+    apart = (max(start - one.edge.end, one.edge.start - end) >= 0 or one.top <= sill or one.sill >= top for one in others)
+    number = next((number for number, is_apart in enumerate(apart) if not is_apart), len(others))
+    demand(PAIR_WORK * number)
+    if number == len(others):
+        return None
+    other = others[number]
+    along = min(end, other.edge.end) - max(start, other.edge.start)
+    return along, f"and the {other.opening.kind} {other.opening.id} share {words(along)} of its wall"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from typing import Any
 
 import pytest
 
 from compose_homes import Request, generate
+from solver.demanded import demanding_at_most
+from solver.errors import TooMuch
 from solver.scene import EXTERIOR, Opening, Scene
 from tests.sweeps import seeds
 from tests.validator.worlds import issues, opening, room, scene
@@ -80,6 +83,14 @@ def test_openings_share_no_wall() -> None:
     assert wrong(first, east(2.4 - MM, id="door_2")) == [(MM, "the door door_2 of room_0 and the door door_1 share 0.1 cm of its wall")]
     assert wrong(first, opening("west", 1.5, id="door_2")) == []
     assert wrong(first, east(1.5, id="pane", kind="window", sill=2.1, height=0.3)) == []
+
+
+@pytest.mark.parametrize(("step", "most", "refused"), [(0.0, 1_000, False), (0.1, 1_000, True), (0.1, 10_000, False)])
+def test_only_openings_that_were_compared_count_as_work(step: float, most: float, refused: bool) -> None:
+    """Of openings upon one another each meets the first; of those side by side each is compared with all before it."""
+    many = scene(room(width=50.0, openings=tuple(opening("north", 0.1 + step * k, id=f"door_{k}", width=0.09) for k in range(400))))
+    with demanding_at_most(most), pytest.raises(TooMuch) if refused else nullcontext():
+        assert len(issues(many, "opening_wrong")) == (0 if step else 399)
 
 
 @pytest.mark.parametrize("seed", seeds(range(120), 12))
