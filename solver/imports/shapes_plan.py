@@ -42,6 +42,8 @@ MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
+SLIM: Final = 1.5
+"""A shape that is so many times as long as it is wide lies along its longer side."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
 MEET: Final = 0.1
@@ -225,19 +227,28 @@ def _holds(points: Sequence[Spot], x: float, z: float) -> bool:
 
 
 def _openings(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> list[DrawnOpening]:
-    """Returns openings, each once: the longest of what is drawn in one place; a hole with a leaf in it is a door."""
+    """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
+
+    A hole with a leaf in it is a door.
+    """
     found: list[tuple[OpeningKind, Spot, Spot, str]] = []
     places = _Places([])
     for kind in ("window", "garage_door", "passage", "door"):
-        drawn = [(*_longer(one.points), one.where) for one, sort in zip(shapes, sorts, strict=True) if sort == kind]
-        for start, end, where in sorted(drawn, key=lambda one: -math.dist(one[0], one[1])):
+        drawn = [(*_longer(one.points), one) for one, sort in zip(shapes, sorts, strict=True) if sort == kind]
+        for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
             near = places.first(start, end)
             if near is None and math.dist(start, end) > 0:
-                found.append((kind, start, end, where))
+                found.append((kind, start, end, one.where))
                 places.add(start, end)
             elif near is not None and kind == "door" and found[near][0] == "passage":
                 found[near] = ("door", *found[near][1:])
     return [DrawnOpening(*one) for one in found]
+
+
+def _is_stout(points: Sequence[Spot]) -> bool:
+    """Tells whether a shape does not say along which of its sides it lies: a small window through a thick wall."""
+    x0, z0, x1, z1 = bounds_of_points(points)
+    return max(x1 - x0, z1 - z0) < SLIM * min(x1 - x0, z1 - z0)
 
 
 class _Places:

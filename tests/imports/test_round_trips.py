@@ -180,3 +180,21 @@ def test_a_door_of_two_leaves_reads_back_as_one(format: str, hinge: str, swing: 
         assert format == "ifc" or door.hinge == wanted.hinge
         assert door.swing == wanted.swing
         assert [round(other.width, 2) for other in more] == [1.6][: len(more)]
+
+
+@pytest.mark.parametrize("outer", [0.3, 0.5, 0.6])
+def test_a_window_no_wider_than_its_wall_is_thick_is_in_that_wall(outer: float) -> None:
+    """What its frame and the wall's faces draw is square, or longer across the wall: the pane tells how it lies."""
+    windows = (
+        Opening("w", "window", "north", 1.5, 0.5, 0.6, sill=1.4, connects_to=EXTERIOR),
+        Opening("v", "window", "east", 1.2, 0.6, 0.6, sill=1.4, connects_to=EXTERIOR),
+        Opening("d", "door", "south", 1.5, 0.9, 2.1, connects_to=EXTERIOR, hinge="start", swing="in", main_entrance=True),
+    )
+    room = Room("a", type="office", width=4.0, depth=3.0, openings=windows, wall_thickness=(outer,) * 4)
+    (name, content), *_ = export(Scene(wall_thickness=0.1, rooms=(room,)), "dxf").items()
+    (after,) = read(content, name).scene.rooms
+    assert sorted((one.kind, one.wall, round(one.position, 3), one.width) for one in after.openings) == [
+        ("door", "south", 1.5, 0.9),
+        ("window", "east", 1.2, 0.6),
+        ("window", "north", 1.5, 0.5),
+    ]
