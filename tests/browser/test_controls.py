@@ -9,6 +9,9 @@ from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Visit
 
+TURNS = "([compass]) => [compass, compass.firstElementChild].map(one => parseFloat(getComputedStyle(one).rotate) || 0)"
+"""How far a compass is turned, and how far its letter on it [degrees]."""
+
 
 def asked(visit: Visit) -> dict[str, str]:
     """The request that the address holds."""
@@ -107,10 +110,11 @@ def presets_agree(visit: Visit, name: str, key: str, other: str) -> None:
     assert aside < 0.1 if key == "2" else aside > 5
 
 
-def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
+def test_dragging_turns_the_house_and_the_compass_whose_letter_stays_upright(visit: Visit) -> None:
     visit.open(SMALL.format(40))
     eye = visit.state()["eye"]
-    compass = visit.page.locator("#compass").evaluate("compass => compass.style.transform")
+    before, letter = visit.page.locator("#compass").evaluate_all(TURNS)
+    assert round(before + letter) % 360 == 0
     box = visit.page.locator("#stage > canvas").bounding_box()
     assert box
     beside = box["x"] + 0.95 * box["width"], box["y"] + 0.6 * box["height"]  # on a piece it would move that
@@ -120,7 +124,9 @@ def test_dragging_turns_the_house_and_the_compass(visit: Visit) -> None:
     visit.page.mouse.up()
     visit.settle()
     assert visit.state()["eye"] != eye
-    assert visit.page.locator("#compass").evaluate("compass => compass.style.transform") != compass
+    after, letter = visit.page.locator("#compass").evaluate_all(TURNS)
+    assert abs(after - before) > 5
+    assert round(after + letter) % 360 == 0
 
 
 @pytest.mark.draws_all

@@ -370,6 +370,6 @@ export class Stage {
   }
 
   #turnCompass(): void {
-    within("compass").style.transform = `rotate(${this.#viewport.heading.toFixed(3)}rad)`;
+    within("compass").style.setProperty("--heading", `${this.#viewport.heading.toFixed(3)}rad`);
   }
 }
