@@ -53,6 +53,13 @@ def test_a_door_to_a_balcony_that_is_wider_than_a_leaf_is_one_leaf_and_glass() -
         assert [part.kind for part in answer.scene.rooms[0].openings] == ["door"]
 
 
+def test_a_property_with_a_slip_of_the_pen_is_said_to_be_left_out() -> None:
+    door = line("door", (1, 0), (1.9, 0))
+    slipped = {**door, "properties": {**door["properties"], "hieght": 2, "stroke-width": 1}}
+    answer = read(collection(box("Office", 0, 0, 4, 3), slipped, unit="m"))
+    assert answer.unread == ({"place": "features[1].properties", "reason": "no property is called 'hieght'; height?"},)
+
+
 def test_y_points_up_unless_it_is_said_to_point_down() -> None:
     door = line("door", (1, 0), (1.9, 0))
     up, down = (opening(read(collection(*TWO, door, y=way)).scene.rooms[0], "door_0") for way in ("up", "down"))

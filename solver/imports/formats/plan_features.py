@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any, Final
 
@@ -39,6 +40,12 @@ FEW_DEGREES: Final = 0.005
 """No plan is so small in any unit, but one in degrees."""
 KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
+OWN: Final = ("kind", "name", "type", "id", "level")
+TOLD: Final = {
+    "Polygon": (*OWN, "outdoor"), "LineString": (*OWN, "height", "sill", "hinge", "main_entrance", "thickness"),
+    "Point": (*OWN, "width", "depth", "height", "rotation", "elevation"),
+}  # fmt: skip
+"""What features say of themselves, by their geometry; anything else is of another program, but for a slip of the pen."""
 
 
 def is_features(document: object) -> bool:
@@ -63,6 +70,10 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         form = one_of(shape, "type", tuple(KINDS), f"{where}.geometry", required=True)
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
         points = _points(shape, form, up, where)
+        unread += [
+            Unread(f"{where}.properties", f"no property is called {key!r:.60}; {meant}?")
+            for key in said if key not in TOLD[form] for meant in get_close_matches(key, TOLD[form], 1)
+        ]  # fmt: skip
         if form == "Polygon":
             tally.add("rooms", most=MOST_ROOMS)
             tally.add("corners of rooms", len(points))
