@@ -24,6 +24,7 @@ from solver import generate
 from solver.answers import Generated
 from solver.export_formats import EXPORTERS
 from solver.request import Request
+from tests.service.heavy import PATIENCE_S
 
 CASES = int(os.environ.get("CASES", "30"))
 """Generated calls of each kind."""
@@ -101,6 +102,7 @@ APP = create_app()
 APP.workers = Here()  # type: ignore[assignment]
 SCHEMA = schemathesis.openapi.from_asgi("/openapi.json", APP)
 SCHEMA.config.phases.update(phases=["examples", "fuzzing"])
+SCHEMA.config.update(request_timeout=PATIENCE_S)
 
 
 @SCHEMA.parametrize()
