@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
+from itertools import pairwise, product
 
 import pytest
 
 from catalogs import load_catalogs
-from solver.scene import Decoration, Opening, Room, Scene
+from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from solver.validator import validate
 from tests.decorations.oracle import complaints
 from tests.decorations.rooms import DOOR, SIDE, THICKNESS, at_wall, decorate, on_floor, piece, room
@@ -73,6 +73,45 @@ def test_with_a_style_a_rug_is_as_large_as_what_it_lies_under_and_a_little_more(
         assert middle + extent / 2 == pytest.approx(min(high, side - least), abs=gap)
     assert rug.color in KNOWN.styles["scandi"].palette["rug"]
     assert [one.name for one in rugs(decorate(bare))] == ["rug"]
+
+
+BESIDE = {
+    "hallway": (3.0, (("console_table", "west", 2.0), ("shoe_cabinet", "west", 4.0), ("coat_rack", "north", 1.5))),
+    "bathroom": (2.2, (("bathtub", "west", 3.0), ("vanity", "north", 1.4))),
+    "living_room": (SIDE, (("coffee_table", None, 3.0), ("bed", "west", 2.4), ("bookshelf", "north", 3.2))),
+    "bedroom": (SIDE, (("bed", "north", 3.0), ("wardrobe", "west", 1.2), ("dresser", "east", 1.4))),
+    "dining_room": (SIDE, (("dining_table", None, 1.9), ("sideboard", "north", 3.0))),
+}
+"""By type: its width, and what stands there, at which wall and where along it; or free, so far from the north."""
+
+
+@pytest.mark.parametrize("name", sorted(BESIDE))
+def test_with_a_style_rugs_lie_beside_what_stands_at_the_walls_not_under_it(name: str) -> None:
+    width, pieces = BESIDE[name]
+    there = [at_wall(kind, wall, along) if wall else piece(kind, width / 2, along) for kind, wall, along in pieces]
+    done = decorate(room(*there, type=name, width=width, openings=()), style=KNOWN.styles["scandi"], style_name="scandi")
+    laid = [thing for thing in done.decorations if thing.name in ("rug", "runner", "floor_rug_small")]
+    assert laid
+    for rug, one in product(laid, there):
+        if not (name == "bedroom" and one.name == "bed") and one.wall:
+            assert not overlap(rug, one), (rug, one)
+    if not there[0].wall:
+        assert any(overlap(rug, there[0]) for rug in laid)
+
+
+def overlap(one: Decoration | Furniture, other: Decoration | Furniture) -> bool:
+    (x, width), (z, depth) = ((abs(getattr(one, axis) - getattr(other, axis)), _extent(one, axis) + _extent(other, axis)) for axis in "xz")
+    return x < width / 2 - 1e-6 and z < depth / 2 - 1e-6
+
+
+def _extent(one: Decoration | Furniture, axis: str) -> float:
+    return one.width if (axis == "x") == (one.rotation % 180 == 0) else one.depth
+
+
+def test_a_mat_in_the_middle_stays_under_what_stands_free() -> None:
+    done = decorate(room(piece("bistro_table"), type="balcony", outdoor=True))
+    (mat,) = [thing for thing in done.decorations if thing.name == "floor_rug_small"]
+    assert (mat.x, mat.z, mat.width) == (SIDE / 2, SIDE / 2, KNOWN.decorations["floor_rug_small"].size[0])
 
 
 @pytest.mark.parametrize("name", ["garage", "kitchen", "living_room"])

@@ -17,6 +17,8 @@ constexpr i64 RUG_OFF_WALL_MM = 100;
 constexpr i64 RUG_PARTS = 4;
 // Between rugs that lie one behind another. Our choice.
 constexpr i64 RUG_APART_MM = 600;
+// How far a rug in the middle goes to lie beside furniture. Our choice.
+constexpr i64 RUG_MOVES_MM = 500;
 // Places tried for a thing that stands anywhere. Our choice.
 constexpr i32 TRIES = 3;
 
@@ -38,7 +40,11 @@ class Floor {
 
  private:
   const Piece* first_named(const Stands& row) const;
+  bool is_named(const Stands& row, const Piece& piece) const;
   bool has_floor(const Rect& place) const;
+  bool is_at_wall(const Piece& piece) const;
+  NearestPlace rug_place(const Stands& row, const Rect& wish) const;
+  Rect cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const;
   List<Spot> spots_of(const Stands& row);
   void add_beside(const Stands& row, List<Spot>& spots);
   Spot at_wall(Wall wall, i64 along) const;
@@ -106,9 +112,41 @@ void Floor::spread(const Stands& row, const Choice& choice) {
   for (i64 k = 0; k < count; k++) {
     const i64 aside = (2 * k + 1 - count) * step;
     const i64 x = floor_div(wide - extent.x + (rotation ? 0 : aside), 2), z = floor_div(deep - extent.z + (rotation ? aside : 0), 2);
-    const Rect place{x, z, x + extent.x, z + extent.z};
-    if (has_floor(place)) room_.add(choice, row.row, place, 0, size, rotation, NOBODY, Wall::none);
+    const Rect wish{x, z, x + extent.x, z + extent.z};
+    const NearestPlace nearest = rug_place(row, wish);
+    if (!nearest.found || !has_floor(nearest.place)) continue;
+    const Rect& place = nearest.place;
+    const Size laid{rotation ? place.depth() : place.width(), rotation ? place.width() : place.depth(), size.height};
+    room_.add(choice, row.row, place, 0, laid, rotation, NOBODY, Wall::none);
   }
+}
+
+// Where a rug wished for in the middle lies before what stands at the walls, and not under it: as near and as large as there is room.
+// One that is to cover the floor lies under all.
+NearestPlace Floor::rug_place(const Stands& row, const Rect& wish) const {
+  if (row.fills && !row.widest) return {true, wish};
+  List<Rect> blocks;
+  for (const Piece& piece : room_.pieces) {
+    if (is_at_wall(piece)) blocks.add(piece.rect);
+  }
+  const bool along_x = wish.width() >= wish.depth();
+  for (i64 length = RUG_PARTS; 2 * length >= RUG_PARTS; length--) {
+    for (i64 breadth = RUG_PARTS; 2 * breadth >= RUG_PARTS; breadth--) {
+      const i64 less_long = floor_div((RUG_PARTS - length) * most(wish.width(), wish.depth()), 20 * RUG_PARTS) * 10;
+      const i64 less_broad = floor_div((RUG_PARTS - breadth) * least(wish.width(), wish.depth()), 20 * RUG_PARTS) * 10;
+      const i64 x = along_x ? less_long : less_broad, z = along_x ? less_broad : less_long;
+      const Rect own{wish.x0 + x, wish.z0 + z, wish.x1 - x, wish.z1 - z};
+      const NearestPlace nearest = nearest_place(own, clear_, blocks.all(), RUG_MOVES_MM);
+      if (nearest.found) return nearest;
+    }
+  }
+  return {false, wish};
+}
+
+// Tells whether a piece stands on the floor, its back at a wall.
+bool Floor::is_at_wall(const Piece& piece) const {
+  const Point ahead = facing(piece.rotation);
+  return piece.low == 0 && !has_floor(piece.rect.swept({-2 * ahead.x * OFF_WALL_MM, -2 * ahead.z * OFF_WALL_MM}));
 }
 
 // Tells whether all of a rectangle is floor of the room.
@@ -128,6 +166,32 @@ const Piece* Floor::first_named(const Stands& row) const {
     }
   }
   return nullptr;
+}
+
+bool Floor::is_named(const Stands& row, const Piece& piece) const {
+  for (const i32 word : part_of(room_.known.words, row.of)) {
+    if (piece.word == word) return true;
+  }
+  return false;
+}
+
+// Cuts off a rug what would lie under furniture at the walls that is not named, at the side that leaves most of it; never what lies
+// under its own piece.
+Rect Floor::cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const {
+  const Rect& under = holder.rect;
+  const Rect own{most(under.x0, place.x0), most(under.z0, place.z0), least(under.x1, place.x1), least(under.z1, place.z1)};
+  for (const Piece& piece : room_.pieces) {
+    const Rect& off = piece.rect;
+    if (!place.overlaps(off) || is_named(row, piece) || !is_at_wall(piece)) continue;
+    const Rect left[] = {{off.x1, place.z0, place.x1, place.z1}, {place.x0, place.z0, off.x0, place.z1},
+                         {place.x0, off.z1, place.x1, place.z1}, {place.x0, place.z0, place.x1, off.z0}};
+    Rect best{0, 0, 0, 0};
+    for (const Rect& part : left) {
+      if (part.contains(own) && part.width() * part.depth() > best.width() * best.depth()) best = part;
+    }
+    if (best.width() > 0) place = best;
+  }
+  return place;
 }
 
 // So much floor around a piece as a rug under it reaches beyond; with a part of the piece left bare not beside and behind that.
@@ -150,6 +214,8 @@ void Floor::lay_under(const Stands& row, const Choice& choice) {
   for (i64 part = RUG_PARTS; part > 0; part--) {
     const Rect grown = rug_under(row, *piece, floor_div(row.reach * part, RUG_PARTS));
     Rect place{most(grown.x0, inner.x0), most(grown.z0, inner.z0), least(grown.x1, inner.x1), least(grown.z1, inner.z1)};
+    if (place.x1 <= place.x0 || place.z1 <= place.z0) continue;
+    place = cut_at_furniture(row, *piece, place);
     place.x1 -= floor_mod(place.width(), 10);
     place.z1 -= floor_mod(place.depth(), 10);
     if (place.width() <= 0 || place.depth() <= 0 || !has_floor(place)) continue;
