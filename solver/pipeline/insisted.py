@@ -40,13 +40,31 @@ def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, n
 
 
 def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
-    """Returns wanted pieces of which the one with a label is required, with what it stands together with alone: the floor of its fronts."""
-    found, holds = [], False
+    """Returns wanted pieces of which the one with a label is required, with what it stands together with alone: the floor of its fronts.
+
+    Where others, as of a kitchen's run, have floor that matters, they keep it, too: what is required has it required, what is optional
+    stands with it alone. Else what is insisted on would stand where their drawers open.
+    """
+    floors = dict[str, list[Piece]]()
     for piece in wanted:
+        if (owner := _owner(piece)) is not None:
+            floors.setdefault(owner, []).append(piece)
+    found, holds = list[Piece](), False
+    for piece in wanted:
+        if _owner(piece) is not None:
+            continue
         holds = piece.label == label or holds
-        found.append(replace(piece, required=True) if holds else piece)
+        required, own = piece.required or holds, floors.get(piece.label, [])
+        found.append(replace(piece, required=required, with_next=piece.with_next or (bool(own) and not required)))
+        found += [replace(floor, required=required, with_next=not required and floor is not own[-1]) for floor in own]
         holds = holds and piece.with_next
     return tuple(found)
+
+
+def _owner(piece: Piece) -> str | None:
+    """Returns the label of the piece whose floor it is, where that floor matters."""
+    owners = {way.attach.parent for way in piece.candidates if way.attach} if piece.is_floor and piece.skip_cost >= MATTERS else ()
+    return next(iter(owners)) if len(owners) == 1 else None
 
 
 def insisted_in(certificate: Mapping[str, Any] | None, room: str) -> str | None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 from itertools import product
+from typing import Any
 
 import pytest
 
-from compose_homes import explain, furnish, reroll, validate
+from compose_homes import explain, furnish, generate, reroll, validate
 from solver.pipeline.explain import CHANGED
 from solver.pipeline.insisted import insisted_in
+from solver.request import Request
 from solver.scene import EXTERIOR, Opening, Room, Scene
 
 ROOMS = [*product((2.0, 2.2, 2.4, 2.6), (1.9, 2.0, 2.1, 2.3), (0.5, 0.9))]
@@ -74,3 +76,22 @@ def test_it_is_as_it_was_where_an_edit_took_the_certificate() -> None:
     home = next(home for _, home in (both(*room) for room in ROOMS) if insisted(home))
     again = furnish(replace(home, certificate=None), keep="none", seed=3).scene
     assert poses(again) == poses(home)
+
+
+STUDIOS: list[dict[str, Any]] = [
+    {"seed": 510924279406, "outline": "L", "robot_width": 0.8},
+    {"seed": 556607721296, "outline": "L", "robot_width": 0.8},
+    {"seed": 49372682363, "outline": "U", "robot_width": 0.5, "outer_wall_thickness": 0.36},
+    {"seed": 693381308157, "outline": "U", "access": "ada", "robot_width": 0.8, "wall_thickness": 0.2},
+    {"seed": 881007897515, "outline": "rectangle", "robot_width": 0.6, "wall_thickness": 0.08, "outer_wall_thickness": 0.6},
+]
+"""Homes in which one eats in the kitchen alone, and whose table is insisted on or stood before counters when it was."""
+
+
+@pytest.mark.parametrize("asked", STUDIOS)
+def test_a_table_that_is_insisted_on_stands_before_no_front_of_the_kitchen(asked: dict[str, Any]) -> None:
+    home = generate(Request(program="studio", **asked))
+    assert not [issue.message for issue in home.issues if issue.rule == "front_blocked"]
+    kitchen = next(room for room in home.scene.rooms if room.type == "kitchen")
+    assert any(piece.name == "dining_table" for piece in kitchen.furniture)
+    assert CHANGED not in explain(home.scene, kitchen.furniture[0].id).notes
