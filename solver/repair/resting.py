@@ -6,6 +6,9 @@ ground floor, catalogs.
 Furniture comes back over what it says it stands on where that is near (it is over part of it still), where it was moved away from
 under the piece, and where its kind stands on other pieces alone, as room types' rules tell. Else it is set down where it is. One
 that is over another piece of a kind that carries it stands on that one from now on.
+
+What a moved piece left behind goes after it together: by the shortest way on which all of it is on the piece, turned as most of it
+says that the piece was turned. Nothing else is told of where the piece was.
 """
 
 from __future__ import annotations
@@ -18,7 +21,7 @@ from catalogs.entries import Surface
 from solver.free_places import footprint, nearest_place
 from solver.geometry import ALONG_X, Rect, to_mm
 from solver.repair.bodies import size_of
-from solver.repair.carried import Body, all_bodies, below, changed_from_the_floor_up, squared, with_bodies
+from solver.repair.carried import Body, all_bodies, below, brought_along, changed_from_the_floor_up, parents_of, squared, with_bodies
 from solver.repair.room_problem import RoomProblem
 from solver.scene import Decoration, Furniture, Room
 
@@ -60,6 +63,8 @@ def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
     going -= {body.id for body in all_bodies(room) if settings.is_locked(body) or (isinstance(body, Furniture) and body.on is None)}
     if not going:
         return room
+    room, gone_after, hung = _gone_after(problem, floating)
+    going = going - gone_after | hung
     known = _Known(problem, moved, *_carrying_names(settings.catalogs))
 
     def at_rest(body: Body, now: Mapping[str, Body]) -> Body:
@@ -68,6 +73,50 @@ def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
         return _carried(body, now, known) if isinstance(body, Furniture) else _laid(body, now, problem)
 
     return changed_from_the_floor_up(_without_rings(room, going), at_rest)
+
+
+def _gone_after(problem: RoomProblem, floating: Container[str]) -> tuple[Room, set[str], set[str]]:
+    """Returns the room in which all that a moved piece left behind has gone after it, which that is, and what of it hangs at walls."""
+    settings, bodies = problem.settings, all_bodies(problem.room)
+    stays = {body.id for body in bodies if settings.is_locked(body) or body.id in settings.moved}
+    said = {child: parent for child, parent in parents_of(problem.room).items() if child not in stays}
+    before: dict[str, Body] = {}
+    for piece in problem.room.furniture:
+        lying = [body for body in bodies if said.get(body.id) == piece.id and not _hangs(body) and body.y > piece.y]
+        if piece.id in settings.moved and any(body.id in floating for body in lying):
+            before[piece.id] = _where_it_was(piece, lying, settings.catalogs)
+
+    def gone_after(body: Body, now: Mapping[str, Body]) -> Body:
+        parent = said.get(body.id, "")
+        return brought_along(body, before[parent], now[parent]) if parent in before else body
+
+    after = {body.id for body in bodies if said.get(body.id) in before}
+    return changed_from_the_floor_up(problem.room, gone_after), after, {body.id for body in bodies if _hangs(body)} & after
+
+
+def _where_it_was(piece: Furniture, lying: Sequence[Body], catalogs: Catalogs) -> Furniture:
+    """Returns a piece as it stood under what lies where it was: turned as most of that is, and the shortest way from where it is."""
+    turns = [(squared(piece.rotation) - squared(body.rotation)) % 360 for body in lying]
+    before = replace(piece, rotation=(squared(piece.rotation) - max((0, 90, 180, 270), key=turns.count)) % 360)
+    pairs = [(footprint(body), _surface_under(body, before, catalogs)) for body in lying]
+    dx = _least_step([(own.x1 - area.x1, own.x0 - area.x0) for own, area in pairs])
+    dz = _least_step([(own.z1 - area.z1, own.z0 - area.z0) for own, area in pairs])
+    turned = (piece.rotation - squared(piece.rotation) + before.rotation) % 360
+    return replace(before, x=round(before.x + dx / 1000, 4), z=round(before.z + dz / 1000, 4), rotation=turned)
+
+
+def _least_step(spans: Iterable[tuple[int, int]]) -> int:
+    """Returns the step nearest to none that is in all spans; amid what they leave between them where none is."""
+    every = list(spans)
+    low, high = max(span[0] for span in every), min(span[1] for span in every)
+    return max(low, min(0, high)) if low <= high else (low + high) // 2
+
+
+def _surface_under(body: Body, carrier: Body, catalogs: Catalogs) -> Rect:
+    """Returns where a body may be on the surface that is nearest to it in height."""
+    places = _surfaces(carrier, catalogs, size_of(body)[2])
+    surface = min(places, key=lambda place: abs(to_mm(carrier.y) + place[0] - to_mm(body.y)))[1]
+    return _area(footprint(body), surface, footprint(carrier)) if isinstance(body, Furniture) else surface
 
 
 def _carrying_names(catalogs: Catalogs) -> tuple[Mapping[str, frozenset[str]], frozenset[str]]:

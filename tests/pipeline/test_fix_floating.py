@@ -148,3 +148,33 @@ def test_a_stirred_and_decorated_house_has_nothing_floating_after(seed: int) -> 
     fixed = fix(sent)
     assert floating(fixed.scene) == []
     assert fix(fixed.scene).scene == fixed.scene
+
+
+SOFA = Furniture("r/sofa_1", "sofa", "sofa", x=2.0, z=0.53, width=2.0, depth=0.9, height=0.8, wall="north")
+ON_SOFA = tuple(
+    Decoration(f"r/{kind}_{k}", kind, SOFA.id, None, x, 0.44, z, 0, 0.4, 0.15, 0.4)
+    for k, (kind, x, z) in enumerate((("pillow", 1.27, 0.31), ("throw_pillow", 1.72, 0.3), ("pillow", 2.73, 0.31)))
+)
+ART = Decoration("r/wall_art_1", "wall_art", SOFA.id, "north", 2.0, 1.5, 0.07, 0, 0.8, 0.04, 0.6)
+
+
+@pytest.mark.parametrize(
+    ("dx", "dz", "turn"), [(0.7, 0.0, 0), (-0.6, 0.0, 0), (0.5, 2.0, 0), (-0.1, 2.2, 90), (0.0, 2.3, 270), (0.3, 3.4, 180)]
+)
+def test_what_lay_on_a_moved_piece_goes_after_it_as_it_lay(dx: float, dz: float, turn: int) -> None:
+    sent = scene(*ON_SOFA, ART)
+    moved = replace(SOFA, x=SOFA.x + dx, z=SOFA.z + dz, rotation=turn)
+    sent = replace(sent, rooms=(replace(sent.rooms[0], furniture=(moved,)),))
+    assert floating(sent)
+    room = fix(sent, moved=[SOFA.id]).scene.rooms[0]
+    (sofa,) = room.furniture
+    cos, sin = {0: (1, 0), 90: (0, 1), 180: (-1, 0), 270: (0, -1)}[int(sofa.rotation)]
+    shifts = []
+    for before, now in zip(ON_SOFA, room.decorations, strict=False):
+        x, z = now.x - sofa.x, now.z - sofa.z
+        shifts.append((x * cos - z * sin - (before.x - SOFA.x), x * sin + z * cos - (before.z - SOFA.z)))
+        assert now.rotation == sofa.rotation
+        assert now.y == before.y
+    assert all(shift == pytest.approx(shifts[0], abs=0.001) for shift in shifts)
+    assert all(abs(part) < 0.35 for shift in shifts for part in shift)
+    assert floating(fix(sent, moved=[SOFA.id]).scene) == []
