@@ -20,9 +20,9 @@ def asks(room: Room, catalogs: Catalogs) -> bool:
 
 
 def needed(room: Room, catalogs: Catalogs) -> set[str]:
-    """Returns the labels of the pieces that a room wants where no other room has such."""
+    """Returns the labels of what a room wants where no other room has such: the table that stands nowhere else, not each chair at it."""
     kind = catalogs.rooms.get(room.type)
-    return {f"{piece.piece}_1" for piece in kind.pieces if piece.unless_elsewhere} if kind else set()
+    return {f"{name}_1" for piece in kind.pieces for name in piece.unless_elsewhere} if kind else set()
 
 
 def held(rooms: Iterable[Room], catalogs: Catalogs) -> set[str]:

@@ -132,7 +132,8 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
         setting = replace(setting, catalogs=setting.catalogs.holding(arranged(made, setting.catalogs)))
         asked, alone = _arrangements(last, setting), len(setting.others or rooms) == 1
         for room in last:
-            lacking = set() if alone else needed(room, setting.catalogs)
+            gone = {label for label, _ in asked[room.id].left_out}
+            lacking = set() if alone else gone & needed(room, setting.catalogs)
             made[room.id] = insisting(*_wished(room, setting), asked[room.id], lacking) if lacking else asked[room.id]
     return setting, made
 

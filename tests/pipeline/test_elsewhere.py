@@ -9,6 +9,7 @@ import pytest
 from catalogs import load_catalogs
 from solver import Request, generate, reroll
 from solver.pipeline.generate import wanted_in
+from solver.pipeline.insisted import insisted_in
 from solver.scene import Room, Scene
 
 CATALOGS = load_catalogs()
@@ -56,3 +57,7 @@ def test_rooms_furnished_anew_together_are_furnished_as_at_first(home: Scene) ->
     both = [room_of(home, kind).id for kind in ("kitchen", "living_room")]
     again = reroll(home, both, seed=home.seed).scene
     assert [room.furniture for room in again.rooms] == [room.furniture for room in home.rooms]
+
+
+def test_a_kitchen_insists_on_its_table_alone(home: Scene) -> None:
+    assert insisted_in(home.certificate, room_of(home, "kitchen").id) in (None, "dining_table_1")
