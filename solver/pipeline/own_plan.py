@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
 from solver.errors import RequestError, SceneError
@@ -28,6 +28,7 @@ from solver.validator import validate
 
 HOME: frozenset[str] = frozenset({"kitchen", "bathroom", "living_room"})
 """Types of which two make a home: its rooms hold what it has no room for, such as a bed where there is no bedroom."""
+_UNKNOWN: Final = "there is no furniture for what is called {called!r:.60}: say which type the room has, if it has one"
 
 
 def furnish(  # noqa: PLR0913 - keyword-only options of a public function
@@ -145,22 +146,33 @@ def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known:
     """Furnishes the rooms asked for: the empty ones together, those in which something stays one by one.
 
     Returns:
-        The scene, and why rooms in which something stays were left as they were.
+        The scene, and why rooms were left as they were.
     """
     if keep == "none":
         bare = (replace(room, furniture=(), decorations=()) if room.id in asked else room for room in scene.rooms)
         scene = replace(scene, rooms=tuple(bare))
     stays = {room.id for room in scene.rooms if any(keep == "all" or piece.locked for piece in room.furniture)}
-    empty = [room.id for room in scene.rooms if room.id in asked and room.id not in stays]
+    empty = [room for room in scene.rooms if room.id in asked and room.id not in stays]
     if empty:
-        scene = reroll_plan(scene, empty, seed, known)
-    left: dict[str, str] = {}
+        scene = reroll_plan(scene, [room.id for room in empty], seed, known)
+    left = {room.id: _UNKNOWN.format(called=room.extra.get("name", room.type)) for room in empty if room.type not in known.rooms}
     for name in [room.id for room in scene.rooms if room.id in asked & stays]:
         try:
             scene = _around_all(scene, name, seed, known) if keep == "all" else reroll_plan(scene, [name], seed, known)
         except SceneError as error:
             left[name] = error.problem
-    return scene, left
+    return _noted(scene, left), left
+
+
+def _noted(scene: Scene, left: Mapping[str, str]) -> Scene:
+    """Returns a scene whose certificate says of its rooms why they were left as they were."""
+    if not left:
+        return scene
+    document: dict[str, Any] = dict(scene.certificate or {})
+    rooms = dict(document.get("rooms") or {})
+    for name, reason in left.items():
+        rooms[name] = {**rooms.get(name, {}), "notes": [reason]}
+    return replace(scene, certificate={**document, "rooms": rooms})
 
 
 def _around_all(scene: Scene, name: str, seed: int, known: Catalogs) -> Scene:

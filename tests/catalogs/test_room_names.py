@@ -89,6 +89,10 @@ def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names:
         ("Esszimmer + Küche", "dining_room"),
         ("Chambre d'amis", "bedroom"),
         ("Livng room", "living_room"),
+        ("Wintergarten", "living_room"),
+        ("Winter garden", "living_room"),
+        ("Wohn-/Schlafzimmer", "living_room"),
+        ("Pièce de vie", "living_room"),
         ("north bathroom (upper floor)", "bathroom"),
     ],
 )
@@ -98,7 +102,7 @@ def test_of_several_words_those_count_that_say_what_it_is(name: str, type_name: 
     assert meaning.key == type_name
 
 
-@pytest.mark.parametrize("name", ["", "room", "Room 12", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
+@pytest.mark.parametrize("name", ["", "room", "Room 12", "Loft", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
 def test_what_tells_nothing_is_not_understood(name: str) -> None:
     assert NAMES.meaning(name) is None
 

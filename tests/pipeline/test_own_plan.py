@@ -93,6 +93,18 @@ def test_a_room_that_cannot_be_furnished_around_what_stays_is_left_and_named() -
     assert made.scene.rooms[1].furniture
 
 
+def test_a_room_that_no_furniture_is_known_for_is_named_and_its_certificate_says_so() -> None:
+    cellar = Room("k", type="room", x=9.0, width=4.0, depth=4.0, openings=(DOOR,), extra={"name": "Keller"})
+    made = furnish(Scene(rooms=(BEDROOM, cellar)), seed=1)
+    said = "there is no furniture for what is called 'Keller': say which type the room has, if it has one"
+    assert made.left == {"k": said}
+    rooms: Any = (made.scene.certificate or {})["rooms"]
+    assert {name: entry["notes"] for name, entry in rooms.items()} == {"a": [], "k": [said]}
+    again = furnish(made.scene, types={"k": "workshop"}, seed=1)
+    rooms = (again.scene.certificate or {})["rooms"]
+    assert (again.left, rooms["k"]["notes"]) == ({}, [])
+
+
 def test_a_told_type_wins_over_name_and_guess() -> None:
     made = furnish(Scene(rooms=(BEDROOM,)), types={"a": "office"}, seed=1)
     assert made.guesses == ()
