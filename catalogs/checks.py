@@ -120,6 +120,8 @@ def _room_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Faul
             yield Fault(file, ("pieces", i, "kinds", 0, "corner"), "the wanted variant must stand anywhere", "no corner; another one first")
         for j, rule in enumerate(piece.rules):
             yield from _rule_faults(Fault(file, ("pieces", i, "rules", j), ""), room, piece, rule)
+    if room.pieces and room.pieces[-1].with_next:
+        yield Fault(file, ("pieces", len(room.pieces) - 1, "with_next"), "no piece comes after this one", "no such key")
     yield from _run_faults(file, room, names)
     yield from _required_faults(catalogs, file, room)
     yield from _order_faults(file, room)
@@ -178,11 +180,14 @@ def _order_faults(file: str, room: RoomType) -> Iterator[Fault]:
     """Rules may only refer to pieces that come earlier, required ones first: so no two wait for each other."""
     order = [piece.piece for piece in sorted(room.pieces, key=lambda piece: not piece.required)]
     for i, piece in enumerate(room.pieces):
+        before = {one.piece for one in room.pieces[:i]}
         for j, rule in enumerate(piece.rules):
             for other in rule.of:
                 if other in order and order.index(other) > order.index(piece.piece):
-                    yield Fault(
-                        file, ("pieces", i, "rules", j, "of"),
-                        f"{piece.piece!r} refers to {other!r}, which comes later: rules must not go round in a circle",
-                        "a piece named earlier; an optional piece may refer to any required one",
-                    )  # fmt: skip
+                    at = ("pieces", i, "rules", j, "of")
+                    if other in before:
+                        problem = f"{piece.piece!r} is required and refers to {other!r}, which is not: it may be left out"
+                        yield Fault(file, at, problem, "a required piece named earlier")
+                        continue
+                    problem = f"{piece.piece!r} refers to {other!r}, which comes later: rules must not go round in a circle"
+                    yield Fault(file, at, problem, "a piece named earlier; an optional piece may refer to any required one")

@@ -18,6 +18,8 @@ OTHER_FORMS: Final = ("_type", "_parsing")
 """How pydantic's names end for a value of another type, a number in place of a list, say."""
 LENGTHS: Final = {"too_long": ("max_length", "at most"), "too_short": ("min_length", "at least")}
 """What pydantic calls a list of another length, and where it says the bound."""
+NO_KEYS: Final = ("[key]", "tuple[", "literal[")
+"""How the steps of pydantic's ways begin that are no keys of the file: a mapping's key itself, and which of several forms was tried."""
 QUOTED: Final = re.compile("'([^']*)'")
 
 
@@ -29,7 +31,7 @@ def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
         schema: the JSON Schema of what was read.
     """
     first = min(error.errors(include_url=False), key=lambda one: one["type"] != UNKNOWN)
-    at = tuple(step for step in first["loc"] if step != "[key]")
+    at = tuple(step for step in first["loc"] if not (isinstance(step, str) and step.startswith(NO_KEYS)))
     if first["type"] == UNKNOWN:
         known = _keys(schema, at[:-1])
         return Fault("", at, f"unknown key{near(str(at[-1]), known)}", ", ".join(known))

@@ -8,6 +8,7 @@ from typing import Final
 
 from catalogs.entries import KindSpec, Surface
 from catalogs.faults import Fault
+from catalogs.references import near
 from catalogs.schema import Catalogs
 from catalogs.shapes import MOST_SOLIDS, ShapePart, Solid, heights
 from catalogs.written_shapes import part_faults, solids
@@ -41,9 +42,15 @@ def shaped(catalogs: Catalogs, shapes: Shapes) -> dict[str, tuple[Solid, ...]]:
 
 def shape_faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     """Yields everything about shapes that does not fit together."""
+    specs = catalogs.furniture | catalogs.decorations
+    known = {word for kind, entry in specs.items() for word in (kind, catalogs.name_of(kind), entry.shape) if word}
+    known |= {f"{word}_{pose}" for word in known for pose in POSES}
     for name, parts in shapes.items():
+        if name not in known:
+            problem = f"nothing has the shape {name!r}{near(name, known)}"
+            yield Fault("shapes", (name,), problem, "a kind, its name, or what one names as its shape")
         yield from _pose_faults(name, parts)
-    for kind, entry in (catalogs.furniture | catalogs.decorations).items():
+    for kind, entry in specs.items():
         shape = shape_of(catalogs, kind, shapes)
         if shape in shapes:
             yield from _fit_faults(shape, shapes[shape], kind, entry)

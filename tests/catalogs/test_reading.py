@@ -228,6 +228,38 @@ def test_a_value_of_another_form_is_told_with_the_form_that_is_allowed(edit: Men
     assert says in str(fault(edit(file, old, new)))
 
 
+def test_a_place_beyond_its_surface_is_named_by_keys_of_the_file_alone(tmp_path: Path) -> None:
+    (tmp_path / "decorating.yaml").write_text("sofa:\n  lies:\n    - {put: pillow, at: [[0.5, 0.5], [1.15, 0.5]]}\n")
+    error = fault(tmp_path)
+    assert (error.key, error.line) == ("sofa.lies.0.at.1.0", 3)
+
+
+def fault_of_pieces(directory: Path, *pieces: str) -> str:
+    (directory / "rooms").mkdir()
+    office = (OURS / OFFICE).read_text()
+    lines = "".join(f"  - {{piece: {piece}}}\n" for piece in pieces)
+    (directory / "rooms" / "den.yaml").write_text(office[: office.index("requires:")] + f"pieces:\n{lines}")
+    return str(fault(directory))
+
+
+def test_a_required_piece_at_one_that_may_be_left_out_is_said_to_be_that(tmp_path: Path) -> None:
+    said = fault_of_pieces(tmp_path, "desk", "office_chair, required: true, rules: [{type: under, of: desk}]")
+    assert "pieces.1.rules.0.of: 'office_chair' is required and refers to 'desk', which is not" in said
+    assert "later" not in said
+
+
+def test_a_last_piece_that_stands_with_the_next_is_a_fault(tmp_path: Path) -> None:
+    assert "den.yaml:10: pieces.1.with_next: no piece comes after" in fault_of_pieces(tmp_path, "desk", "plant, with_next: true")
+
+
+def test_a_shape_of_nothing_is_named_with_what_may_be_meant(tmp_path: Path) -> None:
+    (tmp_path / "shapes").mkdir()
+    (tmp_path / "shapes" / "own.yaml").write_text("sofa:\n  - {form: box, y: [0, seat]}\nsofaa:\n  - {form: box}\n")
+    error = fault(tmp_path)
+    assert (error.key, error.line) == ("sofaa", 3)
+    assert "'sofaa'; sofa?" in str(error)
+
+
 BROKEN = [
     Slip(BEDROOM, "flooring: wood", "flooring: [wood", "accent", "accent", "YAML"),
     Slip(BEDROOM, "flooring: wood", "flooring: wood\nflooring: tile", "flooring", "flooring: tile", "twice"),
