@@ -7,7 +7,7 @@ a place (repair_room), what would help (repairs).
 from __future__ import annotations
 
 from bisect import bisect
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -63,12 +63,14 @@ def _offered(house: Checked, repair: RoomRepair, verdicts: Sequence[_Verdict]) -
     goal = RepairGoal(bare, _asked(repair), Budget(work))
     if len(verdicts) == 1:
         return [repairs_of(goal, verdicts[0].ids, verdicts[0].short)]
-    leaving: list[Repair] = [{"action": "leave_out", "id": one.label} for one in verdicts]
-    goals = [_without(goal, [other.label for other in verdicts if other is not one]) for one in verdicts]
-    if not helps(goals[0], leaving[0]):
-        return [()] * len(verdicts)
-    every = zip(goals, verdicts, leaving, strict=True)
-    return [(first, *(one for one in repairs_of(rest, why.ids, why.short) if one != first))[:HANDFUL] for rest, why, first in every]
+    every, offered = frozenset(one.label for one in verdicts), list[tuple[Repair, ...]]()
+    for one in verdicts:
+        leaving: Repair = {"action": "leave_out", "id": one.label}
+        rest = _without(goal, every - {one.label})
+        if not offered and not helps(rest, leaving):
+            return [()] * len(verdicts)
+        offered.append((leaving, *(other for other in repairs_of(rest, one.ids, one.short) if other != leaving))[:HANDFUL])
+    return offered
 
 
 def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
@@ -114,7 +116,7 @@ def _asked(repair: RoomRepair) -> tuple[RoomProblem, ...]:
     return (sent,) if sent.settings.remove or repair.room == sent.room else (replace(sent, room=repair.room), sent)
 
 
-def _without(goal: RepairGoal, others: Sequence[str]) -> RepairGoal:
+def _without(goal: RepairGoal, others: Collection[str]) -> RepairGoal:
     """Returns what is to be made possible where some others are left out."""
     return replace(goal, problems=tuple(replace(problem, room=without(problem.room, others)) for problem in goal.problems))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from dataclasses import replace
 from importlib import import_module
 
@@ -199,3 +200,21 @@ def test_a_limit_that_is_hit_says_not_found(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(import_module("solver.pipeline.fix"), "SCENE_WORK", 1.0)
     messages = [conflict.message for seed in range(20) for conflict in fix(fuzzed(seed, 5)).conflicts]
     assert any(message.startswith(NOT_FOUND) for message in messages)
+
+
+@pytest.mark.parametrize("does_help", [True, False])
+def test_rooms_without_the_others_are_built_one_by_one(does_help: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first of many that cannot stand tells whether to leave all of them out helps: of it the room as sent and as answered."""
+    flow, rooms = import_module("solver.pipeline.conflicts"), list[Room]()
+    without = flow.without
+    monkeypatch.setattr(flow, "helps", lambda *_: does_help)
+
+    def build(room: Room, gone: Container[str]) -> Room:
+        rooms.append(without(room, gone))
+        return rooms[-1]
+
+    monkeypatch.setattr(flow, "without", build)
+    fixed = fix(room_of(*(body(f"armchair_{k}", 0.1 * k, 0.0, (0.5, 0.5, 0.9)) for k in range(14)), width=2.0, depth=1.0))
+    assert len(fixed.conflicts) > 5
+    assert len(rooms) >= len(fixed.conflicts) if does_help else len(rooms) <= 2
+    assert all(bool(conflict.repairs) == does_help for conflict in fixed.conflicts)
