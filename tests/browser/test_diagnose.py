@@ -73,6 +73,7 @@ def test_the_report_is_the_services_word_for_word(visit: Visit) -> None:
     assert text_of(visit) == ask(visit, "validate", {"scene": scene, "report": True})["report"]["text"]
     expect(visit.page.locator(".report-wrong")).to_have_count(0)
     expect(visit.page.locator("#diagnose_fix")).to_be_disabled()
+    expect(visit.page.locator("#diagnose_copy")).to_be_focused()
 
 
 def test_it_says_first_what_is_wrong_where_and_what_to_do(visit: Visit) -> None:
@@ -80,6 +81,11 @@ def test_it_says_first_what_is_wrong_where_and_what_to_do(visit: Visit) -> None:
     visit.page.locator("#diagnose").click()
     found = visit.page.locator("#diagnose_found")
     expect(found).to_contain_text("press Fix")
+    expect(visit.page.locator("#diagnose_dialog button:visible").first).to_have_id("diagnose_fix")
+    expect(visit.page.locator("#diagnose_fix")).to_be_focused()
+    dialog, last = (visit.page.locator(one).bounding_box() for one in ("#diagnose_dialog", "#report_whole"))
+    assert dialog and last
+    assert dialog["y"] + dialog["height"] - last["y"] - last["height"] < 4  # no empty floor beneath
     expect(visit.page.locator("#report")).to_be_hidden()
     told = [told_sentence(issue["message"], answer["scene"]) for issue in answer["issues"]]
     assert sorted(found.get_by_role("button").all_text_contents()) == sorted(told)

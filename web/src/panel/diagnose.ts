@@ -1,5 +1,5 @@
 /** The diagnosis: what is wrong with the shown home and what to do, the service's report of it, what to copy, what to repair. */
-import type { FixRequest } from "../contract";
+import type { FixRequest, Issue } from "../contract";
 import { fix, isAbort, report } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
@@ -47,6 +47,7 @@ export class Diagnose {
     this.#withdraw();
     this.#say([]);
     this.#remove.hidden = true;
+    this.#offerFix(this.home.issues); // before the dialog opens, which gives the first of its buttons the focus
     this.#dialog.showModal();
     void this.#diagnose();
   }
@@ -63,11 +64,15 @@ export class Diagnose {
       this.#text = told.text;
       showFindings(within("diagnose_found"), issues, scene, (id) => this.#choose(id));
       this.#list.show(reportLines(told).map(({ text, kind, id }) => ({ text, id, className: `report-line report-${kind}` })));
-      this.#fix.disabled = !issues.some(({ severity }) => severity === "error");
+      this.#offerFix(issues);
       this.#dialog.setAttribute("aria-busy", "false");
     } catch (reason) {
       this.#explain(reason);
     }
+  }
+
+  #offerFix(issues: readonly Issue[]): void {
+    this.#fix.disabled = !issues.some(({ severity }) => severity === "error");
   }
 
   /** Repairs what is shown, as one step that can be undone. */
