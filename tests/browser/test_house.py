@@ -55,6 +55,7 @@ def test_every_room_is_named(visit: Visit) -> None:
 
 
 def test_labels_do_not_cover_each_other(visit: Visit) -> None:
+    visit.page.set_viewport_size({"width": 1600, "height": 900})
     visit.open("?width=30&depth=20")
     boxes = [label.bounding_box() for label in visit.page.locator(".room-label:not(.crowded-out)").all()]
     seen = [box for box in boxes if box]

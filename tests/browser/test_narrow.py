@@ -16,6 +16,20 @@ OF_LINES = """id => {
 }"""
 """How far a piece's line is from the ends of the text's region [CSS pixels]."""
 
+COVERED = """() => {
+    const sizeOf = one => one.getBoundingClientRect().width * one.getBoundingClientRect().height;
+    const names = [...document.querySelectorAll('.room-label:not(.crowded-out)')].map(sizeOf);
+    const floors = compose.scene.rooms.map(({x, z, width, depth}) => {
+        const [a, b] = [compose.whereAt(x, z), compose.whereAt(x + width, z + depth)];
+        return Math.abs((b.x - a.x) * (b.y - a.y));
+    });
+    const sum = sizes => sizes.reduce((one, other) => one + other, 0);
+    return sum(names) / sum(floors);
+}"""
+"""How much of a home's floor names cover; seen from above, where a room is a rectangle."""
+MOST_COVERED = 0.18
+"""Names hang where walls end, a little nearer than the floor."""
+
 
 def crowd(count: int) -> Document:
     """A room of so many crates in a row: more lines than the region shows."""
@@ -98,6 +112,24 @@ def beneath(visit: Visit, *panels: str) -> None:
         assert box["y"] + box["height"] <= PHONE["height"]
         assert box["x"] >= 0
         assert box["x"] + box["width"] <= PHONE["width"]
+
+
+def test_on_a_phone_names_leave_the_home_in_sight_and_coming_nearer_names_all(visit: Visit) -> None:
+    visit.page.set_viewport_size(PHONE)
+    visit.open("?program=family&seed=11")
+    visit.page.keyboard.press("2")
+    visit.settle()
+    dots = visit.page.locator(".room-label.crowded-out")
+    assert 2 <= dots.count() <= len(visit.page.evaluate("compose.scene.rooms")) - 3
+    assert 0.05 < visit.page.evaluate(COVERED) < MOST_COVERED
+    canvas = visit.page.locator("#stage > canvas").bounding_box()
+    assert canvas
+    visit.page.mouse.move(canvas["x"] + canvas["width"] / 2, canvas["y"] + canvas["height"] / 2)
+    for _ in range(8):
+        visit.page.mouse.wheel(0, -120)
+        visit.settle()
+    expect(visit.page.locator(".room-label:visible").first).to_be_visible()
+    assert dots.locator("visible=true").count() == 0
 
 
 def test_on_a_phones_side_what_fell_short_is_in_sight(visit: Visit) -> None:

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clearest, keptInside, layOut, onLine } from "../src/view/label_layout";
+import { areaWithin, clearest, keptInside, layOut, onLine } from "../src/view/label_layout";
 
 const wish = (x: number, y: number, importance: number) => ({ x, y, width: 80, height: 20, importance });
 
@@ -33,6 +33,16 @@ describe("a layout beside what lies over the canvas", () => {
     expect(under?.y).toBeGreaterThanOrEqual(25 + 21 + 10);
     expect([below, beside]).toEqual([{ x: 60, y: 90 }, { x: 300, y: 30 }]);
     expect(layOut([wish(60, 30, 1)], [{ ...bar, height: 400 }])).toEqual([null]);
+  });
+});
+
+describe("what corners enclose", () => {
+  it("is as large whichever way they run, also where they turn inwards", () => {
+    const corner = (x: number, y: number) => ({ x, y });
+    const angle = [corner(0, 0), corner(4, 0), corner(4, 1), corner(1, 1), corner(1, 3), corner(0, 3)];
+    expect(areaWithin(angle)).toBe(6);
+    expect(areaWithin([...angle].reverse())).toBe(6);
+    expect(areaWithin([])).toBe(0);
   });
 });
 

@@ -18,6 +18,15 @@ export interface LabelPlace {
 /** What labels keep clear of: a rectangle around its centre [CSS pixels]. */
 export type Kept = Omit<LabelWish, "importance">;
 
+/** How large what corners in turn enclose is. */
+export function areaWithin(corners: readonly LabelPlace[]): number {
+  const twice = corners.reduce((sum, { x, y }, i) => {
+    const next = corners[(i + 1) % corners.length] as LabelPlace;
+    return sum + x * next.y - next.x * y;
+  }, 0);
+  return Math.abs(twice) / 2;
+}
+
 const GAP = 3;
 /** Tried in turn, in label heights. */
 const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2, 2.5];

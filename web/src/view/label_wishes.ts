@@ -9,6 +9,8 @@ import { gazeOf } from "./walk";
 export interface Asked extends LabelWish {
   readonly label: LabelElement;
   readonly keepsDot?: boolean;
+  /** It is its dot even where it would find a place. */
+  readonly isDot?: boolean;
 }
 
 /** Words of what is wrong come first, then what is pointed at, then what is chosen, then rooms, then pieces. */

@@ -140,15 +140,18 @@ export class Labels {
     const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish))
       .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
-    const places = layOut(asked, [...this.#kept, ...[...this.viewport.overlaid.values()].flat()]);
+    const named = asked.filter(({ isDot }) => !isDot);
+    const found = layOut(named, [...this.#kept, ...[...this.viewport.overlaid.values()].flat()]);
+    const places = new Map(named.map((wish, i) => [wish, found[i] ?? null]));
     const shown = new Set<LabelElement>();
-    asked.forEach((wish, i) => {
-      const place = places[i] ?? (wish.keepsDot || wish.label === this.#tip || wish.label === this.#chosen ? wish : null);
-      wish.label.element.classList.toggle("crowded-out", !places[i] && wish.keepsDot === true);
-      if (!place) return;
+    for (const wish of asked) {
+      const at = places.get(wish);
+      const place = at ?? (wish.keepsDot || wish.label === this.#tip || wish.label === this.#chosen ? wish : null);
+      wish.label.element.classList.toggle("crowded-out", !at && wish.keepsDot === true);
+      if (!place) continue;
       moveTo(wish.label, place.x, place.y);
       shown.add(wish.label);
-    });
+    }
     for (const label of this.#labels()) if (!shown.has(label)) hide(label);
     this.onNamed(this.#all ? { shown: this.#pieces.filter((label) => shown.has(label)).length, of: this.#pieces.length } : null);
   }

@@ -8,7 +8,7 @@ import { clearFloorOf } from "../house/clear_floor";
 import { cornersOf } from "../house/plan";
 import type { Point } from "../house/wall_faces";
 import { hang, labelElement, type LabelElement } from "./label_elements";
-import { clearest, type Kept } from "./label_layout";
+import { areaWithin, clearest, type Kept, type LabelPlace } from "./label_layout";
 import { RANK, roomsAhead, type Asked } from "./label_wishes";
 import type { Viewport } from "./viewport";
 import { sayArea } from "../words/language";
@@ -34,8 +34,10 @@ const LOWEST = 0.1;
 
 /** Over the heads of who walks [m]. */
 const WALK_HEIGHT = 2.2;
-/** How much of its room's width a name may take. */
+/** How much of its room's width a name with its area may take. */
 const SHARE = 0.9;
+/** How much of a home's floor, as it is seen, names may cover: the smallest rooms keep their dots until one comes nearer. */
+const COVERED = 0.15;
 
 export class RoomLabels {
   #labels: RoomLabel[] = [];
@@ -80,6 +82,7 @@ export class RoomLabels {
     const { pose } = this.viewport;
     const pieces = pose ? [] : (this.#house?.bodies ?? []).flatMap((body) => this.#seenOf(body));
     const shown = pose ? roomsAhead(pose, this.#labels, (label) => this.#isSeen(pose.eye, label)) : this.#labels;
+    const dots = pose ? new Set() : this.#dots();
     return shown.flatMap((label, i) => {
       const [x, , z] = label.at;
       const seen = pose ? this.viewport.project(new Vector3(x, this.#heightOf(label), z)) : this.#clearPlace(label, pieces);
@@ -88,7 +91,7 @@ export class RoomLabels {
       if (label.second) label.second.hidden = !whole;
       return [{
         label, x: seen.x, y: seen.y, width: label.width - (whole ? 0 : label.spare), height: label.height,
-        importance: RANK.room + (pose ? shown.length - i : label.area), keepsDot: !pose,
+        importance: RANK.room + (pose ? shown.length - i : label.area), keepsDot: !pose, isDot: dots.has(label),
       }];
     });
   }
@@ -140,8 +143,19 @@ export class RoomLabels {
 
   /** From where to where a room reaches across the canvas [CSS pixels]. */
   #acrossSeen(label: RoomLabel): readonly [number, number] {
-    const y = this.#heightOf(label);
-    const xs = cornersOf(label.room).flatMap(([x, z]) => this.viewport.project(new Vector3(label.room.x + x, y, label.room.z + z))?.x ?? []);
+    const xs = this.#cornersSeen(label).map(({ x }) => x);
     return xs.length < 2 ? [0, 0] : [Math.min(...xs), Math.max(...xs)];
+  }
+
+  /** The rooms that have no name while the home is seen so small that all names would hide what stands there. */
+  #dots(): ReadonlySet<RoomLabel> {
+    const bySize = [...this.#labels].sort((a, b) => b.area - a.area);
+    let left = COVERED * bySize.reduce((sum, label) => sum + areaWithin(this.#cornersSeen(label)), 0);
+    return new Set(bySize.filter((label) => (left -= (label.width - label.spare) * label.height) < 0));
+  }
+
+  #cornersSeen(label: RoomLabel): readonly LabelPlace[] {
+    const y = this.#heightOf(label);
+    return cornersOf(label.room).flatMap(([x, z]) => this.viewport.project(new Vector3(label.room.x + x, y, label.room.z + z)) ?? []);
   }
 }
