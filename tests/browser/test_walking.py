@@ -150,3 +150,16 @@ def test_lamps_light_the_rooms_in_the_evening(visit: Visit) -> None:
     red, _, blue = seen[19]
     assert red - blue > seen[15][0] - seen[15][2] + 10, "it is warm light"
     assert red > 0.55 * seen[15][0], "it is no dark house"
+
+
+def test_from_outside_a_home_stands_in_the_dusk_of_its_evening(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    seen = []
+    for hour in (12, 19, 12):
+        visit.page.evaluate(SET_HOUR, hour)
+        visit.settle()
+        picture = Image.open(BytesIO(visit.page.locator("#stage").screenshot())).convert("L")
+        over = picture.crop((picture.width // 2, 2, picture.width // 2 + 20, 6))  # the house, seen whole, does not reach so high
+        seen.append(ImageStat.Stat(over).mean[0])
+    assert seen[1] < seen[0] - 30
+    assert seen[2] == seen[0]

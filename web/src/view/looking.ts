@@ -190,6 +190,7 @@ export class Looking {
       this.#hour.value = hour; // held within its ends
       remember("hour", this.#hour.value);
       this.viewport.daylight.turnTo(Number(this.#hour.value));
+      this.viewport.host.style.setProperty("--dusk", `${Math.round(this.viewport.daylight.lamps * 100)}%`);
       lightLamps(this.#house?.lamps ?? [], this.viewport.daylight.lamps);
       this.viewport.castShadows();
     }
