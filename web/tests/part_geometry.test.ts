@@ -1,5 +1,5 @@
 /** Solids with fewer faces are as round as they are said to be. */
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { solidGeometry, solidOf, SOLIDS } from "../src/house/part_geometry";
 
 const LARGEST_SMALL = 0.06;
@@ -63,5 +63,21 @@ describe("solids", () => {
       expect(solidOf({ form, size: [small, wide, 1], axis: "z" })).toBe("round");
     }
     expect(solidOf({ form: "box", size: [small, small, small], axis: "y" })).toBe("box");
+  });
+
+  it("have fewer faces where a processor draws, and are as large", async () => {
+    vi.resetModules();
+    const coarse = await import("../src/house/part_geometry");
+    coarse.makeCoarsely();
+    for (const name of SOLIDS) {
+      const [all, fewer] = [solidGeometry(name), coarse.solidGeometry(name)];
+      const isRound = name !== "box" && name !== "rounded";
+      const share = (fewer.index?.count ?? 0) / (all.index?.count ?? 1);
+      if (isRound) expect(share, name).toBeLessThan(0.85);
+      else expect(share, name).toBe(1);
+      for (const geometry of [all, fewer]) geometry.computeBoundingBox();
+      expect(fewer.boundingBox?.min.y, name).toBeCloseTo(all.boundingBox?.min.y ?? 0, 9);
+      expect(fewer.boundingBox?.max.toArray().map((side) => side.toFixed(1)), name).toEqual(all.boundingBox?.max.toArray().map((side) => side.toFixed(1)));
+    }
   });
 });

@@ -13,10 +13,18 @@ export const SOLIDS: readonly Solid[] = ["box", "rounded", "round", "stick", "ba
 /** Rules of vertices: faces of a block by their axis, then a ball, a cylinder's mantle and caps, a capsule. */
 export const RULE = { block: 0, ball: 3, mantle: 4, cap: 5, capsule: 6 } as const;
 
-const AROUND = 18;
 /** What is round and no wider [m] has fewer faces, which are nowhere 2.5 mm off. */
 const SMALL = 0.06;
-const AROUND_SMALL = 10;
+/** How many faces what is round has about its axis, and a ball from its foot to its top. */
+const FINE = { around: 18, aroundSmall: 10, ball: [10, 16], bead: [6, 10], capsule: [4, 14] } as const;
+/** Where a processor draws: three tenths of a home's triangles less, for a quarter of what a frame with its shadows costs. */
+const COARSE = { around: 12, aroundSmall: 8, ball: [7, 12], bead: [4, 8], capsule: [3, 10] } as const;
+let faces: typeof FINE | typeof COARSE = FINE;
+
+/** From now on what is round has fewer faces; to be called before anything is built. */
+export function makeCoarsely(): void {
+  faces = COARSE;
+}
 
 class Draft {
   readonly #rows: number[][] = [];
@@ -107,7 +115,7 @@ function round(around: number): BufferGeometry {
   return draft.build();
 }
 
-function ball(rows: number, around: number): BufferGeometry {
+function ball([rows, around]: readonly [number, number]): BufferGeometry {
   const draft = new Draft();
   draft.grid(Array.from({ length: rows + 1 }, (_, i) => {
     const [y, out] = [-Math.cos((i / rows) * Math.PI), Math.sin((i / rows) * Math.PI)];
@@ -116,9 +124,8 @@ function ball(rows: number, around: number): BufferGeometry {
   return draft.build();
 }
 
-function capsule(): BufferGeometry {
+function capsule([rows, around]: readonly [number, number]): BufferGeometry {
   const draft = new Draft();
-  const [rows, around] = [4, 14];
   const half = (end: number): number[][] => Array.from({ length: rows + 1 }, (_, i) => {
     const lift = (end < 0 ? i / rows - 1 : i / rows) * (Math.PI / 2);
     const [y, out] = [Math.sin(lift), Math.cos(lift)];
@@ -129,8 +136,8 @@ function capsule(): BufferGeometry {
 }
 
 const MAKERS: Readonly<Record<Solid, () => BufferGeometry>> = {
-  box: () => block(false), rounded: () => block(true), capsule,
-  round: () => round(AROUND), stick: () => round(AROUND_SMALL), ball: () => ball(10, 16), bead: () => ball(6, AROUND_SMALL),
+  box: () => block(false), rounded: () => block(true), capsule: () => capsule(faces.capsule),
+  round: () => round(faces.around), stick: () => round(faces.aroundSmall), ball: () => ball(faces.ball), bead: () => ball(faces.bead),
 };
 const made = new Map<Solid, BufferGeometry>();
 

@@ -1,6 +1,7 @@
-/** The renderer as the machine can afford it: without a graphics card edges of things stay hard, those of shadows nearly so, and nothing has highlights. */
+/** The renderer as the machine can afford it: without a graphics card edges of things stay hard, those of shadows nearly so, what is round has fewer faces, and nothing has highlights. */
 import { PCFShadowMap, ShaderChunk, WebGLRenderer } from "three";
 import { lightPlainly } from "../house/lit";
+import { makeCoarsely } from "../house/part_geometry";
 
 /** What draws with a processor says so by name. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -33,6 +34,7 @@ export function rendererForMachine(): WebGLRenderer {
   const plain = made(false);
   if (isSoftware(plain.getContext())) {
     lightPlainly();
+    makeCoarsely();
     ShaderChunk.shadowmap_pars_fragment = shadedOnce(ShaderChunk.shadowmap_pars_fragment);
     return plain;
   }
