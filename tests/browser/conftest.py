@@ -118,7 +118,6 @@ def close(page: Page) -> None:
 def make_ready(page: Page) -> None:
     """Takes back what a test has told the browser of a page; what it did in the page, `Visit.open` finds."""
     page.unroute_all()
-    page.route("**/no-such-call", lambda route: route.abort())
     page.emulate_media(reduced_motion="reduce", color_scheme="light", forced_colors="none")
     page.set_viewport_size(WINDOW)
     page.mouse.move(0, 0)

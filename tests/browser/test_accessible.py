@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Frame, Page, Route, ViewportSize, expect
 
-from tests.browser.visit import SMALL, Visit, sent_by
+from tests.browser.visit import SMALL, Visit, intercept, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 RUN = """rules => axe.run({resultTypes: ['violations'], selectors: false, ...(rules && {runOnly: rules})})
@@ -77,12 +77,12 @@ def test_dialogs_palette_conflict_and_notice(visit: Visit) -> None:
     page.keyboard.press("a")
     expect(page.locator("#palette li button").first).to_be_visible()
     found["palette"] = violations(visit)
-    page.route("**/fix", in_conflict)
+    intercept(page, "**/fix", in_conflict)
     page.locator("#palette button[data-kind=armchair]").click()
     expect(page.locator("#conflict")).to_be_visible()
     found["conflict"] = violations(visit)
     for status in (401, 429):
-        page.route("**/generate", refusing(status))
+        intercept(page, "**/generate", refusing(status))
         page.locator("#generate").click()
         expect(page.get_by_role("alert")).to_be_visible()
         found[f"notice of {status}"] = violations(visit)

@@ -13,7 +13,7 @@ from compose_homes import Request, generate
 from solver.exchange import write_scene
 from tests.assets.makers import dense, folder, shape, textured, under
 from tests.browser.service_process import running
-from tests.browser.visit import POLL_MS, Visit
+from tests.browser.visit import POLL_MS, Visit, intercept
 
 pytestmark = pytest.mark.own_page
 
@@ -70,7 +70,7 @@ def test_the_page_goes_on_while_an_asset_is_awaited_and_without_one_that_does_no
     def hold(route: Route) -> None:
         held.append(route)
 
-    furnished.page.route("**/asset/*", hold)
+    intercept(furnished.page, "**/asset/*", hold)
     furnished.open(HOME)
     expect(furnished.page.locator("#assets_shown")).to_contain_text("Assets: 0 of")
     furnished.page.keyboard.press("2")

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Route, expect
 
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, said, sent_by, told_sentence
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, intercept, said, sent_by, told_sentence
 
 QUERY = SMALL.format(4)
 
@@ -31,7 +31,7 @@ def spoiled(visit: Visit) -> Document:
         shown.update(answer)
         route.fulfill(json=answer)
 
-    visit.page.route("**/generate", push)
+    intercept(visit.page, "**/generate", push)
     visit.open(QUERY)
     visit.page.unroute("**/generate")
     return shown
@@ -187,7 +187,7 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
         gone = {**kept, "removed": [removed], "issues": [], "conflicts": []}
         route.fulfill(json=kept if sent_by(route.request)["on_conflict"] == "report" else gone)
 
-    visit.page.route("**/fix", refuse)
+    intercept(visit.page, "**/fix", refuse)
     opened(visit)
     leaving = visit.page.get_by_role("button", name="Fix, leaving out what cannot stand")
     expect(leaving).to_be_hidden()
@@ -258,7 +258,7 @@ def test_a_flagged_piece_is_problematic_in_text_and_report(visit: Visit) -> None
 
 def test_a_service_that_is_lost_is_said_in_the_dialog(visit: Visit) -> None:
     visit.open(QUERY)
-    visit.page.route("**/validate", lambda route: route.abort())
+    intercept(visit.page, "**/validate", lambda route: route.abort())
     visit.page.keyboard.press("d")
     expect(visit.page.locator("#diagnose_said")).to_contain_text("does not answer")
 

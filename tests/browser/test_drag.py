@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, drawn, poses
-from tests.browser.visit import Visit
+from tests.browser.visit import Visit, intercept
 
 ANSWERED = "performance.getEntriesByName('frame answered').length"
 PATIENCE = 40
@@ -60,7 +60,7 @@ def test_frames_are_answered_without_the_network(moving: Visit) -> None:
 
 @pytest.mark.own_page
 def test_where_the_core_cannot_be_had_the_service_answers_frames(moving: Visit) -> None:
-    moving.page.route("**/core.wasm", lambda route: route.fulfill(status=404))
+    intercept(moving.page, "**/core.wasm", lambda route: route.fulfill(status=404))
     bench = Bench(moving, den(crate(ONE, 1, 1), crate(OTHER, 2.8, 1.8)))
     bench.drag(ONE, bench.at(OTHER), steps=25)
     bench.page.mouse.up()

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Request, Route, expect
 
-from tests.browser.visit import ANSWER_MS, Document, Visit, told_sentence
+from tests.browser.visit import ANSWER_MS, Document, Visit, intercept, told_sentence
 
 ONE, OTHER = "den/one", "den/other"
 
@@ -36,7 +36,7 @@ class Bench:
         self.page.on("requestfailed", self._ended)
         self.before = self.ask("export/json", scene)
         answer = {"scene": self.before, "issues": self.ask("validate", {"scene": self.before})["issues"], "timing_ms": 1}
-        self.page.route("**/generate", lambda route: route.fulfill(json=answer))
+        intercept(self.page, "**/generate", lambda route: route.fulfill(json=answer))
         visit.open()
         self.page.keyboard.press("2")
         visit.settle()
@@ -223,7 +223,7 @@ def test_a_service_lost_during_a_drag_is_said_and_all_stays(visit: Visit) -> Non
     def lose(route: Route) -> None:
         route.abort()
 
-    bench.page.route("**/fix", lose)
+    intercept(bench.page, "**/fix", lose)
     bench.drag(ONE, bench.at(OTHER))
     expect(bench.page.get_by_role("alert")).to_contain_text("does not answer")
     bench.page.mouse.up()

@@ -9,7 +9,7 @@ from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from tests.browser.service_process import ROOT
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
-from tests.browser.visit import SMALL, Document, Visit, said, sent_by
+from tests.browser.visit import SMALL, Document, Visit, intercept, said, sent_by
 
 PHONE: ViewportSize = {"width": 390, "height": 800}
 FIRST = {"seed": 42, "program": "family", "outdoor": True, "decorate": True}
@@ -21,7 +21,7 @@ class Asked:
     def __init__(self, page: Page, answer: Document) -> None:
         self.requests: list[Any] = []
         self.answer = answer
-        page.route("**/generate", self._take)
+        intercept(page, "**/generate", self._take)
 
     def _take(self, route: Route) -> None:
         self.requests.append(route.request.post_data_json)
@@ -87,7 +87,7 @@ def test_every_field_of_the_form_is_asked_for_and_reset_takes_all_back(visit: Vi
 def test_a_choice_of_looks_keeps_the_one_whose_answer_it_did_not_await(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     held: list[Route] = []
-    visit.page.route("**/generate", lambda route: held.append(route) if not held else route.continue_())
+    intercept(visit.page, "**/generate", lambda route: held.append(route) if not held else route.continue_())
     with visit.page.expect_request("**/generate"):
         visit.page.get_by_label("Decorations", exact=True).check()
     with visit.page.expect_request("**/generate") as second:
@@ -199,7 +199,7 @@ def test_an_issue_of_a_room_takes_the_room_in_hand(visit: Visit) -> None:
         wrong = {"rule": "missing_required", "severity": "warning", "room": room, "ids": [], "amount": None, "message": "there is no oven"}
         route.fulfill(json={**answer, "issues": [wrong]})
 
-    visit.page.route("**/generate", miss)
+    intercept(visit.page, "**/generate", miss)
     room = visit.open(SMALL.format(4))["scene"]["rooms"][1]
     visit.page.get_by_role("button", name="there is no oven").click()
     expect(visit.page.locator("#room_choice")).to_have_value(room["id"])

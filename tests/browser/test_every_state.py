@@ -15,7 +15,7 @@ from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import OVER, PHONE, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
 from tests.browser.test_language import TOWN
-from tests.browser.visit import Visit, furniture_of
+from tests.browser.visit import Visit, furniture_of, intercept
 
 HOME = "?program=studio&decorate=true&seed=3"
 PLAIN_HOME = "?program=studio&seed=3"
@@ -190,7 +190,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     page.locator("#others_now").click()
     states.look("other arrangements", "#others canvas")
     page.keyboard.press("Escape")
-    page.route("**/fix", in_conflict)
+    intercept(page, "**/fix", in_conflict)
     spoken.line_of(pieces[0]).click()
     stage.focus()
     page.keyboard.press("ArrowRight")
@@ -243,7 +243,7 @@ def test_with_refusals_and_a_plan(spoken: Visit) -> None:
     states.look("a wrong field", "#width_problem")
     page.locator("#width").fill("9")
     for status in (401, 429, 503):
-        page.route("**/generate", refusing(status))
+        intercept(page, "**/generate", refusing(status))
         page.locator("#generate").click()
         states.look(f"refused {status}", "#notice")
         page.locator(".notice-close").click()
@@ -253,7 +253,7 @@ def test_with_refusals_and_a_plan(spoken: Visit) -> None:
     def hold(route: Route) -> None:
         held.append(route)
 
-    page.route("**/generate", hold)
+    intercept(page, "**/generate", hold)
     page.locator("#generate").click()
     states.look("in work", "#progress")
     held[0].continue_()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import Route, expect
 
-from tests.browser.visit import SMALL, Visit, furniture_of, said
+from tests.browser.visit import SMALL, Visit, furniture_of, intercept, said
 
 MAX_DRAW_CALLS = 400
 PLAIN_PICTURE_BYTES = 20_000
@@ -123,8 +123,8 @@ def test_names_from_a_scene_are_text(visit: Visit) -> None:
         answer["issues"] = [{"rule": trap, "severity": "warning", "room": None, "ids": [], "amount": None, "message": trap}]
         route.fulfill(json=answer)
 
-    visit.page.route("**/generate", disguise)
-    visit.page.route("**/view", lambda route: route.fulfill(json={"text": f"- {trap}: 1\n", "lines": ["x"]}))
+    intercept(visit.page, "**/generate", disguise)
+    intercept(visit.page, "**/view", lambda route: route.fulfill(json={"text": f"- {trap}: 1\n", "lines": ["x"]}))
     visit.open(SMALL.format(6))
     assert visit.page.locator("main img, aside img:not(#starts *)").count() == 0
     assert trap in visit.yaml()

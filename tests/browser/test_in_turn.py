@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from playwright.sync_api import Page, Route, expect
 
-from tests.browser.visit import SMALL, Document, Visit, furniture_of
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, intercept
 
 
 def held(page: Page, call: str, act: Callable[[], object]) -> Route:
@@ -16,7 +16,7 @@ def held(page: Page, call: str, act: Callable[[], object]) -> Route:
     def hold(route: Route) -> None:
         routes.append(route)
 
-    page.route(f"**/{call}", hold)
+    intercept(page, f"**/{call}", hold)
     with page.expect_request(lambda request: request.url.endswith(call)):
         act()
     while not routes:

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.service_process import running
-from tests.browser.visit import SMALL, Visit, furniture_of
+from tests.browser.visit import SMALL, Visit, furniture_of, intercept
 
 
 def test_a_refused_field_is_said_beside_it_and_the_house_stays(visit: Visit) -> None:
@@ -36,7 +36,7 @@ def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
 def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
     visit.open(SMALL.format(3))
     busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}
-    visit.page.route("**/generate", lambda route: route.fulfill(status=503, json=busy))
+    intercept(visit.page, "**/generate", lambda route: route.fulfill(status=503, json=busy))
     visit.page.keyboard.press("r")
     expect(visit.page.get_by_role("alert")).to_contain_text("The service is busy")
     visit.page.unroute("**/generate")
@@ -61,7 +61,7 @@ def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
 def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
     visit.open(SMALL.format(1))
     held: list[Route] = []
-    visit.page.route("**/generate", lambda route: held.append(route) if not held else route.continue_())
+    intercept(visit.page, "**/generate", lambda route: held.append(route) if not held else route.continue_())
     visit.page.locator("#seed").fill("2")
     visit.page.keyboard.press("Enter")
     expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "true")
@@ -81,7 +81,7 @@ def test_a_key_is_asked_for_kept_and_sent(visit: Visit) -> None:
         else:
             route.fulfill(status=401, body="{}")
 
-    visit.page.route("**/generate", guarded)
+    intercept(visit.page, "**/generate", guarded)
     visit.page.goto(visit.address + SMALL.format(3))
     expect(visit.page.get_by_label("Key", exact=True)).to_be_focused()
     visit.page.keyboard.type("sesame")
@@ -96,7 +96,7 @@ def test_a_key_is_asked_for_kept_and_sent(visit: Visit) -> None:
 def test_too_many_requests_are_counted_down(visit: Visit) -> None:
     visit.open(SMALL.format(3))
     visit.page.evaluate("window.setInterval = (act, every) => { window.afterwards = {act, every}; return 0; }; 0")
-    visit.page.route("**/generate", lambda route: route.fulfill(status=429, headers={"Retry-After": "3"}, body="{}"))
+    intercept(visit.page, "**/generate", lambda route: route.fulfill(status=429, headers={"Retry-After": "3"}, body="{}"))
     visit.page.locator("#generate").click()
     again = visit.page.locator(".notice-again")
     for words in ("3 seconds", "2 seconds", "1 second"):
@@ -116,7 +116,7 @@ def test_long_work_is_said_and_short_work_is_not(visit: Visit) -> None:
     def hold(route: Route) -> None:
         held.append(route)
 
-    visit.page.route("**/generate", hold)
+    intercept(visit.page, "**/generate", hold)
     visit.page.locator("#generate").click()
     expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "true")
     expect(visit.page.locator("#progress")).to_contain_text("Laying out the house")
@@ -131,7 +131,7 @@ def test_what_is_refused_beside_houses_is_said_and_tried_again_alone(visit: Visi
     notice, again = page.get_by_role("alert"), page.get_by_role("button", name="Try again")
 
     def refused(call: str, act: Callable[[], object]) -> None:
-        page.route(f"**/{call}", lambda route: route.fulfill(status=503, json=busy))
+        intercept(page, f"**/{call}", lambda route: route.fulfill(status=503, json=busy))
         act()
         expect(notice).to_contain_text("The service is busy")
         page.unroute(f"**/{call}")
@@ -161,7 +161,7 @@ BARE = {413: "Too large", 429: "Too many requests", 503: "busy", 504: "slow", 50
 
 def test_a_bare_refusal_has_plain_words_and_the_page_goes_on(visit: Visit) -> None:
     status = next(iter(BARE))
-    visit.page.route("**/generate", lambda route: route.fulfill(status=status, body="<html>gone</html>"))
+    intercept(visit.page, "**/generate", lambda route: route.fulfill(status=status, body="<html>gone</html>"))
     alert, again = visit.page.get_by_role("alert"), visit.page.get_by_role("button", name="Try again")
     visit.page.goto(visit.address + SMALL.format(3))
     expect(alert).to_contain_text(BARE[status])

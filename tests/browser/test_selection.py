@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import Route, expect
 
-from tests.browser.visit import SMALL, Visit, furniture_of, said
+from tests.browser.visit import SMALL, Visit, furniture_of, intercept, said
 
 
 @pytest.mark.draws_all
@@ -81,7 +81,7 @@ def test_pieces_in_error_are_framed_and_named_in_the_services_words(visit: Visit
         ]
         route.fulfill(json=answer)
 
-    visit.page.route("**/generate", worsen)
+    intercept(visit.page, "**/generate", worsen)
     visit.open(SMALL.format(4))
     assert visit.count("issues") == 2
     assert sorted(visit.state()["marks"]["error"]) == sorted(wronged)

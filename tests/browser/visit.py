@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from playwright.sync_api import Locator, Page, Request, Response, expect
+from playwright.sync_api import Locator, Page, Request, Response, Route, expect
 
 from tests.architecture.tree import ROOT
 
@@ -94,6 +94,10 @@ DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
 SAID: dict[str, str] = json.loads((ROOT / "web" / "src" / "words" / "names.en.json").read_text(encoding="utf-8"))
 """Names that are said otherwise than they are written."""
+PROBE = "/healthz"
+UNTIL_TAKEN = f"""async () => {{
+    while (await (await fetch('{PROBE}')).text() !== 'taken');
+}}"""
 SMALL = "?width=12&depth=9&seed={}"
 """A house that is made and drawn fast, by its seed."""
 
@@ -109,10 +113,8 @@ class Visit:
         self.console: list[str] = []
         self.requests: list[str] = []
         self.answers: list[Document] = []
-        # Kept all the time: switched on under way, interception reaches a busy page later than the click it is for.
-        page.route("**/no-such-call", lambda route: route.abort())
         page.on("console", lambda message: self._heard(f"{message.type}: {message.text}"))
-        page.on("request", lambda request: self.requests.append(request.url))
+        page.on("request", lambda request: self.requests.append(request.url) if not request.url.endswith(PROBE) else None)
 
     def _heard(self, said: str) -> None:
         if DRIVER not in said:
@@ -208,6 +210,18 @@ class Visit:
     def line_of(self, id_of: str) -> Locator:
         """The line of the readable YAML that speaks of a body."""
         return self.page.locator(f'#yaml button[data-id="{id_of}"]').first
+
+
+def intercept(page: Page, calls: str, handler: Callable[[Route], object]) -> None:
+    """Gives a page's calls to a handler, and waits until a call of the page is taken.
+
+    The browser says that it intercepts before a busy page does: a click at once would pass it by. From then on the page is intercepted,
+    so that a call that is held stays so when its handler is gone; not before, as each page would read and compile all its script anew.
+    """
+    page.route(calls, handler)
+    page.route(f"**{PROBE}", lambda route: route.fulfill(body="taken"))
+    if page.url.startswith("http"):  # a page that comes is intercepted from its first call
+        page.evaluate(UNTIL_TAKEN)
 
 
 def said(name: str) -> str:
