@@ -5,17 +5,9 @@ from __future__ import annotations
 import pytest
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, drawn, poses
-from tests.browser.visit import Visit, intercept
+from tests.browser.visit import ANSWER_MS, POLL_MS, Visit, intercept
 
 ANSWERED = "performance.getEntriesByName('frame answered').length"
-PATIENCE = 40
-"""How often the pointer goes to and fro until the worker answers."""
-
-
-def place(bench: Bench, label: str) -> tuple[float, float]:
-    """Where a piece is drawn, m."""
-    x, z, _ = bench.page.evaluate("id => compose.places[id]", label)
-    return x, z
 
 
 def take(bench: Bench, label: str) -> tuple[int, int]:
@@ -23,20 +15,17 @@ def take(bench: Bench, label: str) -> tuple[int, int]:
     x, z = bench.at(label)
     bench.page.mouse.move(x, z)
     bench.page.mouse.down()
-    for k in range(PATIENCE):
+    for k in range(ANSWER_MS // POLL_MS):
         bench.page.mouse.move(x + 20 * (k % 2) + 10, z)
         if bench.page.evaluate(ANSWERED):
             return x, z
-        bench.page.wait_for_timeout(50)
+        bench.page.wait_for_timeout(POLL_MS)
     raise AssertionError("the worker never answered")
 
 
-def settled(bench: Bench) -> None:
-    """Waits until no more frames are answered."""
-    before = -1
-    while before != bench.page.evaluate(ANSWERED):
-        before = bench.page.evaluate(ANSWERED)
-        bench.page.wait_for_timeout(400)
+def given_way(bench: Bench, wanted: str) -> None:
+    """Waits until the other piece is drawn where it is wanted, nobody having let go."""
+    bench.page.wait_for_function(f"id => {{ const [x, z] = compose.places[id]; return {wanted}; }}", arg=OTHER)
 
 
 def test_frames_are_answered_without_the_network(moving: Visit) -> None:
@@ -47,8 +36,7 @@ def test_frames_are_answered_without_the_network(moving: Visit) -> None:
     take(bench, ONE)
     asked = bench.fixes
     bench.page.mouse.move(*to, steps=10)
-    settled(bench)
-    assert place(bench, OTHER) != pytest.approx((2.8, 1.8), abs=0.1)
+    given_way(bench, "Math.max(Math.abs(x - 2.8), Math.abs(z - 1.8)) > 0.1")
     assert poses(bench.scene()) == poses(bench.before), "nothing is settled yet"
     assert (bench.fixes, len(prepared)) == (asked, 1)
     bench.page.mouse.up()
@@ -77,8 +65,7 @@ def test_neighbours_go_on_giving_way_while_the_pointer_rests(moving: Visit) -> N
     x, z = bench.at(OTHER)
     take(bench, ONE)
     bench.page.mouse.move(x - 30, z)  # at once: farther than a neighbour goes in one frame
-    settled(bench)
-    assert place(bench, OTHER)[0] > 1.9 + 0.2
+    given_way(bench, "x > 1.9 + 0.2")
     bench.page.keyboard.press("Escape")
     bench.page.mouse.up()
     bench.rest()

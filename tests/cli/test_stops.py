@@ -6,6 +6,7 @@ import http.client
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -47,6 +48,15 @@ def is_working(service: ServiceProcess) -> bool:
     return b"\ncompose_heavy_running 1.0\n" in asked(service, "GET", "/metrics")[1]
 
 
+def is_listening(service: ServiceProcess) -> bool:
+    place = urlsplit(service.address)
+    try:
+        socket.create_connection((place.hostname, place.port), timeout=GUARD_S).close()
+    except ConnectionRefusedError:
+        return False
+    return True
+
+
 def is_gone(process: int) -> bool:
     """Tells whether a process has ended, also where nobody has asked for its status yet."""
     try:
@@ -85,9 +95,10 @@ def test_told_twice_or_killed_it_leaves_nothing_running(signals: list[signal.Sig
         until(lambda: is_working(service))
         processes = descendants(service.process.pid)
         assert len(processes) >= 3, "one for each lane, and the one that forks them"
-        for one in signals:
+        service.process.send_signal(signals[0])
+        for one in signals[1:]:
+            until(lambda: not is_listening(service))  # two of the same that come at once are one
             service.process.send_signal(one)
-            time.sleep(0.2)  # two of the same that come at once are one
         service.process.wait(GUARD_S)
         assert call.exception() is not None or call.result()[0] >= 500
         until(lambda: all(map(is_gone, processes)))

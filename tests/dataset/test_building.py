@@ -26,6 +26,7 @@ from solver.errors import FieldError
 from solver.exchange import load_text, read_scene
 from solver.scene import Decoration, Furniture, Room
 from solver.validator import validate
+from tests.cli.programs import GUARD_S
 from tests.dataset.pool_jobs import ends_always, ends_as_a_thing_goes, ends_once, nothing
 
 SMALL = ("dataset", "--width", "7", "--depth", "6", "--seeds", "3-19", "--shard-size", "6")
@@ -106,8 +107,7 @@ def test_killed_and_resumed_is_as_if_it_had_never_been_killed(tmp_path: Path) ->
     made(whole, "--workers", "1")
     command = [sys.executable, "-m", "compose_homes", *SMALL, "--workers", "2", "--out", str(killed)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, start_new_session=True) as run:
-        deadline = time.monotonic() + 120
-        while not list(killed.glob("shards/*.json")) and run.poll() is None and time.monotonic() < deadline:
+        while not list(killed.glob("shards/*.json")) and run.poll() is None:
             time.sleep(0.01)
         os.kill(run.pid, signal.SIGKILL)
     (killed / "tables" / "rooms" / "train-000009.parquet.elsewhere.1.part").write_bytes(b"half")
@@ -121,7 +121,7 @@ def test_ended_by_the_keyboard_it_ends_with_all_its_processes(tmp_path: Path) ->
         while not list(tmp_path.glob("set/shards/*.json")) and run.poll() is None:
             time.sleep(0.01)
         os.killpg(run.pid, signal.SIGINT)
-        _, said = run.communicate(timeout=120)  # until all have closed their standard error
+        _, said = run.communicate(timeout=GUARD_S)  # until all have closed their standard error
     assert run.returncode == 130 and "Traceback" not in said
 
 

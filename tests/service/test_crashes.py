@@ -22,6 +22,7 @@ from service.store.database import Database
 from service.store.saved_homes import SavedHome, SavedHomes, Wanted
 from service.store.saved_jobs import SavedJobs
 from tests.browser.service_process import running
+from tests.service.heavy import PATIENCE_S
 from tests.service.problems import entry_of
 from tests.service.stores import PostgresqlServer, postgresql
 from tests.service.test_homes import SCENE
@@ -58,7 +59,7 @@ class Working(Thread):
         """Of some the service may have been killed before it said so."""
 
     def run(self) -> None:
-        with httpx2.Client(base_url=self._address, timeout=60) as client, suppress(httpx2.TransportError):
+        with httpx2.Client(base_url=self._address, timeout=PATIENCE_S) as client, suppress(httpx2.TransportError):
             while True:
                 answer = client.post("/jobs", json={"call": "generate", "body": STUDIO, "seeds": SEEDS})
                 assert answer.status_code == 202, answer.text
@@ -82,7 +83,7 @@ class Saving(Thread):
         self.renamed: set[str] = set()
 
     def run(self) -> None:
-        with httpx2.Client(base_url=self._address, timeout=60) as client, suppress(httpx2.TransportError):
+        with httpx2.Client(base_url=self._address, timeout=PATIENCE_S) as client, suppress(httpx2.TransportError):
             for number in range(self._first, self._first + SAVES):
                 answer = client.post("/homes", json=body(number))
                 assert answer.status_code == 201, answer.text
@@ -107,15 +108,15 @@ def test_killed_amid_saves_it_has_all_that_it_acknowledged(place: str) -> None:
             for thread in (worker, *savers):
                 thread.start()
             for saver in savers:
-                saver.begun.wait(120)
+                saver.begun.wait(PATIENCE_S)
             Event().wait(draw.random() / 50)
             service.process.kill()
             service.process.wait()
             for saver in savers:
-                saver.join(60)
+                saver.join(PATIENCE_S)
                 acknowledged |= saver.saved
                 renamed |= saver.renamed
-            worker.join(60)
+            worker.join(PATIENCE_S)
             accepted += worker.accepted
         done += checked_jobs(place, worker)
     words = f"{len(acknowledged)} saves and {len(accepted)} jobs acknowledged, {len(renamed)} renamed, {done} results"
