@@ -56,9 +56,12 @@ def format_sent(request: Request, takes_files: bool = False) -> str:
     given = request.headers.get("content-type", "")
     found = READ_AS.get(given.partition(";")[0].strip().lower())
     if found is None or (found == FILE and not takes_files):
+        texts = ", ".join(MEDIA_TYPES)
         raise WrongMediaType(
-            "Content-Type", f"{given!r} is not read here", f"{', '.join(MEDIA_TYPES)}; {GLB_TYPE} for a .glb that was exported"
-        )
+            "Content-Type", f"{given!r} is not read here",
+            f"{texts}; {GLB_TYPE} for a .glb that was exported; {', '.join(FILE_TYPES)} for a file as it is"
+            if takes_files else f"{texts}; {GLB_TYPE} for a .glb that was exported",
+        )  # fmt: skip
     return found
 
 

@@ -21,7 +21,7 @@ from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
-from solver.scene_bodies import check_ids
+from solver.scene_bodies import check_id, check_ids
 from solver.streams import Stream
 from solver.understanding import understood
 from solver.validator import validate
@@ -76,7 +76,8 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     known = catalogs or load_catalogs()
     ids = [room.id for room in scene.rooms]
     check_ids("rooms", rooms, ids)
-    check_ids("types", tuple(types or ()), ids)
+    for name in types or ():
+        check_id(f"types.{name}", name, ids)
     if keep not in KEEPS:
         raise RequestError("keep", f"is {keep!r:.60}", ", ".join(KEEPS))
     timing = Timing(clock)

@@ -123,7 +123,7 @@ def test_foreign_names_stay_foreign() -> None:
     [
         ({"rooms": ["x"]}, SceneError, r"rooms\[0\]"),
         ({"types": {"a": "castle"}}, RequestError, r"types\.a.*castle"),
-        ({"types": {"x": "office"}}, SceneError, r"types\[0\]"),
+        ({"types": {"x": "office"}}, SceneError, r"types\.x: nothing"),
         ({"keep": "some"}, RequestError, "keep"),
         ({"program": "castle"}, RequestError, "castle"),
         ({"style": "castle"}, RequestError, "castle"),

@@ -287,6 +287,18 @@ def test_other_content_types_are_refused(client: TestClient, sent: str) -> None:
         assert entry["allowed"] == "application/json, application/yaml; model/gltf-binary for a .glb that was exported"
 
 
+@pytest.mark.parametrize("sent", ["image/png", "application/pdf"])
+def test_a_file_of_another_type_is_told_which_types_files_have(client: TestClient, sent: str) -> None:
+    entry = entry_of(client.post("/import", content=b"%PDF-1.4", headers={"content-type": sent}), 415)
+    taken, _, files = entry["allowed"].partition("exported; ")
+    assert taken.startswith("application/json, application/yaml; ")
+    assert files.endswith(" for a file as it is")
+    kinds = files.removesuffix(" for a file as it is").split(", ")
+    assert {"application/octet-stream", "image/svg+xml"} <= set(kinds)
+    for kind in kinds:
+        assert client.post("/import", content=b"hello", headers={"content-type": kind}).status_code == 422
+
+
 def test_packed_bodies_are_refused(client: TestClient) -> None:
     assert entry_of(client.post("/generate", content=b"{}", headers={"content-encoding": "gzip"}), 415)["field"] == "Content-Encoding"
 
