@@ -27,7 +27,7 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Con
         return "the room offers no wall or place of the kind its relations ask for"
     least = _least(piece)
     _, depth, height = least.size_mm
-    parent = least.attach.parent if least.attach else None
+    parent = least.attach.parent if least.attach and all(way.attach for way in piece.candidates) else None
     longest = {}
     if any(a.wall for a in piece.candidates):
         bodies = [other.footprint for other in placed if other.chosen.bottom_mm < height]

@@ -54,7 +54,8 @@ def shortfall(space: Space, pieces: Sequence[Piece], can_stand: CanStand, placin
         placing: the search's placement, asked for at most once.
 
     Returns:
-        The shorter of both axes' (x where equal); None where growing along one axis does not help or a limit was hit.
+        The shorter of both axes' (x where equal); None where growing along one axis does not help, where more is missing than
+        there is (it is not one length that such a room lacks), or a limit was hit.
     """
     best: tuple[int, int] | None = None
     for axis in (0, 1):
@@ -62,7 +63,7 @@ def shortfall(space: Space, pieces: Sequence[Piece], can_stand: CanStand, placin
         missing = _least(space, pieces, axis, most, can_stand)
         if missing is not None:
             best = axis, missing
-    if best is None:
+    if best is None or best[1] > _span(space.clear, best[0]):
         return None
     axis, missing = best
     longer, moved = longer_space(space, axis, missing), longer_pieces(space, pieces, axis, missing)

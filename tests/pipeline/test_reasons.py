@@ -32,6 +32,13 @@ def test_the_reason_is_in_the_certificate_and_a_longer_room_has_the_bed() -> Non
     assert [one for one in reroll(bare("bedroom", 2.6, 2.9), ["r"]).issues if one.rule == "missing_required"] == []
 
 
+def test_a_room_too_small_to_enter_is_said_to_be_that_and_not_to_be_some_length_short() -> None:
+    issues = reroll(bare("bathroom", 0.8, 0.8), ["r"]).issues
+    missing = [one.message for one in issues if one.rule == "missing_required"]
+    assert missing and not any("short" in message for message in missing)
+    assert any("less than 0.25 m2 where a square of 60 cm can stand" in one.message for one in issues)
+
+
 def test_what_is_not_left_out_is_not_explained() -> None:
     made = reroll(bare("bedroom", 4.0, 4.0), ["r"])
     assert "short" not in str(made.scene.certificate)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from solver.geometry import ROTATION_AT_WALL, Rect
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Space, Stand, Zone
 from solver.placement import Budget, feasible, finish, minimal_conflict, move_least, place
+from solver.placement.left_out import why_left_out
 from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
 
 
@@ -82,6 +85,11 @@ def test_where_no_growth_along_one_axis_helps_nothing_is_claimed() -> None:
     assert found(room(1000, 1000), free("slab", 1200, 1200)) is None
 
 
+def test_where_more_is_missing_than_there_is_no_one_length_is_claimed() -> None:
+    assert found(room(1600, 1600), free("bed", 1600, 2000), free("wardrobe", 1500, 600)) is not None
+    assert found(room(700, 700), free("bed", 1600, 2000), free("wardrobe", 1500, 600)) is None
+
+
 def test_where_the_search_ends_at_its_limit_nothing_is_claimed() -> None:
     space, pieces = room(2100, 2000), (free("bed", 1600, 2000), free("wardrobe", 600, 1900))
     assert shortfall(space, pieces, lambda longer, some: None, placed) is None
@@ -114,3 +122,11 @@ def test_of_what_stands_at_a_piece_that_was_left_out_too_the_reason_says_so() ->
     reasons = dict(made.left_out)
     assert reasons["chair_1"].endswith("needs 0.40 x 0.40 m at its place by table_1, which was left out itself")
     assert "left out itself" not in reasons["table_1"]
+
+
+def test_a_piece_that_may_stand_elsewhere_is_not_said_to_have_its_place_at_another() -> None:
+    at_sofa = Candidate("table", (400, 400, 800), 0, attach=Attach("sofa_1", "sofa", (0, 0), (900, 900)))
+    elsewhere = replace(at_sofa, size_mm=(600, 600, 800), attach=None)
+    told = [why_left_out(room(1500, 1500), Piece("table_1", False, ways), ()) for ways in ((at_sofa,), (at_sofa, elsewhere))]
+    assert told[0].endswith("the smallest, table, needs 0.40 x 0.40 m at its place by sofa_1")
+    assert told[1].startswith("the smallest, table, needs 0.40 x 0.40 m and a free way to it")
