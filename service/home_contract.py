@@ -21,10 +21,10 @@ LISTED: Final = 20
 """Homes of one page where no number is named."""
 AFTER: Final = r"^([0-9]{1,18}-[A-Za-z0-9_-]{1,40})?$"
 """How `after` looks: the time and the id of a page's last home."""
-LINE: Final = Matching(r"^[^\x00-\x1f\x7f]+$")
+LINE: Final = Matching(r"^[^\x00-\x1f\x7f]*[^\x00-\x1f\x7f\s][^\x00-\x1f\x7f]*$")
 LINES: Final = Matching(r"^[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f]*$")
 
-HomeName = Annotated[str, MinLen(1), MaxLen(MOST_NAME), LINE, STRICT, Says("one line")]
+HomeName = Annotated[str, MinLen(1), MaxLen(MOST_NAME), LINE, STRICT, Says("one line, not blank")]
 HomeNotes = Annotated[str, MaxLen(MOST_NOTES), LINES, STRICT]
 HomeTag = Annotated[str, MinLen(1), MaxLen(MOST_TAG), LINE, STRICT]
 HomeTags = Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS), Says("each is kept once, in their order")]

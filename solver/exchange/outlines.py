@@ -40,6 +40,12 @@ def _check_corners(outline: tuple[tuple[float, float], ...]) -> None:
     corners = [(round(x * 1e6), round(z * 1e6)) for x, z in outline]
     for index, (x, z) in enumerate(corners):
         next_x, next_z = corners[(index + 1) % len(corners)]
+        if (x, z) == (next_x, next_z):
+            raise (
+                Wrong("is the same corner as the next one", "corners that differ, the last from the first, too")
+                .inside(index)
+                .inside("outline")
+            )
         if x != next_x and z != next_z:
             raise Wrong("begins a line that runs at an angle", "corners joined along x or z").inside(index).inside("outline")
     if doubled_area(corners) == 0:

@@ -185,6 +185,8 @@ def test_places_are_numbers_near_the_house(value: Any) -> None:
         (scene(room(outline=[[0, 0], [1, 0], [1, 1], [0.5, 2]])), "rooms[0].outline[2]"),
         (scene(room(outline=[[0, 0], [1, 0], [2, 0], [3, 0]])), "rooms[0].outline"),
         (scene(room(outline=[[0, 0], [1, 0], [1, 1], [1, 0]])), "rooms[0].outline"),
+        (scene(room(outline=[[0, 0], [1, 0], [1, 1], [0, 1], [0, 1]])), "rooms[0].outline[3]"),
+        (scene(room(outline=[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]])), "rooms[0].outline[4]"),
         (scene(room(outline=[[0, 0], [1, 0], [1, 1], [0, 1, 2]])), "rooms[0].outline[3]"),
         (scene(room(openings=[{"edge": 0}])), "rooms[0].openings[0].edge"),
         (scene(room(openings=[{"edge": 4}], outline=[[0, 0], [1, 0], [1, 1], [0, 1]])), "rooms[0].openings[0].edge"),

@@ -173,6 +173,7 @@ def test_wrong_questions_are_refused(ann: TestClient, query: str) -> None:
         ({}, "scene"),
         ({"scene": {"rooms": [{"width": -1}]}}, "scene.rooms[0].width"),
         ({"scene": SCENE, "name": ""}, "name"),
+        ({"scene": SCENE, "name": " \u00a0"}, "name"),
         ({"scene": SCENE, "name": "a\nb"}, "name"),
         ({"scene": SCENE, "name": "a\x00b"}, "name"),
         ({"scene": SCENE, "name": "a" * 201}, "name"),
