@@ -218,13 +218,14 @@ def _exporter_of(name: str) -> str | None:
 
 
 def _put_files(files: Mapping[str, bytes], name: str) -> None:
-    """Writes files into a folder; one alone also under a name of its own, or to standard output.
+    """Writes files into a folder; one alone also under a name that ends as a file's does, or to standard output.
 
     Raises:
         FieldError: there are several files, and no folder for them.
     """
     content = next(iter(files.values()))
-    if name == STREAM or Path(name).is_file() or (Path(name).suffix and not Path(name).is_dir()):
+    ends_as_file = any(letter.isalpha() for letter in Path(name).suffix)  # a folder may be called out0.4
+    if name == STREAM or Path(name).is_file() or (ends_as_file and not Path(name).is_dir()):
         if len(files) > 1:
             raise FieldError("--output", f"{name} holds one file; there are {len(files)}", "a folder")
         _put(content, name)

@@ -21,8 +21,9 @@ def den(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("format", EXPORTERS)
 def test_files_go_into_a_folder(den: Path, tmp_path: Path, format: str) -> None:
-    assert main(["export", str(den), "-f", format, "-o", str(tmp_path / "out")]) == 0
-    found = {str(path.relative_to(tmp_path / "out")): path.read_bytes() for path in (tmp_path / "out").rglob("*") if path.is_file()}
+    folder = tmp_path / "out0.4"
+    assert main(["export", str(den), "-f", format, "-o", str(folder)]) == 0
+    found = {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     assert found == export(DEN, format)
 
 
