@@ -256,7 +256,13 @@ def _add_readers(commands: Commands) -> None:
     export = _command(commands, "export", "Write a scene for a simulator, an editor or a training set; or as a scene, all written out.")
     _add_scene(export)
     add = export.add_argument
-    add("-o", "--output", metavar="FILE", default="-", help="where to write: a folder, or a file where there is one (standard output)")
+    add(
+        "-o",
+        "--output",
+        metavar="FILE",
+        default="-",
+        help="a folder; of a format of one file a name such as home.glb, too (standard output)",
+    )
     formats: Any = _ExportWords("EXPORTERS", "yaml", "json")
     add("-f", "--format", metavar="FORMAT", choices=formats, help="%(choices)s; by default that of the output's name, else yaml")
     freedoms: Any = _ExportWords("FREEDOMS")
@@ -372,11 +378,12 @@ def parser(everything: bool = True) -> ArgumentParser:
     return whole
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def main(arguments: Sequence[str] | None = None, begin: Callable[[], object] = bool) -> int:
     """Runs a command.
 
     Args:
         arguments: the words after the program's name; by default the process's own.
+        begin: called when all is read that the command needs to begin; from here on Ctrl-C is told.
 
     Returns:
         The exit status: 0 clean, 1 errors found, 2 bad use, 130 ended by Ctrl-C.
@@ -388,6 +395,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         from service.commands import run  # --help needs none of it
 
+        begin()
         return run(options)
     except KeyboardInterrupt:
         from service.standard_streams import give_up_output, say

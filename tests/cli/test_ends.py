@@ -78,6 +78,22 @@ def test_ctrl_c_while_a_command_begins(monkeypatch: pytest.MonkeyPatch, capfd: p
     assert capfd.readouterr().err == "compose: ended\n"
 
 
+def test_ctrl_c_before_a_command_has_begun_is_silent(tmp_path: Path) -> None:
+    """Each time at the import of another module, such as the first of the package's own."""
+    inside = "import os, signal, sys; from compose_homes.__main__ import main"
+    hook = "sys.addaudithook(lambda name, args: name == 'import' and args[0] == %r and os.kill(os.getpid(), signal.SIGINT))"
+    for module in ("signal_of_nobody", "service", "service.cli", "argparse", "service.commands", "pathlib"):
+        code = f"{inside}; {hook % module}; sys.argv = ['compose', 'schema']; sys.exit(main())"
+        run = subprocess.run([PROGRAM[0], "-c", code], capture_output=True, check=False, timeout=GUARD_S, cwd=ROOT)
+        assert (run.returncode, run.stderr) == ((0, b"") if module == "signal_of_nobody" else (INTERRUPTED, b"")), module
+
+
+def test_the_command_starts_with_nothing_that_takes_time() -> None:
+    code = "import sys; before = set(sys.modules); import compose_homes.__main__; print(sorted(set(sys.modules) - before))"
+    run = subprocess.run([PROGRAM[0], "-c", code], capture_output=True, check=True, timeout=GUARD_S, cwd=ROOT)
+    assert run.stdout.decode().strip() == "['compose_homes', 'compose_homes.__main__']"
+
+
 def test_a_folder_that_may_not_be_written_in_keeps_what_it_has(tmp_path: Path) -> None:
     kept = tmp_path / "house.txt"
     kept.write_text("as it was")
