@@ -10,11 +10,19 @@ from collections.abc import Sequence
 from solver.answers import Move
 from solver.body_rows import count_decorations, count_furniture
 from solver.errors import SceneError
-from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (docs/fix.md)."""
 SentBody = Furniture | Decoration | Dynamic
+
+
+def storey_height(scene: Scene, level: int) -> float:
+    """Returns how high the rooms of a storey are, m: as `levels` say; where none is listed, of one storey as `size` says; else 2.8."""
+    listed = {one.index: one.height for one in scene.levels}
+    if listed or scene.size is None or any(room.level != level for room in scene.rooms):
+        return listed.get(level, Level.height)
+    return scene.size.height
 
 
 def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from solver.demanded import demand
-from solver.scene import EXTERIOR
+from solver.scene import EXTERIOR, Opening
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import ExactBox, words
 from solver.validator.walk import DEEPEST_WALL
@@ -41,7 +41,7 @@ def opening_wrong(case: RuleCase) -> Iterator[Finding]:
     in_line: dict[tuple[str, int], list[Hole]] = {}
     for hole in place.holes:
         before = in_line.setdefault((hole.edge.side, hole.edge.line), [])
-        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before)
+        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before) or _reaches_above(place, hole)
         before.append(hole)
         if found is not None:
             amount, why = found
@@ -59,6 +59,14 @@ def _leaves_its_wall(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
     side, line, start, end = hole.edge
     over = _uncovered(start, end, [(one.start, one.end) for one in place.edges if (one.side, one.line) == (side, line)])
     return (over, f"reaches {words(over)} beyond its wall") if over > 0 else None
+
+
+def _reaches_above(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
+    """Judges how high an opening reaches; one above a sill that has the height of those that say none may have been meant lower."""
+    above, is_sure = hole.top - place.ceiling, hole.sill <= 0 or hole.opening.height != Opening.height
+    if above <= 0 or not (is_sure or hole.sill >= place.ceiling):
+        return None
+    return above, f"reaches {words(above)} above its wall, which is {words(place.ceiling)} high"
 
 
 def _leads_elsewhere(world: World, place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:

@@ -17,7 +17,7 @@ from solver.validator.kinds import Kinds
 from solver.validator.walk import Walk
 from solver.validator.world import PlacedRoom, World
 
-JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross")
+JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross", "above_ceiling")
 """The rules that the core judges, by their numbers there (`enum class Rule` of solver/core/validate/room.hpp)."""
 FINDING_WORK: Final = 10
 """What putting a finding into words counts, and sending it; measured."""

@@ -19,7 +19,7 @@ from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
 from solver.validator.requirements import missing_required
-from solver.validator.standing import blocks_door, blocks_window, out_of_bounds, overlap, wall_far
+from solver.validator.standing import above_ceiling, blocks_door, blocks_window, out_of_bounds, overlap, wall_far
 
 RULES: Final = {
     "out_of_bounds": "error",
@@ -29,6 +29,7 @@ RULES: Final = {
     "blocks_window": "error",
     "unreachable": "error",
     "floating": "error",
+    "above_ceiling": "error",
     "missing_required": "warning",
     "shapes_cross": "warning",
     "front_blocked": "warning",
@@ -44,6 +45,7 @@ _FUNCTIONS = (
     blocks_window,
     unreachable,
     floating,
+    above_ceiling,
     missing_required,
     shapes_cross,
     front_blocked,

@@ -19,7 +19,7 @@ from solver.validator.lattice import ExactBox, WallEdge
 from solver.validator.squares import squares, window_zone
 from solver.validator.world import WAYS, Hole, KindKey, PlacedRoom, World, turns_of
 
-_ROOM: Final = Struct("<5q14i")
+_ROOM: Final = Struct("<6q14i")
 _BOX: Final = Struct("<4q")
 _ZONE: Final = Struct("<6q")
 _KIND: Final = Struct("<4i")
@@ -46,7 +46,7 @@ def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
     shell = (outline.inside, outline.missing, edges, ways, doors, windows)
     kinds_sent, kind_sizes = of_kinds.sent()
     sizes = (*map(len, shell), *kind_sizes, len(bodies.told), bodies.names, *bodies.counts)
-    head = _ROOM.pack(world.half_wall, *outline.bounds, *sizes)
+    head = _ROOM.pack(world.half_wall, *outline.bounds, place.ceiling, *sizes)
     boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
     return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies.told, bodies.rows])
 

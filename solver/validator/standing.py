@@ -68,3 +68,10 @@ def blocks_window(case: RuleCase) -> Iterator[Finding]:
         name, where = case.name(told.body), f"{windows[told.other]} of {case.room.room.id}"
         message = f"{name} stands {words(told.amount)} before the window {where} and is {words(told.a)} higher than its sill"
         yield Finding((name,), told.amount, message)
+
+
+def above_ceiling(case: RuleCase) -> Iterator[Finding]:
+    """Furniture or a decoration reaches above the ceiling of its room; outdoors there is none."""
+    for told in case.told["above_ceiling"]:
+        name, where = case.name(told.body), f"the ceiling of {case.room.room.id}, which is {words(case.room.ceiling)} high"
+        yield Finding((name,), told.amount, f"{name} reaches {words(told.amount)} above {where}")

@@ -23,7 +23,7 @@ from solver.body_rows import (
 )
 from solver.demanded import demand
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
-from solver.scene_bodies import home_of
+from solver.scene_bodies import home_of, storey_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
@@ -39,6 +39,8 @@ DOOR_KINDS: Final = ("door", "passage")
 """Openings whose square is kept free."""
 WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
+_OPEN_SKY: Final = 1 << 60
+"""As high as this is an outdoor room."""
 
 PAIR_WORK: Final = 0.1
 """What looking at two rooms, walls or openings counts; measured."""
@@ -56,11 +58,12 @@ class Hole:
 
 @dataclass(frozen=True)
 class PlacedRoom:
-    """A room: what the document says, its floor, holes (room-relative) and people, and where it lies in the house."""
+    """A room: what the document says, its floor, holes (room-relative) and people, where it lies in the house, and how high it is."""
 
     room: Room
     x: int
     z: int
+    ceiling: int
     outline: Outline
     holes: tuple[Hole, ...]
     people: tuple[Dynamic, ...]
@@ -169,14 +172,15 @@ def world_of(scene: Scene, before: World | None = None) -> World:
             was if room is was.room and crowd == was.people else replace(was, room=room, people=crowd) for was, room, crowd in known
         )
         return replace(before, scene=scene, places=placed)
-    places = tuple(_place(room, crowd) for room, crowd in zip(scene.rooms, inside, strict=True))
+    heights = {level: exact(storey_height(scene, level)) for level in {room.level for room in scene.rooms}}
+    places = tuple(_place(room, crowd, heights[room.level]) for room, crowd in zip(scene.rooms, inside, strict=True))
     return World(scene, exact(scene.wall_thickness) // 2, exact(robot_width_of(scene)), places)
 
 
-def _place(room: Room, people: tuple[Dynamic, ...]) -> PlacedRoom:
+def _place(room: Room, people: tuple[Dynamic, ...], height: int) -> PlacedRoom:
     outline = outline_of([(exact(x), exact(z)) for x, z in room.corners])
     holes = tuple(hole for opening in room.openings if (hole := _hole(opening, outline)) is not None)
-    return PlacedRoom(room, exact(room.x), exact(room.z), outline, holes, people)
+    return PlacedRoom(room, exact(room.x), exact(room.z), _OPEN_SKY if room.outdoor else height, outline, holes, people)
 
 
 def turns_of(rotation: float) -> int:

@@ -78,7 +78,7 @@ def test_bytes_that_are_changed_end_the_call_or_are_answered() -> None:
     chance, whole = Random(1), sent(BED)
     refused = 0
     for _ in range(60):
-        at = 8 * chance.randrange(5, 11)  # the header's counts
+        at = 8 * chance.randrange(6, 12)  # the header's counts
         changed = whole[:at] + chance.randbytes(8) + whole[at + 8 :]
         try:
             judged(changed)

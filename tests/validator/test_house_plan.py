@@ -10,7 +10,7 @@ import pytest
 from compose_homes import Request, generate
 from solver.demanded import demanding_at_most
 from solver.errors import TooMuch
-from solver.scene import EXTERIOR, Opening, Scene
+from solver.scene import EXTERIOR, Opening, Scene, Size
 from tests.sweeps import seeds
 from tests.validator.worlds import issues, opening, room, scene
 
@@ -108,3 +108,23 @@ def test_rooms_are_told_beside_which_they_lie_as_when_each_pair_is_looked_at() -
     pairs = [(a, b) for a, b in both if abs(at[a][0] - at[b][0]) < 1 - 1e-6 and abs(at[a][1] - at[b][1]) < 1 - 1e-6]
     assert sorted(found) == sorted(f"room_{a} and room_{b}" for a, b in pairs)
     assert 5 < len(pairs) < len(both)
+
+
+@pytest.mark.parametrize(
+    ("more", "above"),
+    [
+        ({"sill": 0.0, "height": 2.5}, None),
+        ({"sill": 0.0, "height": 2.501}, 0.001),
+        ({"sill": 0.9, "height": 1.6}, None),
+        ({"sill": 0.9, "height": 1.7}, 0.1),
+        ({"sill": 2.7, "height": 0.4}, 0.6),
+        ({"sill": 0.9}, None),
+        ({"sill": 2.5}, 2.1),
+    ],
+)
+def test_an_opening_ends_at_the_ceiling(more: dict[str, Any], above: float | None) -> None:
+    low = scene(room(openings=(opening(kind="window", **more),)), size=Size(4.0, 4.0, 2.5))
+    told = [(issue.amount, issue.severity) for issue in issues(low, "opening_wrong")]
+    assert told == ([] if above is None else [(pytest.approx(above), "warning")])
+    garden = scene(room(openings=(opening(kind="window", **more),), outdoor=True), size=Size(4.0, 4.0, 2.5))
+    assert issues(garden, "opening_wrong") == []

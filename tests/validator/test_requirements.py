@@ -93,7 +93,7 @@ def test_issues_come_room_by_room_and_rule_by_rule() -> None:
         piece(2.0, 0.5, id="b"),
         piece(2.0, 3.5, id="c", height=1.5),
         piece(0.5, 2.0, id="g"),
-        piece(0.5, 2.9, id="h", under="g"),
+        piece(0.5, 2.9, id="h", under="g", height=2.801),
     )
     lamp = Decoration("f", "lamp", x=1.0, y=1.0, z=1.0, width=0.1, depth=0.1, height=0.1)
     nowhere = opening("west", id="door_2", connects_to="nowhere")

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from solver.scene import Decoration, Dynamic
+from solver.scene import Decoration, Dynamic, Furniture, Level, Size
 from tests.validator.worlds import TURNED, WALLS, along, issues, opening, piece, room, scene
 
 MM = 0.001
@@ -277,3 +277,51 @@ def test_people_may_look_out_of_windows() -> None:
     window = opening(kind="window", sill=0.9)
     person = Dynamic(id="person_1", x=2.0, z=0.3)
     assert issues(scene(room(openings=(window,)), dynamic=(person,)), "blocks_window") == []
+
+
+# --- above_ceiling ---------------------------------------------------------------------------------------------------
+
+HOUSE = Size(4.0, 4.0, 2.5)
+
+
+def too_high(*pieces: Furniture, levels: tuple[Level, ...] = (), size: Size | None = HOUSE, **more: Any) -> list[tuple[str, float]]:
+    found = issues(scene(room(*pieces, **more), levels=levels, size=size), "above_ceiling")
+    assert {issue.severity for issue in found} <= {"error"}
+    return [(issue.ids[0], issue.amount) for issue in found]
+
+
+def test_what_is_as_high_as_its_room_fits_it() -> None:
+    assert too_high(piece(2, 2, height=2.5)) == []
+    assert too_high(piece(2, 2, height=2.501)) == [("crate_1", pytest.approx(0.001))]
+    assert too_high(piece(2, 2, height=0.5, y=2.0)) == []
+    assert too_high(piece(2, 2, height=0.5, y=2.001)) == [("crate_1", pytest.approx(0.001))]
+    assert too_high(piece(2, 2, height=900.0)) == [("crate_1", pytest.approx(897.5))]
+    (told,) = issues(scene(room(piece(2, 2, height=2.62)), size=HOUSE), "above_ceiling")
+    assert told.message == "crate_1 reaches 12 cm above the ceiling of room_0, which is 2.50 m high"
+
+
+def test_the_storey_says_how_high_a_room_is_before_the_house_does() -> None:
+    high, low = Level(0, 0.0, 3.1), Level(1, 3.1, 1.9)
+    crate = piece(2, 2, height=3.0)
+    assert too_high(crate, levels=(high, low)) == []
+    assert too_high(crate, levels=(high, low), level=1) == [("crate_1", pytest.approx(1.1))]
+    assert too_high(crate) == [("crate_1", pytest.approx(0.5))]
+    assert too_high(crate, size=None) == [("crate_1", pytest.approx(0.2))]
+
+
+def test_the_height_of_a_house_of_storeys_is_none_of_a_room() -> None:
+    tower = scene(room(piece(2, 2, height=3.0)), room(id="room_1", level=1), size=Size(4.0, 4.0, 6.0))
+    assert [issue.amount for issue in issues(tower, "above_ceiling")] == [pytest.approx(0.2)]
+
+
+def test_small_things_are_judged_wherever_they_are_people_and_gardens_are_not() -> None:
+    things = (
+        Decoration("hung", "frame", mounted_on_wall="north", x=2, y=2.0, z=0.02, width=0.5, depth=0.03, height=0.6),
+        Decoration("lying", "vase", parent="crate_1", x=2, y=2.4, z=2, width=0.2, depth=0.2, height=0.2),
+        Decoration("low", "vase", x=1, z=1, width=0.2, depth=0.2, height=0.2),
+    )
+    crate = piece(2, 2, height=2.4)
+    assert [name for name, _ in too_high(crate, decorations=things)] == ["hung", "lying"]
+    assert too_high(piece(2, 2, height=9.0), outdoor=True, decorations=things) == []
+    person = Dynamic("giant", room="room_0", x=2, z=2, height=2.6)
+    assert issues(scene(room(), size=HOUSE, dynamic=(person,)), "above_ceiling") == []

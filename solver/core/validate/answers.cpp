@@ -32,6 +32,7 @@ Bytes judge_room(Bytes rows_sent, i64 most) {
   const Room room = read_room(reader);
   Findings found{most, {}};
   find_standing(room, found);
+  find_above_ceiling(room, found);
   find_floating(room, found);
   find_crossing(room, found);
   return bytes_of(found.rows.all());

@@ -69,6 +69,7 @@ Room read_room(Reader& reader) {
   Room room{};
   room.half_wall = sent.half_wall;
   room.bounds = sent.bounds;
+  room.ceiling = sent.ceiling;
   room.names = sent.names;
   room.inside = reader.take<Rect>(sent.inside);
   room.missing = reader.take<Rect>(sent.missing);

@@ -132,12 +132,14 @@ struct ThingLook {
 struct RoomRow {
   i64 half_wall;
   Rect bounds;
+  i64 ceiling;
   i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, furniture, things, first_thing;
 };
 
 struct Room {
   i64 half_wall;
   Rect bounds;
+  i64 ceiling;         // how high it is above its floor
   Span<Rect> inside;   // boxes that cover its floor
   Span<Rect> missing;  // boxes that cover the rest of its bounds
   Span<Edge> edges;
@@ -217,7 +219,7 @@ struct Finding {
 };
 
 // In the order of the answers' rules (solver/validator/judging.py).
-enum class Rule : i32 { out_of_bounds, overlap, wall_far, blocks_door, blocks_window, floating, shapes_cross };
+enum class Rule : i32 { out_of_bounds, overlap, wall_far, blocks_door, blocks_window, floating, shapes_cross, above_ceiling };
 
 // What was found, and how much may be: with one more, which is too much, nothing more is looked for.
 struct Findings {
@@ -232,6 +234,7 @@ inline void tell(Findings& found, Rule rule, i64 body, i64 other, i64 amount, i6
 }
 
 void find_standing(const Room& room, Findings& found);
+void find_above_ceiling(const Room& room, Findings& found);
 void find_floating(const Room& room, Findings& found);
 void find_crossing(const Room& room, Findings& found);
 

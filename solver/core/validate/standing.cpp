@@ -1,4 +1,4 @@
-// The rules for where bodies stand: out_of_bounds, overlap, wall_far, blocks_door, blocks_window. All in integers.
+// The rules for where bodies stand: out_of_bounds, overlap, wall_far, blocks_door, blocks_window, above_ceiling. All in integers.
 #include "validate/room.hpp"
 
 namespace validate {
@@ -110,6 +110,14 @@ static void find_blocking(const Room& room, Span<Zone> zones, Rule rule, Finding
       const Extent both = shared(body.box, zone.box);
       tell(found, rule, i, k, least(both.x, both.z), body.high - zone.sill);
     }
+  }
+}
+
+// A piece or a thing, wherever it stands, hangs or lies, is too high for its room. People may stoop.
+void find_above_ceiling(const Room& room, Findings& found) {
+  for (i32 i = 0; i < room.bodies.size; i++) {
+    const i64 above = room.bodies[i].high - room.ceiling;
+    if (above > 0 && !room.bodies[i].is(Sort::person)) tell(found, Rule::above_ceiling, i, -1, above);
   }
 }
 
