@@ -130,6 +130,8 @@ class DrawnPlan:
     """By how many degrees it was turned already, counter-clockwise, so that its walls run along x and z."""
     solid: tuple[DrawnWall, ...] = ()
     """Pieces of wall that tell how thick walls are, not where there are none."""
+    faces: tuple[tuple[Spot, Spot], ...] = ()
+    """Lines along the faces of walls: two that look away from each other have a wall between them."""
 
 
 @dataclass

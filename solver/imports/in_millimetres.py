@@ -84,6 +84,7 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
         openings=tuple(_opening(one, at, metres) for one in plan.openings),
         walls=tuple(_wall(one, at, scale) for one in plan.walls),
         solid=tuple(_wall(one, at, scale) for one in plan.solid),
+        faces=tuple((at(a), at(b)) for a, b in plan.faces),
         pieces=tuple(_piece(one, at, metres, turn) for one in plan.pieces),
         levels=tuple(
             DrawnLevel(one.number, one.name, (one.elevation or 0.0) * metres, HEIGHT if one.height is None else one.height * metres)

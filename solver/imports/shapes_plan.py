@@ -59,7 +59,10 @@ DrawnBox = tuple[float, float, float, float]
 
 
 class DrawnShape(NamedTuple):
-    """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called."""
+    """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called.
+
+    `width` is how thick its line is drawn, 0 where that means nothing.
+    """
 
     names: str
     points: tuple[Spot, ...]
@@ -67,6 +70,7 @@ class DrawnShape(NamedTuple):
     where: str
     sort: str | None
     label: str = ""
+    width: float = 0.0
 
 
 class DrawnSwing(NamedTuple):
@@ -108,9 +112,9 @@ def plan_of_shapes(
     shapes, texts, swings = _turned(shapes, texts, swings, turn)
     sorted_shapes = list(zip(shapes, sorts, strict=True))
     rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
-    outlines = [(*one.points, one.points[0]) if one.closed else one.points for one, sort in sorted_shapes if sort == "wall"]
+    outlines = [((*one.points, one.points[0]) if one.closed else one.points, one.closed) for one, sort in sorted_shapes if sort == "wall"]
     solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
-    faces = [(*room.points, room.points[0]) for room in rooms] or outlines
+    faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
     doors = _swinging(swings, faces, solid)
     leaves = _Places([(one.hinge, end) for one in swings for end in one.ends])
     taken = _Places([(one.start, one.end) for one in doors])
@@ -129,7 +133,9 @@ def plan_of_shapes(
             for a, b in zip(one.points, one.points[1:], strict=False)
         ]  # fmt: skip
     else:
-        found, thick, told = rooms_between(outlines, [*doors, *openings], length or told_by_doors([*doors, *openings]))
+        found, thick, told = rooms_between(
+            [points for points, _ in outlines], [*doors, *openings], length or told_by_doors([*doors, *openings])
+        )
         rooms = [replace(room, label=_label(room.points, texts)) for room in found]
     left = Counter(one.names for one, sort in zip(shapes, sorts, strict=True) if sort is None)
     told += [
@@ -138,6 +144,7 @@ def plan_of_shapes(
     return DrawnPlan(
         tuple(rooms), (*doors, *openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
+        faces=tuple(pair for points, closed in outlines if closed or thick for pair in pairwise(points)),
     )  # fmt: skip
 
 
@@ -182,7 +189,12 @@ def _thickness(walls: Sequence[DrawnBox]) -> float | None:
 
 
 def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[DrawnWall, ...]:
-    """Returns the walls that are drawn as boxes of four corners: long ones, and short ones that are as thick as a long one."""
+    """Returns walls drawn as thick lines, and as boxes of four corners: long ones, and short ones that are as thick as a long one."""
+    lines = [
+        DrawnWall(a, b, one.width, one.where)
+        for one, sort in shapes if sort == "wall" and one.width
+        for a, b in pairwise((*one.points, *one.points[:one.closed]))
+    ]  # fmt: skip
     long, short = list[DrawnWall](), list[tuple[DrawnBox, str]]()
     for one, sort in shapes:
         if sort == "wall" and one.closed and len({*one.points}) == 4:
@@ -193,7 +205,7 @@ def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[Drawn
             elif thin:
                 short.append((box, one.where))
     known = sorted({wall.thickness for wall in long})
-    return (*long, *(wall for box, where in short for wall in _short_walls(box, where, known)))
+    return (*lines, *long, *(wall for box, where in short for wall in _short_walls(box, where, known)))
 
 
 def _short_walls(box: DrawnBox, where: str, known: Sequence[float]) -> Iterator[DrawnWall]:

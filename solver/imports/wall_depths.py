@@ -1,6 +1,6 @@
 """How thick each wall is: the walls that a file draws tell where a room's inner face is, and how deep the wall behind it.
 
-Comes in: rooms' edges, walls as drawn, mm. Goes out: inner faces; thicknesses of outer walls. May import: drawn, rectilinear.
+Comes in: rooms' edges, walls as drawn, mm. Goes out: inner faces; thicknesses of outer walls. May import: drawn, rectilinear, wall_faces.
 """
 
 from __future__ import annotations
@@ -13,9 +13,10 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from solver.geometry import to_m
-from solver.imports.drawn import DrawnWall
+from solver.imports.drawn import DrawnWall, Spot
 from solver.imports.joining import THICKEST_JOINED
 from solver.imports.rectilinear import PlanEdge
+from solver.imports.wall_faces import line_between
 
 STRAIGHT: Final = 0.02
 """How much a wall may rise over its length to count as one along an axis."""
@@ -43,9 +44,10 @@ class WallDepths:
 
     Args:
         walls: with their thickness, mm; slanted ones are passed over.
+        faces: lines along faces of walls: between two of them there is a wall where none of those lies.
     """
 
-    def __init__(self, walls: Sequence[DrawnWall]) -> None:
+    def __init__(self, walls: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]] = ()) -> None:
         bands: dict[tuple[int, str], list[tuple[float, float, float, float]]] = defaultdict(list)
         for wall in walls:
             run = abs(wall.end[0] - wall.start[0]), abs(wall.end[1] - wall.start[1])
@@ -56,12 +58,33 @@ class WallDepths:
         self._bands = {key: np.array(found).T for key, found in bands.items()}
         self._alike = {key: np.unique(np.rint(found[2:]), axis=1, return_inverse=True)[1].ravel() for key, found in self._bands.items()}
         """Which pieces lie in one line and are as thick."""
+        lines = [line for a, b in faces if (line := line_between(a, b))]
+        self._faces = {axis: np.array([(one.at, one.low, one.high) for one in lines if one.axis == axis]).reshape(-1, 3).T for axis in "xz"}
 
     def __bool__(self) -> bool:
         return bool(self._bands)
 
     def behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
         """Returns the wall that lies at a coordinate across an edge, its pieces over most of its length; None where there is none."""
+        return self._drawn_behind(edge, level, at) or self._between_faces(edge, at)
+
+    def _between_faces(self, edge: PlanEdge, at: float) -> WallBand | None:
+        """Returns what lies between the two faces nearest to a coordinate across an edge that are drawn along most of it."""
+        lines, low, high = self._faces[edge.axis]
+        places, which = np.unique(lines, return_inverse=True)
+        covered = np.bincount(which, np.maximum(np.minimum(high, edge.high) - np.maximum(low, edge.low), 0.0), len(places))
+        behind = (places - at) * edge.out
+        long = 2 * covered > edge.length
+        inner, outer = np.flatnonzero(long & (behind <= BESIDE)), np.flatnonzero(long & (behind > BESIDE))
+        if not len(inner) or not len(outer):
+            return None
+        first, last = inner[behind[inner].argmax()], outer[behind[outer].argmin()]
+        thickness = float(abs(places[last] - places[first]))
+        if not THINNEST <= thickness <= THICKEST_JOINED:
+            return None
+        return WallBand(float(places[first] + places[last]) / 2, thickness, float(min(covered[first], covered[last])))
+
+    def _drawn_behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
         if (level, edge.axis) not in self._bands:
             return None
         low, high, line, thickness = self._bands[level, edge.axis]

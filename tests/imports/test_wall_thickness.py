@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
+from io import StringIO
+from typing import Any
 
+import ezdxf.filemanagement as drawings
 import pytest
 
 from compose_homes import Request, generate, load, validate
@@ -125,3 +129,65 @@ def test_gaps_between_inner_faces_are_the_walls() -> None:
     assert (a.wall_thickness, b.wall_thickness) == ((None, None, None, 0.4), None)
     assert [one.connects_to for one in (*a.openings, *b.openings) if one.kind == "door"] == [b.id, a.id]
     assert scene.adjacency == ((0, 1), (0, 2), (1, 2))
+
+
+Ring = list[tuple[float, float]]
+
+
+def ring(x0: float, y0: float, x1: float, y1: float) -> Ring:
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+ROOMS = [ring(0, 0, 5, 4), ring(5.12, 0, 8, 4)]
+OUTER: dict[str, tuple[list[Ring], float]] = {
+    "boxes": ([ring(-0.3, -0.3, 8.3, 0), ring(-0.3, 4, 8.3, 4.3), ring(-0.3, 0, 0, 4), ring(8, 0, 8.3, 4)], 0.0),
+    "outlines": ([ring(-0.3, -0.3, 8.3, 4.3), ring(0, 0, 8, 4)], 0.0),
+    "a thick line": ([ring(-0.15, -0.15, 8.15, 4.15)], 0.3),
+}
+"""Walls of 0.3 m around two rooms, as outlines and the width of their lines."""
+
+
+def dxf_of(rooms: list[Ring], walls: list[Ring], width: float) -> bytes:
+    drawing: Any = drawings.new()
+    drawing.header["$INSUNITS"] = 6
+    for layer, rings in (("ROOMS", rooms), ("WALLS", walls)):
+        for points in rings:
+            wide = {"const_width": width} if layer == "WALLS" and width else {}
+            drawing.modelspace().add_lwpolyline(points, close=True, dxfattribs={"layer": layer, **wide})
+    text = StringIO()
+    drawing.write(text)
+    return text.getvalue().encode()
+
+
+def svg_of(rooms: list[Ring], walls: list[Ring], width: float) -> bytes:
+    """In cm, a tenth as large and drawn ten times as large."""
+
+    def path(rings: list[Ring]) -> str:
+        return " ".join("M" + " ".join(f"{10 * x} {10 * y}" for x, y in points) + "Z" for points in rings)
+
+    drawn = "".join(f"<path class='room' d='{path([points])}'/>" for points in rooms)
+    drawn += f"<path class='wall' d='{path(walls)}' style='fill: none; stroke-width: {10 * width}'/>"
+    return f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='cm'><g transform='scale(10)'>{drawn}</g></svg>".encode()
+
+
+@pytest.mark.parametrize("way", OUTER)
+@pytest.mark.parametrize("draw", [dxf_of, svg_of])
+def test_an_outer_wall_is_as_thick_however_it_is_drawn(draw: Callable[[list[Ring], list[Ring], float], bytes], way: str) -> None:
+    scene = read(draw(ROOMS, *OUTER[way]), "plan").scene
+    assert scene.wall_thickness == pytest.approx(0.12)
+    assert [(room.width, room.depth, room.wall_thickness) for room in scene.rooms] == [
+        (5.12, 4.12, (0.3, None, 0.3, 0.3)), (3.0, 4.12, (0.3, 0.3, 0.3, None)),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("draw", [dxf_of, svg_of])
+def test_outlines_of_walls_around_rooms_that_are_not_drawn_tell_how_thick_they_are(
+    draw: Callable[[list[Ring], list[Ring], float], bytes],
+) -> None:
+    scene = read(draw([], [OUTER["outlines"][0][0], *ROOMS], 0.0), "plan").scene
+    assert [room.wall_thickness for room in scene.rooms] == [(0.3, None, 0.3, 0.3), (0.3, 0.3, 0.3, None)]
+
+
+def test_an_outline_along_the_faces_of_rooms_alone_tells_nothing() -> None:
+    scene = read(dxf_of(ROOMS, [ring(0, 0, 8, 4)], 0.0), "plan").scene
+    assert [room.wall_thickness for room in scene.rooms] == [None, None]

@@ -34,6 +34,8 @@ DEEPEST: Final = 8
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
+WIDTHS: Final = {"LWPOLYLINE": "const_width", "POLYLINE": "default_start_width"}
+"""What says how thick a line is drawn."""
 SHUT: Final = 1e-4
 """A line ends where it begins that leaves no larger a gap than this share of its length."""
 CHORDS: Final = 16
@@ -171,7 +173,8 @@ def _plan(space: Any, metres: float | None) -> DrawnPlan:
         elif kind in CURVED and (sort is not None or "POLYLINE" in kind):
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
-            shapes.append(DrawnShape(layer, points[:-1] if closed else points, closed, where, sort))
+            width = abs(one.dxf.get(WIDTHS[kind], 0.0)) if kind in WIDTHS else 0.0
+            shapes.append(DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width))
         elif kind == "LINE":
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "MTEXT"):

@@ -87,7 +87,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
         (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
         metres=unit.metres, drawn=drawn if stated or "data-drawn" in said else plan.drawn,
         wall_thickness=plan.wall_thickness if thickness is None else thickness, unread=() if stated else plan.unread,
-        unit_words=unit.words, solid=solid or (() if stated else plan.solid),
+        unit_words=unit.words, solid=solid or (() if stated else plan.solid), faces=() if stated else plan.faces,
     )  # fmt: skip
 
 
@@ -210,8 +210,24 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
                 continue
             is_room = sort == "room" or (sort is None and bool(label) and line.closed)
             closed = line.closed or (is_room and len(line.points) > 3)
-            shapes.append(DrawnShape("/".join(element.names[:1]), line.points, closed, element.where, "room" if is_room else sort, label))
+            width = _stroke(element) if sort == "wall" and (not closed or _styled(element, "fill") == "none") else 0.0
+            named = "/".join(element.names[:1])
+            shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
     return plan_of_shapes(shapes, texts, swings, metres, ())
+
+
+def _stroke(element: SvgElement) -> float:
+    """Returns how thick an element says that its lines are drawn, 0 where it does not."""
+    found, (a, b, c, d, *_) = LENGTH.fullmatch(_styled(element, "stroke-width")), element.matrix
+    if not found or found[2] not in PIXELS or _styled(element, "stroke") == "none":
+        return 0.0
+    return float(found[1]) * PIXELS[found[2]] * math.sqrt(abs(a * d - b * c))
+
+
+def _styled(element: SvgElement, key: str) -> str:
+    """Returns what an element's own style says, else its attribute."""
+    rules = (rule.split(":", 1) for rule in element.said.get("style", "").split(";") if ":" in rule)
+    return {name.strip(): value.strip() for name, value in rules}.get(key, element.said.get(key, ""))
 
 
 def _label(element: SvgElement, names: RoomNames) -> str:
