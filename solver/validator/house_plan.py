@@ -32,20 +32,38 @@ def rooms_overlap(case: RuleCase) -> Iterator[Finding]:
 
 
 def opening_wrong(case: RuleCase) -> Iterator[Finding]:
-    """An opening is not wholly in a wall, does not lead where it says, or meets another of its room; of each the first that is wrong."""
+    """An opening is not wholly in a wall, does not lead where it says, or meets another of its room; of each the first that is wrong.
+
+    What both its rooms list wrongly is told once, of the room listed first.
+    """
     world, place = case.world, case.room
+    there: dict[str, set[tuple[str, str | None]]] = {}
+    for opening, amount, before, after in _wrong(world, place):
+        rooms, other = place.room.id, world.by_id.get(opening.connects_to or "")
+        if other is not None and other is not place:
+            name = other.room.id
+            if name not in there:
+                there[name] = {(one.id, one.connects_to) for one, *_ in _wrong(world, other)}
+            if (opening.id, rooms) in there[name]:
+                if next(one for one in world.places if one is place or one is other) is other:
+                    continue
+                rooms = f"{rooms} and {name}"
+        yield Finding((), amount, f"the {opening.kind} {opening.id} {before} {rooms}{after}")
+
+
+def _wrong(world: World, place: PlacedRoom) -> Iterator[tuple[Opening, int, str, str]]:
+    """Yields what is wrong with the openings that a room lists: by how much, and how, before and after the room's name."""
     placed = {id(hole.opening) for hole in place.holes}
     for opening in place.room.openings:
         if id(opening) not in placed:
-            yield Finding((), 0, f"the {opening.kind} {opening.id} is in no wall of {place.room.id}")
+            yield opening, 0, "is in no wall of", ""
     in_line: dict[tuple[str, int], list[Hole]] = {}
     for hole in place.holes:
         before = in_line.setdefault((hole.edge.side, hole.edge.line), [])
         found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before) or _reaches_above(place, hole)
         before.append(hole)
         if found is not None:
-            amount, why = found
-            yield Finding((), amount, f"the {hole.opening.kind} {hole.opening.id} of {place.room.id} {why}")
+            yield hole.opening, found[0], "of", f" {found[1]}"
 
 
 def _shared(one: Sequence[ExactBox], other: Sequence[ExactBox], wall: int) -> tuple[int, int]:

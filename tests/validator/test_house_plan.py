@@ -85,6 +85,28 @@ def test_openings_share_no_wall() -> None:
     assert wrong(first, east(1.5, id="pane", kind="window", sill=2.1, height=0.3)) == []
 
 
+def test_a_door_that_both_rooms_list_is_told_once_where_both_list_it_wrongly() -> None:
+    def told(here: Opening, there: Opening, **more: Any) -> list[tuple[str | None, str]]:
+        other = room(id="other", x=4.0, openings=(there,), **more)
+        found = issues(scene(room(openings=(here,)), other, wall_thickness=0.1), "opening_wrong")
+        return [(issue.room, issue.message.removeprefix("the door ")) for issue in found]
+
+    back = opening("west", connects_to="room_0")
+    assert told(east(), back) == []
+    beyond = "reaches 10 cm beyond its wall"
+    both = told(east(3.65), opening("west", 3.65, connects_to="room_0"))
+    assert both == [("room_0", f"door_1 of room_0 and other {beyond}")]
+    assert told(east(3.65), back) == [("room_0", f"door_1 of room_0 {beyond}")]
+    assert told(east(), opening("west", 3.65, connects_to="room_0")) == [("other", f"door_1 of other {beyond}")]
+    named = told(east(3.65), opening("west", 3.65, connects_to="room_0", id="door_2"))
+    assert named == [("room_0", f"door_1 of room_0 {beyond}"), ("other", f"door_2 of other {beyond}")]
+    assert told(opening(None, connects_to="other"), opening(None, connects_to="room_0")) == [
+        ("room_0", "door_1 is in no wall of room_0 and other")
+    ]
+    apart = "leads to other, whose wall is missing behind 90 cm of it"
+    assert told(east(), back, z=9.0) == [("room_0", f"door_1 of room_0 and other {apart}")]
+
+
 @pytest.mark.parametrize(("step", "most", "refused"), [(0.0, 1_000, False), (0.1, 1_000, True), (0.1, 10_000, False)])
 def test_only_openings_that_were_compared_count_as_work(step: float, most: float, refused: bool) -> None:
     """Of openings upon one another each meets the first; of those side by side each is compared with all before it."""
