@@ -25,6 +25,8 @@ RULES: dict[str, tuple[str, ...]] = {"light": (), "dark": ("color-contrast", "li
 """The rules by colours, all for none: a dark page differs in colours alone."""
 COLOURS = {"en-GB": ("light", "dark"), "de-AT": ("light",)}
 """In which colours a page is looked at, by its language: none has colours of its own."""
+SAME = {"en-GB": (), "de-AT": ("color-contrast",)}
+"""The rules, by language, that would find what they find in another one: contrasts take as long as all else together."""
 IN_THE_DARK = re.compile(r"@media[^{]*prefers-color-scheme[^{]*\{((?:[^{}]*\{[^{}]*\})*)")
 PROPERTY = re.compile(r"[{;]\s*([\w-]+)\s*:")
 PAINT = {"background", "filter"}
@@ -60,7 +62,8 @@ class States:
 
     def __init__(self, visit: Visit) -> None:
         self.visit, self.found = visit, dict[str, list[str]]()
-        self.colours = [*COLOURS[visit.page.evaluate("navigator.language")]]
+        language = visit.page.evaluate("navigator.language")
+        self.colours, self.same = [*COLOURS[language]], SAME[language]
 
     def look(self, state: str, shown: str | None = None) -> None:
         """Wait until what makes the state is seen, and look at it."""
@@ -69,7 +72,7 @@ class States:
         for colours in self.colours:
             self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
             assert f"{state}, {colours}" not in self.found
-            self.found[f"{state}, {colours}"] = found_in(self.visit.page, *RULES[colours])
+            self.found[f"{state}, {colours}"] = found_in(self.visit.page, *RULES[colours], but=self.same)
         self.colours.reverse()  # the next state is come to in the colours of this one
 
     def file(self, name: str, document: object) -> None:
