@@ -8,15 +8,18 @@ from itertools import pairwise
 from typing import Any
 from zipfile import ZipFile
 
+import ifcopenshell
 import pytest
 
 from catalogs import load_catalogs
+from solver import export
 from solver.errors import FieldError
 from solver.exports import describe
 from solver.imported import PlanImport
 from solver.scene import Flooring, Room
 from tests.imports.plans import box as room_box
 from tests.imports.plans import collection, opening, read
+from tests.imports.test_round_trips import home
 
 
 def loop(room: int, x0: int, y0: int, x1: int, y1: int) -> tuple[list[list[float]], list[list[int]]]:
@@ -264,3 +267,20 @@ def test_what_lies_outdoors_is_told_by_its_name(name: str, more: dict[str, Any],
     answer = read(collection(room_box(name, 0, 0, 4, 3, **more)))
     assert answer.scene.rooms[0].outdoor == outdoor
     assert any(guess["what"] == "outdoor" for guess in answer.guesses) == guessed
+
+
+@pytest.mark.parametrize(("raised", "passages"), [(("IfcDoor", None), 10), ((None,), 0)])
+def test_a_hole_at_the_height_of_the_doors_is_a_passage(raised: tuple[str | None, ...], passages: int) -> None:
+    """Floors may lie above their storey's elevation; a hole that begins 23 cm above where the doors do is none to walk through."""
+    (content,) = export(home("family"), "ifc").values()
+    building: Any = ifcopenshell.file.from_string(content.decode())
+    for hole in building.by_type("IfcOpeningElement"):
+        filled = hole.HasFillings[0].RelatedBuildingElement.is_a() if hole.HasFillings else None
+        place = hole.ObjectPlacement.RelativePlacement
+        if filled in raised:
+            x, y, z = place.Location.Coordinates
+            place.Location = building.create_entity("IfcCartesianPoint", (x, y, z + 0.23))
+    found = read(building.to_string().encode()).scene
+    openings = [one for room in found.rooms for one in room.openings]
+    assert sum(one.kind == "passage" for one in openings) == passages
+    assert {one.sill for one in openings if one.kind == "door"} == {0.0}

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from importlib import import_module
 from typing import Any, Final
 
@@ -33,6 +34,8 @@ from solver.imports.formats.ifc_shapes import IfcBox, IfcOutline, IfcShapes
 LOWEST_SILL: Final = 0.1
 """A hole without a door that begins so near the floor, m, and is PASSAGE high, is a passage."""
 PASSAGE: Final = 1.8
+THICKEST_FLOOR: Final = 0.4
+"""So far above its storey's elevation, m, a floor may lie: where the lowest door begins."""
 MOST_ENTITIES: Final = 400_000
 MOST_RELATIONS: Final = 100_000
 """Relations of elements that are looked at, each as often as it is."""
@@ -160,14 +163,9 @@ class _ReadBuilding:
                 yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, self._level(wall))
 
     def _openings(self) -> Iterator[DrawnOpening]:
-        filled = set()
-        for kind in ("IfcDoor", "IfcWindow"):
-            for element in self.file.by_type(kind):
-                fills = [fill.RelatingOpeningElement for fill in self._related(element, "FillsVoids")]
-                filled |= {hole.id() for hole in fills}
-                made = self._opening(element, fills[0] if fills else None, kind == "IfcWindow")
-                if made is not None:
-                    yield made
+        filled: set[int] = set()
+        yield from self._from_the_floor(list(self._filling("IfcDoor", filled)))
+        yield from self._filling("IfcWindow", filled)
         seen: set[tuple[float, ...]] = set()
         for hole in self.file.by_type("IfcOpeningElement"):
             made = None if hole.id() in filled or self._related(hole, "HasFillings") else self._opening(hole, hole, False)
@@ -179,6 +177,25 @@ class _ReadBuilding:
             elif key not in seen:
                 seen.add(key)
                 yield made
+
+    def _filling(self, kind: str, filled: set[int]) -> Iterator[DrawnOpening]:
+        """Yields doors or windows; the holes that they fill are added to those filled."""
+        for element in self.file.by_type(kind):
+            fills = [fill.RelatingOpeningElement for fill in self._related(element, "FillsVoids")]
+            filled |= {hole.id() for hole in fills}
+            made = self._opening(element, fills[0] if fills else None, kind == "IfcWindow")
+            if made is not None:
+                yield made
+
+    def _from_the_floor(self, doors: Sequence[DrawnOpening]) -> Iterator[DrawnOpening]:
+        """Yields doors; the floor of each storey is taken where its lowest door begins, as far as it may lie above the slab."""
+        above = {level: min(one.sill or 0.0 for one in doors if one.level == level) for level in {one.level for one in doors}}
+        for level, by in above.items():
+            if by * self.metres <= THICKEST_FLOOR:
+                self.floors[level] += by
+        for one in doors:
+            by = above[one.level]
+            yield replace(one, sill=(one.sill or 0.0) - by) if by * self.metres <= THICKEST_FLOOR else one
 
     def _opening(self, element: Element, hole: Element | None, is_window: bool) -> DrawnOpening | None:
         """Returns an opening along its wall: as long as the hole that it fills, else as its own words say."""
