@@ -256,13 +256,7 @@ def _add_readers(commands: Commands) -> None:
     export = _command(commands, "export", "Write a scene for a simulator, an editor or a training set; or as a scene, all written out.")
     _add_scene(export)
     add = export.add_argument
-    add(
-        "-o",
-        "--output",
-        metavar="FILE",
-        default="-",
-        help="a folder; of a format of one file a name such as home.glb, too (standard output)",
-    )
+    add("-o", "--output", metavar="FILE", default="-", help="a folder, or of a format of one file home.glb, say (standard output)")
     formats: Any = _ExportWords("EXPORTERS", "yaml", "json")
     add("-f", "--format", metavar="FORMAT", choices=formats, help="%(choices)s; by default that of the output's name, else yaml")
     freedoms: Any = _ExportWords("FREEDOMS")
