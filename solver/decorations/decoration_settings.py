@@ -15,7 +15,7 @@ from solver.geometry import Rect
 
 @dataclass(frozen=True)
 class DecorationSettings:
-    """What all rooms of a house are decorated with, in which style, m from floor to ceiling, and by room what is `kept` free.
+    """What the rooms of a storey are decorated with, in which style, m from floor to ceiling, and by room what is `kept` free.
 
     That is floor on which nothing is to come to stand, beside that at the sides of furniture, mm in the room.
     """

@@ -7,6 +7,7 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 from solver.furnish.attached import tucks
 from solver.furnish.habits import Habits, habits_of
 from solver.furnish.listed_pieces import ListedPieces, Listing, kept_pieces, listed_pieces
+from solver.furnish.low_rooms import LowRooms, as_low_as
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnish.stances import NEARLY_ALL
 from solver.furnish.zones import scope_of, space_of
@@ -16,6 +17,8 @@ __all__ = [
     "Habits",
     "ListedPieces",
     "Listing",
+    "LowRooms",
+    "as_low_as",
     "habits_of",
     "kept_pieces",
     "listed_pieces",

@@ -16,6 +16,7 @@ from solver.pipeline.accessible import floors_asked_for
 from solver.pipeline.room_spaces import spaces_in
 from solver.records import changed
 from solver.scene import Room, Scene
+from solver.scene_bodies import storey_height
 from solver.streams import Stream
 
 
@@ -33,13 +34,14 @@ def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int
     wanted, style = asked.get("decorate") is True, asked.get("style")
     name = style if isinstance(style, str) else ""
     kept = floors_asked_for(scene, catalogs) if wanted else {}
-    settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, scene.size.height if scene.size else 2.8, kept)
-
     anew = [room for room in scene.rooms if room.id in rooms]
     if wanted:
         space = space_of or spaces_in(scene)
-        bare = (BareRoom(room, space(room), Stream(seed, "decorations", room.index)) for room in anew)
-        done = {room.id: room for room in decorated_rooms(bare, settings)}
+        done = dict[str, Room]()
+        for level in sorted({room.level for room in anew}):
+            settings = DecorationSettings(catalogs, catalogs.styles.get(name), name, storey_height(scene, level), kept)
+            bare = (BareRoom(room, space(room), Stream(seed, "decorations", room.index)) for room in anew if room.level == level)
+            done |= {room.id: room for room in decorated_rooms(bare, settings)}
     else:
         done = {room.id: replace(room, decorations=()) for room in anew if count_decorations(room)}
     return changed(scene, rooms=tuple(done.get(room.id, room) for room in scene.rooms))

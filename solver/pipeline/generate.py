@@ -16,7 +16,7 @@ from solver.answers import Generated
 from solver.certificate import certificate, room_certificate
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
-from solver.furnish import space_of, unwanted_pieces, wanted_pieces, wanted_rows
+from solver.furnish import LowRooms, as_low_as, space_of, unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnished import furnished, names_placed
 from solver.geometry import to_m
 from solver.materials import chosen_style, with_materials
@@ -30,13 +30,13 @@ from solver.pipeline.inhabited import home_catalogs, inhabited
 from solver.pipeline.insisted import demanded, insisted_in, insisting
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
-from solver.pipeline.room_spaces import spaces_in
+from solver.pipeline.room_spaces import cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
 from solver.request import MAX_SEED, Request
 from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
-from solver.scene_bodies import check_ids
+from solver.scene_bodies import check_ids, storey_height
 from solver.streams import Stream
 from solver.validator import RULES, check, validate
 from solver.version import VERSION
@@ -69,6 +69,8 @@ class _Setting:
     """What stays in rooms that are furnished anew, by their ids."""
     others: Sequence[Room] = ()
     """The rooms of a scene that is furnished: one may list a door into another alone."""
+    heights: Mapping[int, float] = field(default_factory=dict)
+    """How high the rooms of the storeys are, m, where not as usual."""
     asked: dict[str, _Asked] = field(default_factory=dict, compare=False)
     """What was found of rooms in which something stays, by their ids."""
     spaces: dict[str, tuple[Room, Space]] = field(default_factory=dict, compare=False)
@@ -161,7 +163,7 @@ def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tupl
     space, wanted = _wished(room, setting)
     if label := insisted_in(scene.certificate, room.id):
         wanted = demanded(wanted, label)
-    return space, wanted, unwanted_pieces(room, space, setting.catalogs, _furnishing(room, setting), wanted)
+    return space, wanted, unwanted_pieces(room, space, _low(room, setting).catalogs, _furnishing(room, setting), wanted)
 
 
 def _furnishing(room: Room, setting: _Setting) -> Stream:
@@ -176,7 +178,7 @@ def _around(room: Room, setting: _Setting) -> _Asked:
     if room.id in setting.asked:
         return setting.asked[room.id]
     space = _space(room, setting)
-    wanted = wanted_pieces(room, space, setting.catalogs, _furnishing(room, setting))
+    wanted = wanted_pieces(room, space, _low(room, setting).catalogs, _furnishing(room, setting))
     staying = setting.staying.get(room.id)
     if not staying:
         return Staying(room), space, wanted
@@ -186,28 +188,27 @@ def _around(room: Room, setting: _Setting) -> _Asked:
 def _space(room: Room, setting: _Setting) -> Space:
     known = setting.spaces.get(room.id)
     if known is None or known[0] is not room:
-        space = space_of(room, setting.thickness, setting.robot_width, setting.others, _cover_mm2(room, setting))
+        space = space_of(room, setting.thickness, setting.robot_width, setting.others, cover_mm2(room, setting.catalogs, setting.seed))
         known = setting.spaces[room.id] = room, space
     return known[1]
-
-
-def _cover_mm2(room: Room, setting: _Setting) -> int:
-    """Draws how much of a room's floor its furniture shall cover at least, mm2; 0 where its type does not say."""
-    room_type = setting.catalogs.rooms.get(room.type)
-    if room_type is None or room_type.cover is None:
-        return 0
-    share = Stream(setting.seed, "cover", room.index).uniform(*room_type.cover)
-    return round((1e6 * room.floor_m2 if room.outline else 1e6 * room.width * room.depth) * share)
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
     """Furnishes rooms: by the core in one go, or from pieces, where some stay or another engine is asked."""
     if _is_in_one_go(setting):
-        rows = [wanted_rows(room, _space(room, setting), setting.catalogs, _furnishing(room, setting)) for room in rooms]
-        made = place_wanted(rows, tidy=True)
+        each = [(room, _space(room, setting), _low(room, setting).catalogs, _furnishing(room, setting)) for room in rooms]
+        made = place_wanted([wanted_rows(*one) for one in each], tidy=True)
     else:
         made = place([_wished(room, setting) for room in rooms], setting.engine, tidy=True)
-    return {room.id: done for room, done in zip(rooms, made, strict=True)}
+    return {room.id: _with_too_high(done, _low(room, setting).left_out.get(room.type)) for room, done in zip(rooms, made, strict=True)}
+
+
+def _with_too_high(done: Arrangement, too_high: Sequence[tuple[str, str]] | None) -> Arrangement:
+    return replace(done, left_out=(*done.left_out, *too_high)) if too_high else done
+
+
+def _low(room: Room, setting: _Setting) -> LowRooms:
+    return as_low_as(setting.heights.get(room.level, STOREY_HEIGHT), setting.catalogs)
 
 
 def _is_in_one_go(setting: _Setting) -> bool:
@@ -375,7 +376,8 @@ def _setting_of(
 ) -> _Setting:
     """Returns what a furnishing of a scene's rooms shares: that of its house, around what stays in them; those `anew` hold nothing yet."""
     home, style = home_catalogs(scene, known, anew), _style_of(scene, known)
-    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), style, staying or {}, scene.rooms)
+    heights = {level: storey_height(scene, level) for level in {room.level for room in scene.rooms}}
+    return _Setting(seed, home, "osqp", scene.wall_thickness, robot_width_of(scene), style, staying or {}, scene.rooms, heights)
 
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:

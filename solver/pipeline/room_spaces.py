@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 
+from catalogs import Catalogs
 from solver.answers import Issue
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.pieces import Doorway, Space, Walked
 from solver.repair import RepairSettings, RoomProblem, Walls
 from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
+from solver.streams import Stream
 
 
 def spaces_in(scene: Scene) -> Callable[[Room], Space]:
@@ -57,3 +59,12 @@ def room_problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: Re
     lines = bounds_of(room)
     edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
     return RoomProblem(room, space, Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges)), settings, tuple(errors))
+
+
+def cover_mm2(room: Room, catalogs: Catalogs, seed: int) -> int:
+    """Draws how much of a room's floor its furniture shall cover at least, mm2; 0 where its type does not say."""
+    room_type = catalogs.rooms.get(room.type)
+    if room_type is None or room_type.cover is None:
+        return 0
+    share = Stream(seed, "cover", room.index).uniform(*room_type.cover)
+    return round((1e6 * room.floor_m2 if room.outline else 1e6 * room.width * room.depth) * share)

@@ -321,6 +321,7 @@ bool Floor::stood(const Stands& row, const Choice& choice, const Spot& spot) {
   for (const Size& size : room_.known.sizes_of(choice)) {
     for (i32 angle = 0; angle < (askew ? 2 : 1); angle++) {
       const i64 rotation = spot.rotation + (angle == 0 ? askew : 0);
+      if (size.height > room_.room.ceiling && !room_.room.outdoor) continue;
       const NearestPlace nearest = free_place(row, spot, room_.bounds_of(size, rotation), blocks.all());
       const bool is_body = size.height > FLAT_MM;
       if (!nearest.found || (is_body && !leaves_ways(nearest.place))) continue;
