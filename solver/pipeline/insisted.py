@@ -6,32 +6,32 @@ insisted on. May import: placement. Not here: whose rooms: a plan's, and those t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
 from solver.pieces import Arrangement, Piece, Space
-from solver.placement import place
+from solver.placement import needed, place
 
 MATTERS: Final = 10.0
 """What leaving a piece out costs, from which on it is insisted on."""
 
 
-def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, needed: Collection[str] = ()) -> Arrangement:
+def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, mattering: Collection[str] = ()) -> Arrangement:
     """Insists on the most important piece that matters and was left out.
 
     Args:
         space: the room.
         wanted: what it wants.
         arrangement: how it was furnished.
-        needed: the labels of the pieces that matter; by default what is dear to leave out does.
+        mattering: the labels of the pieces that matter; by default what is dear to leave out does.
 
     Returns:
         The arrangement with it where that is cheaper, all that is left out counted; else the arrangement as it was.
     """
     gone = {label for label, _ in arrangement.left_out}
     lacking = (piece for piece in wanted if piece.label in gone and not (piece.required or piece.is_floor))
-    matter = (piece.label for piece in lacking if (piece.label in needed if needed else piece.skip_cost >= MATTERS))
+    matter = (piece.label for piece in lacking if (piece.label in mattering if mattering else piece.skip_cost >= MATTERS))
     label = next(matter, None)
     if label is None:
         return arrangement
@@ -45,20 +45,28 @@ def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
     Where others, as of a kitchen's run, have floor that matters, they keep it, too: what is required has it required, what is optional
     stands with it alone. Else what is insisted on would stand where their drawers open.
     """
+    necessary = needed(tuple(_with_its_own(wanted, label)))
     floors = dict[str, list[Piece]]()
     for piece in wanted:
         if (owner := _owner(piece)) is not None:
             floors.setdefault(owner, []).append(piece)
-    found, holds = list[Piece](), False
+    found = list[Piece]()
     for piece in wanted:
         if _owner(piece) is not None:
             continue
-        holds = piece.label == label or holds
-        required, own = piece.required or holds, floors.get(piece.label, [])
+        required, own = piece.label in necessary, floors.get(piece.label, [])
         found.append(replace(piece, required=required, with_next=piece.with_next or (bool(own) and not required)))
         found += [replace(floor, required=required, with_next=not required and floor is not own[-1]) for floor in own]
-        holds = holds and piece.with_next
     return tuple(found)
+
+
+def _with_its_own(wanted: Sequence[Piece], label: str | None) -> Iterator[Piece]:
+    """Yields wanted pieces, of which the one with a label is required, and what it stands together with alone."""
+    holds = False
+    for piece in wanted:
+        holds = piece.label == label or holds
+        yield replace(piece, required=piece.required or holds)
+        holds = holds and piece.with_next
 
 
 def _owner(piece: Piece) -> str | None:

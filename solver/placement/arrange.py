@@ -130,14 +130,14 @@ def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | No
     return SolvedRoom(core, decisions, preference, solution, walkable, solves=solution.solves, proven=solution.proven)
 
 
-def _needed(pieces: Sequence[Piece]) -> set[str]:
+def needed(pieces: Sequence[Piece]) -> set[str]:
     """Returns the labels of the required pieces and of all that they may be attached to or refer to, which come before them."""
-    needed = {piece.label for piece in pieces if piece.required}
+    found = {piece.label for piece in pieces if piece.required}
     for piece in reversed(pieces):
-        if piece.label in needed:
-            needed.update(candidate.attach.parent for candidate in piece.candidates if candidate.attach is not None)
-            needed.update(link.of for link in piece.links)
-    return needed
+        if piece.label in found:
+            found.update(candidate.attach.parent for candidate in piece.candidates if candidate.attach is not None)
+            found.update(link.of for link in piece.links)
+    return found
 
 
 def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and for what
@@ -164,8 +164,8 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
         The best arrangement found within the limits.
     """
     allowed = budget or Budget()
-    needed = _needed(pieces)
-    ordered = sorted((replace(piece, required=piece.label in needed) for piece in pieces), key=lambda piece: not piece.required)
+    necessary = needed(pieces)
+    ordered = sorted((replace(piece, required=piece.label in necessary) for piece in pieces), key=lambda piece: not piece.required)
     tables, room = lay_out(space, ordered, "stands")
     whole = kernel.arrange_whole(room, limits.row, allowed.left, walk, wide)
     allowed.left -= whole.spent

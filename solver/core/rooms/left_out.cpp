@@ -39,11 +39,13 @@ LeftOutRow left_out_row(const WantingRoom& room, i64 piece, Why why, Span<Placed
   LeftOutRow row = {};
   row.piece = piece;
   row.why = why;
+  bool at_parents = true;  // at one in all ways: else it may stand elsewhere, too
   for (const Candidate& way : ways) {
     if (is_smaller(room, way, *smallest)) smallest = &way;
     row.at_walls |= way.wall != Wall::none;
+    at_parents &= way.parent >= 0;
   }
-  row.parent = smallest->parent;
+  row.parent = at_parents ? smallest->parent : -1;
   row.kind = smallest->kind;
   i64 size[3];
   room.size_of(*smallest, size);
