@@ -137,7 +137,7 @@ def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
 def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
     """Prepares the room of a piece that is about to be dragged."""
     check_id("id", body.id, body_ids(body.scene))
-    check_ids("locked", body.locked, body_ids(body.scene))
+    check_ids(body_ids(body.scene), locked=body.locked)
     with limited_to():
         taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
     return DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
@@ -162,7 +162,7 @@ def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> P
 def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
     """Lists which rules a scene breaks, and by how much."""
     scene, flagged = body.scene, tuple(dict.fromkeys(body.flagged or ()))
-    check_ids("flagged", flagged, body_ids(scene))
+    check_ids(body_ids(scene), flagged=flagged)
     issues = validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     measured = metrics(scene, catalogs)
@@ -207,7 +207,7 @@ def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
 @_call("floor")
 def floor_of(body: FloorBody, catalogs: Catalogs) -> FloorAnswer:
     """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
-    check_ids("rooms", body.rooms, [room.id for room in body.scene.rooms])
+    check_ids([room.id for room in body.scene.rooms], rooms=body.rooms)
     return FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs)))
 
 

@@ -13,11 +13,15 @@ A bad scene (one that breaks rules) is not an error: validate() returns issues.
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable, Iterable
+from typing import Final, TypeVar
 
 from catalogs.faults import ComposeError
 
-__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault", "TooMuch"]
+__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault", "TooMuch", "all_of"]
+Made = TypeVar("Made")
+MOST_TOLD: Final = 20
+"""How many wrong fields a refusal names."""
 
 
 class FieldError(ComposeError):
@@ -55,3 +59,22 @@ class TooMuch(FieldError):
 
 class SyntaxFault(ComposeError):
     """A text is not a JSON or YAML document, or is too deeply nested to be one of ours."""
+
+
+def all_of(makers: Iterable[Callable[[], Made]]) -> list[Made]:
+    """Returns what each makes.
+
+    Raises:
+        FieldError: the first refusal of a request or scene, with all others as its `more`.
+    """
+    made: list[Made] = []
+    wrong: list[FieldError] = []
+    for make in makers:
+        try:
+            made.append(make())
+        except (RequestError, SceneError) as error:
+            wrong.append(error)
+    if wrong:
+        first, *more = [entry for one in wrong for entry in ((one.field, one.problem, one.allowed), *one.more)][:MOST_TOLD]
+        raise type(wrong[0])(*first, tuple(more))
+    return made

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from types import MappingProxyType
 from typing import Annotated, Final
 
@@ -20,7 +21,7 @@ from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
 from solver.answers import Conflict, Issue
-from solver.errors import RequestError
+from solver.errors import RequestError, all_of
 from solver.fields import STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
 from solver.relations.subject import Kind, as_its_size_says
@@ -100,7 +101,7 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) ->
     names = [*(request.id for request in requests), *(piece.id for piece in room.furniture)]
     for k, request in enumerate(requests):
         _check_relations(f"pieces[{k}]", request, names)
-    return tuple(_sized(f"pieces[{k}]", request, catalogs) for k, request in enumerate(requests))
+    return tuple(all_of(partial(_sized, f"pieces[{k}]", request, catalogs) for k, request in enumerate(requests)))
 
 
 def _check_identity(field: str, request: PieceRequest, taken: set[str]) -> None:
@@ -147,17 +148,20 @@ def _some(known: Sequence[str]) -> str:
 
 def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceRequest:
     kind = catalogs.furniture.get(kind_of_request(request, catalogs) or "")
-    sizes: list[float] = []
-    for axis, key in enumerate(("width", "depth", "height")):
-        given = getattr(request, key)
-        if given is None and kind is None:
-            raise RequestError(f"{field}.{key}", f"is missing, and {request.name!r} is no kind of the catalog", _range())
-        value = kind.size[axis] if given is None and kind else given
-        if not LEAST_LENGTH <= value <= MOST_LENGTH:
-            raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
-        sizes.append(round(value * 1000) / 1000)
-    width, depth, height = sizes
+    own = kind.size if kind else (None,) * 3
+    keys = ("width", "depth", "height")
+    width, depth, height = all_of(partial(_length, field, key, request, usual) for key, usual in zip(keys, own, strict=True))
     return replace(request, relations=tuple(map(_weighed, request.relations)), width=width, depth=depth, height=height)
+
+
+def _length(field: str, key: str, request: PieceRequest, usual: float | None) -> float:
+    given: float | None = getattr(request, key)
+    value = usual if given is None else given
+    if value is None:
+        raise RequestError(f"{field}.{key}", f"is missing, and {request.name!r} is no kind of the catalog", _range())
+    if not LEAST_LENGTH <= value <= MOST_LENGTH:
+        raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
+    return round(value * 1000) / 1000
 
 
 def kind_of_request(request: PieceRequest, catalogs: Catalogs) -> str | None:

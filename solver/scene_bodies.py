@@ -6,10 +6,11 @@ Comes in: a scene, or its rooms and people. Goes out: counts, bodies, ids, moves
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from solver.answers import Move
 from solver.body_rows import count_decorations, count_furniture
-from solver.errors import SceneError
+from solver.errors import SceneError, all_of
 from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
@@ -74,16 +75,19 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
     return tuple(moves)
 
 
-def check_ids(field_name: str, wanted: Sequence[str], known: Sequence[str]) -> None:
+def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
     """Refuses ids that a scene does not have.
 
+    Args:
+        known: those that it has.
+        wanted: ids by the name of the field that lists them.
+
     Raises:
-        SceneError: names the entry and some ids that would do.
+        SceneError: names the entries and some ids that would do.
     """
     have = set(known)
-    for k, name in enumerate(wanted):
-        if name not in have:
-            check_id(f"{field_name}[{k}]", name, known)
+    named = ((f"{field}[{k}]", one) for field, ids in wanted.items() for k, one in enumerate(ids) if one not in have)
+    all_of(partial(check_id, field, one, known) for field, one in named)
 
 
 def check_id(field_name: str, wanted: str, known: Sequence[str]) -> None:

@@ -14,10 +14,9 @@ from pydantic import ValidationError
 
 from catalogs.misfits import LENGTHS
 from catalogs.schema_words import allowed, called, options_of, schema_at
+from solver.errors import MOST_TOLD
 from solver.plain import path
 
-MOST_TOLD: Final = 20
-"""Wrong fields that are told of: enough for a form. Our choice."""
 MOST_FOUND: Final = 100
 """Faults that those are chosen from: a field may have several."""
 KEY: Final = "[key]"

@@ -126,8 +126,7 @@ def fix_frame(  # noqa: PLR0913 - keyword-only options of a public function
         >>> frame.scene.rooms[0].furniture[0].x
         1.0
     """
-    check_ids("locked", locked, body_ids(scene))
-    check_ids("moved", moved, body_ids(scene))
+    check_ids(body_ids(scene), locked=locked, moved=moved)
     if len(moved) != 1:
         raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
     label, timing, known = moved[0], Timing(clock), catalogs or load_catalogs()

@@ -77,8 +77,7 @@ def fix(  # noqa: PLR0913 - keyword-only options of a public function
     """
     if on_conflict not in ON_CONFLICT:
         raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
-    check_ids("locked", locked, body_ids(scene))
-    check_ids("moved", moved, body_ids(scene))
+    check_ids(body_ids(scene), locked=locked, moved=moved)
     timing, known = Timing(clock), catalogs or load_catalogs()
     seats = {person.on for person in scene.dynamic if person.on is not None and person.id in locked}
     settings = RepairSettings(

@@ -342,7 +342,7 @@ def _seed_of(scene: Scene, seed: int | None) -> int:
 
 def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: Catalogs, timing: Timing) -> Generated:
     """Furnishes rooms anew; `how` is the seed, and whether it is insisted on what matters."""
-    check_ids("reroll", rooms, [room.id for room in scene.rooms])
+    check_ids([room.id for room in scene.rooms], reroll=rooms)
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     stays = {room.id: staying for room in chosen if (staying := staying_in(room)).ids}
     setting, arrangements = _furnished_rooms(chosen, _setting_of(scene, known, how[0], stays, [room.id for room in chosen]))

@@ -75,7 +75,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     """
     known = catalogs or load_catalogs()
     ids = [room.id for room in scene.rooms]
-    check_ids("rooms", rooms, ids)
+    check_ids(ids, rooms=rooms)
     for name in types or ():
         check_id(f"types.{name}", name, ids)
     if keep not in KEEPS:

@@ -323,3 +323,20 @@ def test_another_method_is_not_allowed(client: TestClient, method: str, path: st
     answer = client.request(method, path)
     assert entry_of(answer, 405)["allowed"] == allowed
     assert answer.headers["allow"] == allowed
+
+
+def test_every_id_that_is_not_there_is_named_at_once(client: TestClient) -> None:
+    scene = {"rooms": [{"id": "den", "width": 4, "depth": 3}]}
+    body = {"scene": scene, "locked": ["a", "b"], "moved": ["c"]}
+    for dragging in (False, True):
+        errors = client.post("/fix", json={**body, "dragging": dragging}).json()["errors"]
+        assert [(one["field"], one["problem"].rsplit(" ", 1)[1]) for one in errors] == [
+            ("locked[0]", "'a'"), ("locked[1]", "'b'"), ("moved[0]", "'c'"),
+        ]  # fmt: skip
+
+
+def test_every_piece_of_an_unknown_name_is_named_at_once(client: TestClient) -> None:
+    room = {"id": "den", "width": 4, "depth": 3}
+    pieces = [{"name": "zzqx"}, {"name": "bed"}, {"name": "qqzx", "width": 1, "height": 1}]
+    errors = client.post("/place", json={"room": room, "pieces": pieces}).json()["errors"]
+    assert [one["field"] for one in errors] == ["pieces[0].width", "pieces[0].depth", "pieces[0].height", "pieces[2].depth"]
