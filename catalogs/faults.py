@@ -37,14 +37,14 @@ class CatalogError(ComposeError):
     Args:
         file: the file's path.
         key: which key, such as `bed.size` or `pieces.3.rules.0.of`; empty if the file as a whole is meant.
-        line: its line, from 1.
+        line: its line, from 1; 0 where no line of it is meant.
         problem: what is wrong, in words.
         allowed: what would be accepted, in words; empty if there is nothing to add.
     """
 
     def __init__(self, file: str, key: str, line: int, problem: str, allowed: str = "") -> None:
         self.file, self.key, self.line, self.problem, self.allowed = file, key, line, problem, allowed
-        where = f"{file}:{line}" + (f": {key}" if key else "")
+        where = file + (f":{line}" if line else "") + (f": {key}" if key else "")
         super().__init__(f"{where}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
 
     def __reduce__(self) -> tuple[type[CatalogError], tuple[str, str, int, str, str]]:

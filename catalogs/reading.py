@@ -87,7 +87,8 @@ def _layer(directory: Path) -> _Layer:
     room_files = {path.stem: path for path in sorted((directory / _ROOMS).glob("*.yaml"))}
     shape_files = sorted((directory / _SHAPES).glob("*.yaml"))
     if not room_files and not shape_files and not any(path.exists() for path in paths.values()):
-        raise CatalogError(str(directory), "", 1, "holds no catalog", ", ".join(_FILES))
+        problem = "holds no catalog" if directory.is_dir() else "is no folder"
+        raise CatalogError(str(directory), "", 0, problem, ", ".join(_FILES))
     entries = {section: read_entries(path, _SECTIONS[section]) if path.exists() else {} for section, path in paths.items()}
     entries[_ROOMS] = {name: read_entries(path, RoomType) for name, path in room_files.items()}
     files = {(section, name): paths[section] for section in paths for name in entries[section]}

@@ -92,7 +92,7 @@ class ShapePart(Entry):
     @model_validator(mode="after")
     def _opens_sensibly(self) -> ShapePart:
         if (self.name is None) != (self.opens is None):
-            raise ValueError("what opens has a name, and nothing else")
+            raise ValueError("a part that `opens` has a `name` too, and a part that does not has none")
         if self.must_open and not self.opens:
             raise ValueError("must_open is of what opens")
         if self.range is not None and (self.opens is None or (self.opens == "drawer" and self.range > 1)):

@@ -11,7 +11,7 @@ from catalogs import Catalogs
 from catalogs.entries import Entry
 from service.contract import ProblemDocument
 from service.problems import MEDIA_TYPE, STATUS, STORE_STATUS
-from service.wire import MEDIA_TYPES
+from service.wire import FILE_TYPES, MEDIA_TYPES
 from solver.exchange import load_text, tell_keys
 from solver.export_formats import EXPORTERS
 from solver.fields import Record
@@ -19,6 +19,7 @@ from solver.fields import Record
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
 JSON: Final = "application/json"
+BINARY: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 TITLES: Final = {**dict(STORE_STATUS.values()), **dict(STATUS.values())}
 
 
@@ -40,6 +41,7 @@ def completed(document: dict[str, Any], catalogs: Catalogs) -> dict[str, Any]:
         for verb, call in verbs.items():
             _complete(call, examples().get(f"{verb.upper()} {path}") or examples().get(path, {}))
     _export_answers(document["paths"]["/export/{format}"]["post"]["responses"]["200"]["content"])
+    document["paths"]["/import"]["post"]["requestBody"]["content"] |= dict.fromkeys(FILE_TYPES, BINARY)
     _name_words(document["components"]["schemas"], catalogs)
     tell_keys(document["components"]["schemas"], Record, Entry)
     return document
@@ -68,8 +70,8 @@ def _export_answers(content: dict[str, Any]) -> None:
     files = ", ".join(name for name, exporter in EXPORTERS.items() if exporter.media_type == JSON)
     content[JSON]["schema"] = {"anyOf": [content[JSON]["schema"], {"type": "object", "description": f"a file of another format: {files}"}]}
     for exporter in EXPORTERS.values():
-        content.setdefault(exporter.media_type, {"schema": {"type": "string", "format": "binary"}})
-    content.setdefault("application/zip", {"schema": {"type": "string", "format": "binary"}})
+        content.setdefault(exporter.media_type, BINARY)
+    content.setdefault("application/zip", BINARY)
 
 
 def _name_words(schemas: dict[str, Any], catalogs: Catalogs) -> None:

@@ -19,7 +19,15 @@ SEVERITIES: Final = ("error", "warning")
 
 @dataclass(frozen=True)
 class Freed(Record):
-    """A repair: `wall` becomes null, for the body need not stand at one; /fix then moves it by dx, dz, m, to that rotation."""
+    """A repair: `wall` becomes null, for the body need not stand at one; /fix then moves it.
+
+    Args:
+        action: "move".
+        id: of the body.
+        wall: null.
+        dx, dz: how far it then goes, m.
+        rotation: that it then has, degrees.
+    """
 
     action: Literal["move"]
     id: str
@@ -31,7 +39,14 @@ class Freed(Record):
 
 @dataclass(frozen=True)
 class Unlocked(Record):
-    """A repair: the body is unlocked; /fix then moves it by dx, dz, m, to that rotation."""
+    """A repair: the body is unlocked; /fix then moves it.
+
+    Args:
+        action: "unlock".
+        id: of the body.
+        dx, dz: how far it then goes, m.
+        rotation: that it then has, degrees.
+    """
 
     action: Literal["unlock"]
     id: str
@@ -42,7 +57,13 @@ class Unlocked(Record):
 
 @dataclass(frozen=True)
 class Turned(Record):
-    """A repair: another rotation, degrees."""
+    """A repair: another rotation.
+
+    Args:
+        action: "turn".
+        id: of the body.
+        rotation: the other one, degrees.
+    """
 
     action: Literal["turn"]
     id: str
@@ -51,7 +72,14 @@ class Turned(Record):
 
 @dataclass(frozen=True)
 class Shrunk(Record):
-    """A repair: another size, m."""
+    """A repair: another size.
+
+    Args:
+        action: "shrink".
+        id: of the body.
+        width: across its front, m.
+        depth: from its front to its back, m.
+    """
 
     action: Literal["shrink"]
     id: str
@@ -61,7 +89,12 @@ class Shrunk(Record):
 
 @dataclass(frozen=True)
 class LeftOut(Record):
-    """A repair: the scene without the body."""
+    """A repair: the scene without the body.
+
+    Args:
+        action: "leave_out".
+        id: of the body.
+    """
 
     action: Literal["leave_out"]
     id: str
@@ -69,7 +102,12 @@ class LeftOut(Record):
 
 @dataclass(frozen=True)
 class Removal(Record):
-    """A body that was taken out, and why."""
+    """A body that was taken out, and why.
+
+    Args:
+        id: of the body.
+        reason: the rule that it broke, or what keeps it from standing there, in words.
+    """
 
     id: str
     reason: str

@@ -189,6 +189,9 @@ def test_every_error_is_a_compose_error(tmp_path: Path) -> None:
     with pytest.raises(ComposeError, match="holds no catalog") as told:
         load_catalogs(tmp_path)
     assert str(pickle.loads(pickle.dumps(told.value))) == str(told.value)
+    assert str(told.value).startswith(f"{tmp_path}: holds no catalog (")
+    with pytest.raises(ComposeError, match="gone: is no folder"):
+        load_catalogs(tmp_path / "gone")
 
 
 def test_a_scene_is_validated_with_our_catalogs_where_none_are_given() -> None:

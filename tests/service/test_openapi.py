@@ -37,7 +37,7 @@ def faults(document: dict[str, Any], schema: dict[str, Any], value: object) -> l
 
 def body_schema(document: dict[str, Any], path: str) -> dict[str, Any]:
     content = document["paths"][path]["post"]["requestBody"]["content"]
-    assert set(content) == {"application/json", "application/yaml"}
+    assert set(content) == {"application/json", "application/yaml"} or path == "/import"
     return dict(content["application/json"]["schema"])
 
 
@@ -194,3 +194,19 @@ def test_what_every_key_of_a_body_is_about_is_told(document: dict[str, Any]) -> 
     keys = {f"{name}.{key}": node for name, schema in read.items() for key, node in schema["properties"].items()}
     assert len(keys) > 150 and [key for key, node in keys.items() if not node.get("description") and "$ref" not in node] == []
     assert keys["FixBody.onConflict"]["description"] == keys["FixBody.on_conflict"]["description"] == "what becomes of what cannot stand"
+
+
+def test_the_body_of_import_is_described_in_every_media_type_that_is_taken(client: TestClient, document: dict[str, Any]) -> None:
+    content = document["paths"]["/import"]["post"]["requestBody"]["content"]
+    assert {"application/json", "application/yaml", "application/octet-stream", "image/svg+xml", "application/x-step"} <= content.keys()
+    plan = b"<svg xmlns='http://www.w3.org/2000/svg'/>"
+    taken = [client.post("/import", content=plan, headers={"content-type": kind}).status_code for kind in content]
+    assert 415 not in taken
+    assert all("image/svg+xml" not in document["paths"][path]["post"]["requestBody"]["content"] for path in ("/fix", "/validate"))
+
+
+@pytest.mark.parametrize("name", ["Freed", "Unlocked", "Turned", "Shrunk", "LeftOut", "Removal"])
+def test_every_key_of_a_repair_says_what_it_is(document: dict[str, Any], name: str) -> None:
+    keys = document["components"]["schemas"][name]["properties"]
+    assert keys
+    assert [key for key, schema in keys.items() if not schema.get("description")] == []
