@@ -166,13 +166,19 @@ export interface Flooring {
   readonly color: string;
 }
 
-/** A repair: `wall` becomes null, for the body need not stand at one; /fix then moves it by dx, dz, m, to that rotation. */
+/** A repair: `wall` becomes null, for the body need not stand at one; /fix then moves it. */
 export interface Freed {
+  /** "move" */
   readonly action: "move";
+  /** of the body */
   readonly id: string;
+  /** null */
   readonly wall: null;
+  /** how far it then goes, m */
   readonly dx: number;
+  /** how far it then goes, m */
   readonly dz: number;
+  /** that it then has, degrees */
   readonly rotation: number;
 }
 
@@ -373,7 +379,9 @@ export interface JobList {
 
 /** A repair: the scene without the body. */
 export interface LeftOut {
+  /** "leave_out" */
   readonly action: "leave_out";
+  /** of the body */
   readonly id: string;
 }
 
@@ -535,7 +543,9 @@ export interface ProblemDocument {
 
 /** A body that was taken out, and why. */
 export interface Removal {
+  /** of the body */
   readonly id: string;
+  /** the rule that it broke, or what keeps it from standing there, in words */
   readonly reason: string;
 }
 
@@ -672,11 +682,15 @@ export interface Scene {
   readonly certificate: Readonly<Record<string, unknown>> | null;
 }
 
-/** A repair: another size, m. */
+/** A repair: another size. */
 export interface Shrunk {
+  /** "shrink" */
   readonly action: "shrink";
+  /** of the body */
   readonly id: string;
+  /** across its front, m */
   readonly width: number;
+  /** from its front to its back, m */
   readonly depth: number;
 }
 
@@ -726,19 +740,27 @@ export interface Surface {
   readonly clearance?: number | null;
 }
 
-/** A repair: another rotation, degrees. */
+/** A repair: another rotation. */
 export interface Turned {
+  /** "turn" */
   readonly action: "turn";
+  /** of the body */
   readonly id: string;
+  /** the other one, degrees */
   readonly rotation: number;
 }
 
-/** A repair: the body is unlocked; /fix then moves it by dx, dz, m, to that rotation. */
+/** A repair: the body is unlocked; /fix then moves it. */
 export interface Unlocked {
+  /** "unlock" */
   readonly action: "unlock";
+  /** of the body */
   readonly id: string;
+  /** how far it then goes, m */
   readonly dx: number;
+  /** how far it then goes, m */
   readonly dz: number;
+  /** that it then has, degrees */
   readonly rotation: number;
 }
 
