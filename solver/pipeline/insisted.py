@@ -24,7 +24,7 @@ def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, m
         space: the room.
         wanted: what it wants.
         arrangement: how it was furnished.
-        mattering: the labels of the pieces that matter; by default what is dear to leave out does.
+        mattering: the labels of the pieces that matter as if they were required; by default what is dear to leave out matters.
 
     Returns:
         The arrangement with it where that is cheaper, all that is left out counted; else the arrangement as it was.
@@ -36,7 +36,8 @@ def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, m
     if label is None:
         return arrangement
     (made,) = place([(space, demanded(wanted, label))], tidy=True)
-    return replace(made, insisted=label) if _cost(wanted, made) < _cost(wanted, arrangement) else arrangement
+    is_cheaper = _cost(wanted, made, mattering) < _cost(wanted, arrangement, mattering)
+    return replace(made, insisted=label) if is_cheaper else arrangement
 
 
 def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
@@ -83,8 +84,8 @@ def insisted_in(certificate: Mapping[str, Any] | None, room: str) -> str | None:
     return label if isinstance(label, str) else None
 
 
-def _cost(wanted: Sequence[Piece], arrangement: Arrangement) -> tuple[int, float]:
-    """Returns how many required pieces a room lacks, and what its placement and all that it lacks cost."""
+def _cost(wanted: Sequence[Piece], arrangement: Arrangement, mattering: Collection[str]) -> tuple[int, float]:
+    """Returns how many pieces a room lacks that are required or matter so, and what its placement and all that it lacks cost."""
     gone = {label for label, _ in arrangement.left_out}
-    lacking = [piece for piece in wanted if piece.label in gone]
-    return sum(piece.required for piece in lacking), arrangement.cost + sum(piece.skip_cost for piece in lacking if not piece.required)
+    dear = {piece.label for piece in wanted if piece.required} | set(mattering)
+    return len(gone & dear), arrangement.cost + sum(piece.skip_cost for piece in wanted if piece.label in gone - dear)

@@ -61,3 +61,12 @@ def test_rooms_furnished_anew_together_are_furnished_as_at_first(home: Scene) ->
 
 def test_a_kitchen_insists_on_its_table_alone(home: Scene) -> None:
     assert insisted_in(home.certificate, room_of(home, "kitchen").id) in (None, "dining_table_1")
+
+
+@pytest.mark.parametrize(
+    ("program", "seed"), [("studio", 88_120_028), ("studio", 88_120_064), ("one_bed", 88_120_007), ("one_bed", 88_120_024)]
+)
+def test_the_only_table_stands_even_where_it_costs_a_counter(program: str, seed: int) -> None:
+    home = generate(Request(seed=seed, program=program))
+    assert sum(tables(room) for room in home.scene.rooms) == 1
+    assert not [issue.message for issue in home.issues]
