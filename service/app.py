@@ -215,6 +215,7 @@ def create_app(catalogs: Catalogs | None = None, settings: Settings = EMBEDDED, 
     app.add_route("/openapi.json", openapi)
     app.add_route("/", page.index)
     app.add_route("/embed", page.embed)
+    app.add_route("/favicon.ico", page.icon)
     app.add_route("/core.wasm", page.core)
     app.add_route("/asset/{name}", page.asset)
     app.add_route("/docs", docs)

@@ -44,6 +44,12 @@ async def core(_: Request) -> Response:
     return FileResponse(WASM, media_type="application/wasm", headers={"Cache-Control": "no-cache"})
 
 
+async def icon(_: Request) -> Response:
+    """Serves the page's icon where browsers look for one beside answers that name none, such as /healthz."""
+    found = next((STATIC / "assets").glob("icon-*.svg"), None)
+    return Response(status_code=204) if found is None else FileResponse(found, headers={"Cache-Control": "no-cache"})
+
+
 async def asset(request: Request) -> Response:
     """Serves the file of one of the user's own assets, by its name."""
     found = request.app.catalogs.assets.get(request.path_params["name"])

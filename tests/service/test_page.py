@@ -147,3 +147,10 @@ def test_the_description_shows_every_call_and_every_key(client: TestClient) -> N
 def test_the_description_escapes_where_it_is(client: TestClient) -> None:
     text = client.get("/docs", headers={"host": 'a"><script>alert(1)</script>'}).text
     assert "<script" not in text
+
+
+def test_browsers_find_an_icon_beside_answers_that_name_none(built: TestClient) -> None:
+    assert built.get("/favicon.ico").status_code == 204
+    (page.STATIC / "assets" / "icon-1a2b.svg").write_text("<svg/>")
+    answer = built.get("/favicon.ico")
+    assert (answer.status_code, answer.text, answer.headers["content-type"]) == (200, "<svg/>", "image/svg+xml")
