@@ -189,6 +189,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     states.look("nothing found in the palette", "#palette")
     page.locator("#palette input").first.fill("")
     page.locator("#palette button[data-kind=plant], #palette button[data-kind=armchair]").first.click()
+    page.wait_for_function("before => compose.scene.rooms.flatMap((room) => room.furniture).length > before", arg=len(pieces))
     spoken.settle()
     states.look("added, with other places")
     page.keyboard.press("Escape")

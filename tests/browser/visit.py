@@ -113,7 +113,7 @@ class Visit:
         self.console: list[str] = []
         self.requests: list[str] = []
         self.answers: list[Document] = []
-        page.on("console", lambda message: self._heard(f"{message.type}: {message.text}"))
+        page.on("console", lambda message: self._heard(f"{message.type}: {message.text} {message.location}"))
         page.on("request", lambda request: self.requests.append(request.url) if not request.url.endswith(PROBE) else None)
 
     def _heard(self, said: str) -> None:

@@ -106,7 +106,7 @@ def cases(name: str, kind: RoomType) -> list[Case]:
             for size in dict.fromkeys([(long, short), (short, long)]):
                 cut = openings(kind, size, doors)
                 if cut is not None:
-                    room = Room(f"{name}_0", 0, name, width=size[0], depth=size[1], openings=cut)
+                    room = Room(f"{name}_0", 0, name, width=size[0], depth=size[1], outdoor=kind.outdoor, openings=cut)
                     found.append(Case(name, area, room))
     return found
 
