@@ -5,7 +5,10 @@ It stands here because catalogs import nothing of ours.
 
 from __future__ import annotations
 
+import errno
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
 
 Key = tuple[str | int, ...]
 """Where in a file: keys of mappings and indices of lists, from the outside in."""
@@ -25,6 +28,26 @@ class Fault:
         """The section it is in and the name of the entry."""
         section, _, name = self.file.partition("/")
         return section, name or str(self.at[0])
+
+
+_SYSTEM_WORDS: Final = {
+    errno.EISDIR: "is a folder, not a file",
+    errno.EEXIST: "is a file, not a folder",
+    errno.EACCES: "may not be read or written here",
+    errno.EPERM: "may not be read or written here",
+    errno.EROFS: "is on a disk that is not written to",
+    errno.ENOSPC: "the disk is full",
+}
+
+
+def system_words(error: OSError) -> str:
+    """Says in plain words what the system refused, and the file that it is about if it names one."""
+    name = error.filename
+    if name is not None and error.errno in (errno.ENOENT, errno.ENOTDIR):
+        above = Path(name).parent
+        return f"no such file: {name}" if above.is_dir() else f"no such folder: {above}"
+    words = _SYSTEM_WORDS.get(error.errno or 0) or error.strerror or str(error)
+    return words if name is None else f"{name}: {words}"
 
 
 class ComposeError(Exception):

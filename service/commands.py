@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 from service.sent_scenes import told_as_sent, told_kinds
 from service.service_settings import settings_of
 from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
-from solver.errors import ComposeError, FieldError, SyntaxFault
+from solver.errors import ComposeError, FieldError, SyntaxFault, system_words
 from solver.exchange import dump_scene, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema, write
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
@@ -41,9 +41,11 @@ def run(options: Namespace) -> int:
     except BrokenPipeError:
         give_up_output()
         return BAD_USE
-    except (ComposeError, OSError) as error:
-        if isinstance(error, OSError):
-            give_up_output()
+    except OSError as error:
+        give_up_output()
+        say(f"compose: {system_words(error)}")
+        return BAD_USE
+    except ComposeError as error:
         say(f"compose: {error}")
         return BAD_USE
     except MemoryError:

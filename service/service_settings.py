@@ -18,7 +18,7 @@ from typing import Annotated, Any, Final, get_args, get_origin, get_type_hints
 from annotated_types import Ge, Gt, Le
 
 from service.effort import EFFORTS, NORMAL_JUDGING, NORMAL_WORK
-from solver.errors import ComposeError, FieldError
+from solver.errors import ComposeError, FieldError, system_words
 from solver.fields import STRICT, WHOLE, Flag, Name, OneOf, Record, Says
 
 PREFIX: Final = "COMPOSE_HOMES_"
@@ -157,7 +157,7 @@ def _in_file(name: str) -> dict[str, object]:
     try:
         content = Path(name).read_bytes()
     except OSError as error:
-        raise WrongSetting(f"the settings cannot be read: {error}") from None
+        raise WrongSetting(f"the settings cannot be read: {system_words(error)}") from None
     document = load_text(content, format_of_file(name, content)) if content.strip() else {}
     if not isinstance(document, dict):
         raise WrongSetting(f"{name} holds no settings, name by name")

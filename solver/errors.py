@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Final, TypeVar
 
-from catalogs.faults import ComposeError
+from catalogs.faults import ComposeError, system_words
 
-__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault", "TooMuch", "all_of"]
+__all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFault", "TooMuch", "all_of", "system_words"]
 Made = TypeVar("Made")
 MOST_TOLD: Final = 20
 """How many wrong fields a refusal names."""

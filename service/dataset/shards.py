@@ -26,7 +26,7 @@ import pyarrow.parquet as pq
 from service.dataset.dataset_plan import DatasetPlan, MadeHome, Shard, known_catalogs, split_of
 from service.dataset.house_rows import house_row, members_of
 from service.dataset.table_schemas import SCHEMAS
-from solver.errors import FieldError
+from solver.errors import FieldError, system_words
 from solver.exports.table_rows import Row, rows_of
 from solver.plain import Document
 
@@ -63,8 +63,8 @@ def make_shard(plan: DatasetPlan, shard: Shard) -> Document:
         record = files.finished()
         _write(record_path(plan.folder, shard), (json.dumps(record, separators=(",", ":")) + "\n").encode())
     except OSError as error:
-        problem = f"cannot be written: {error.strerror or error}"
-        raise FieldError("--out", f"{error.filename or plan.folder} {problem}", "what is done is kept: the same command goes on") from None
+        problem = f"{plan.folder} cannot be written to: {system_words(error)}"
+        raise FieldError("--out", problem, "what is done is kept: the same command goes on") from None
     finally:
         files.close()
     return record

@@ -17,7 +17,7 @@ from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError
 
 from service.refusals import NoRoom, StoreAway
-from solver.errors import FieldError
+from solver.errors import FieldError, system_words
 
 HEAD: Final = "0002"
 """The last step of `migrations`."""
@@ -135,7 +135,7 @@ def _engine(url: URL) -> Engine:
     try:
         Path(str(url.database)).parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FieldError("store", f"cannot be opened: {error}", "a file in a folder that can be written to") from None
+        raise FieldError("store", f"cannot be opened: {system_words(error)}", "a file in a folder that can be written to") from None
     engine = create_engine(url, connect_args={"timeout": WAIT_S}, pool_timeout=WAIT_S)
     event.listen(engine, "connect", _set_sqlite_up)
     event.listen(engine, "begin", _begin_sqlite)

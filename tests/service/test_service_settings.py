@@ -36,7 +36,7 @@ def test_a_list_is_repeated_or_has_commas() -> None:
         ({}, {PREFIX + "REQUEST_SECONDS": ".nan"}, PREFIX + "REQUEST_SECONDS"),
         ({}, {PREFIX + "WAITNG": "3"}, PREFIX + "WAITNG is no setting; there are "),
         ({"host": ""}, {}, "--host"),
-        ({"settings": "/nowhere/at/all.yaml"}, {}, "the settings cannot be read"),
+        ({"settings": "/none.yaml"}, {}, "the settings cannot be read: no such file: /none.yaml"),
     ],
 )
 def test_what_is_wrong_is_refused_by_its_name(options: dict[str, object], environment: dict[str, str], words: str) -> None:
