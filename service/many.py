@@ -14,12 +14,11 @@ from itertools import tee
 from pathlib import Path
 from typing import Any, Final, TypeVar
 
-from tqdm import tqdm
-
 from catalogs import Catalogs
 from service.generating import made_house
 from service.packed_catalogs import packed, unpacked, warm
 from service.pool import spread
+from service.progress import progress
 from solver.errors import ComposeError, FieldError
 from solver.exchange import dump_scene, write
 from solver.plain import Document
@@ -66,7 +65,7 @@ class HouseSet:
 def in_processes(
     make: Callable[[bytes, Asked], Made], jobs: Iterable[Asked], count: int, workers: int, catalogs: Catalogs
 ) -> Iterator[Made]:
-    """Yields what a function of a module makes of each job, in their order, with a bar on a terminal.
+    """Yields what a function of a module makes of each job, in their order, and says how far it is.
 
     Jobs are taken as they are needed, so that there may be any number of them.
 
@@ -78,9 +77,9 @@ def in_processes(
         catalogs: to furnish with.
     """
     known = packed(catalogs)
-    with tqdm(total=count, unit="house", disable=None) as bar:
+    with progress(count, "house") as update:
         for made in spread(partial(make, known), jobs, min(workers, count), partial(warm, known), BATCH):
-            bar.update()
+            update(1)
             yield made
 
 

@@ -29,6 +29,7 @@ Pending = tuple[Sequence[Any], "Future[list[Any]] | None"]
 
 AHEAD: Final = 2
 """Batches under way for each process: one that it works at and one that waits, so that it never does."""
+_ENDING: Final = (signal.SIGINT, signal.SIGTERM)
 MOST_LOST: Final = 3
 """How often in a row processes may end before anything is done: a job that takes all memory would end them for ever."""
 
@@ -47,7 +48,7 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
 
     Raises:
         FieldError: processes end again and again before anything is done, as for want of memory.
-        KeyboardInterrupt: Ctrl-C; it ends the processes too.
+        KeyboardInterrupt: Ctrl-C or SIGTERM; it ends the processes too.
     """
     if workers <= 1:
         start()
@@ -105,22 +106,31 @@ def _is_done(future: Future[list[Any]] | None) -> bool:
 
 @contextmanager
 def _interrupts_noted() -> Iterator[list[int]]:
-    """Has the first Ctrl-C be noted and no more: raised amid the pool's own work it may leave a lock held, or be lost in a callback."""
+    """Has the first Ctrl-C be noted and no more: raised amid the pool's own work it may leave a lock held, or be lost in a callback.
+
+    So it is with SIGTERM, which this process alone is told: it tells those of the pool.
+    """
     noted: list[int] = []
-    before = signal.getsignal(signal.SIGINT)
-    if current_thread() is not main_thread() or before is signal.SIG_IGN:
-        yield noted
-        return
+    here = current_thread() is main_thread()
+    before = {number: signal.getsignal(number) for number in _ENDING if here and signal.getsignal(number) is not signal.SIG_IGN}
+
+    def give_back() -> None:
+        for number, action in before.items():
+            signal.signal(number, action)
 
     def note(number: int, _: object) -> None:
         noted.append(number)
-        signal.signal(signal.SIGINT, before)
+        give_back()
+        if number == signal.SIGTERM:
+            for process in multiprocessing.active_children():
+                process.terminate()
 
-    signal.signal(signal.SIGINT, note)
+    for number in before:
+        signal.signal(number, note)
     try:
         yield noted
     finally:
-        signal.signal(signal.SIGINT, before)
+        give_back()
 
 
 @contextmanager
@@ -144,7 +154,7 @@ class _Work:
 
 
 def _hear(*_: object) -> None:
-    """Ends a process of the pool at Ctrl-C, which a terminal tells to all at once; work under way leaves nothing half-written."""
+    """Ends a process of the pool at Ctrl-C, which a terminal tells to all, or SIGTERM; work under way leaves nothing half-written."""
     if _Work.under_way:
         raise KeyboardInterrupt
     os._exit(1)
@@ -162,8 +172,9 @@ def _begin(make: Callable[[Any], Any], start: Callable[[], None]) -> None:
     sys.unraisablehook = _end_if_interrupted
     Thread(target=end_with_parent, daemon=True).start()
     start()
-    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
-        signal.signal(signal.SIGINT, _hear)
+    for number in _ENDING:
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _hear)
     if sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 

@@ -10,8 +10,6 @@ from functools import partial
 from time import process_time
 from typing import NamedTuple
 
-from tqdm import tqdm
-
 from service.dataset.card import write_card
 from service.dataset.dataset_plan import DatasetPlan, Shard, known_catalogs
 from service.dataset.manifest import claim, is_done, records_of, sweep, widened, write_manifest
@@ -19,6 +17,8 @@ from service.dataset.shards import make_shard, record_path
 from service.dataset.varied_requests import OURS
 from service.packed_catalogs import ready
 from service.pool import spread
+from service.progress import progress
+from service.standard_streams import say
 from solver.errors import ComposeError
 from solver.plain import Document
 
@@ -51,11 +51,13 @@ def build(plan: DatasetPlan, seeds: tuple[int, int], workers: int, address: str 
     for shard in todo:
         record_path(plan.folder, shard).unlink(missing_ok=True)
     homes, left = (sum(len(shard.seeds) for shard in shards) for shards in (wanted, todo))
-    with tqdm(total=max(homes, left), initial=max(homes - left, 0), unit="home", disable=None) as bar:
+    if 0 < len(todo) < workers and any(len(shard.seeds) > 1 for shard in todo):
+        say(f"there is work for {len(todo)} of {workers} processes: a smaller --shard-size spreads it")
+    with progress(max(homes, left), "home", max(homes - left, 0)) as update:
         spent = 0.0
         for record, cpu_s in _made(plan, todo, workers, address):
             spent += cpu_s
-            bar.update(record["last"] - record["first"] + 1)
+            update(record["last"] - record["first"] + 1)
     sweep(plan.folder)  # a process that was killed leaves what it was writing
     manifest = write_manifest(plan.folder, plan.identity, records_of(plan.folder))
     write_card(plan.folder, manifest)

@@ -5,7 +5,6 @@ Comes in: the options of the command line, catalogs, a request. Goes out: files,
 
 from __future__ import annotations
 
-import sys
 from argparse import Namespace
 from collections.abc import Mapping
 from importlib.util import find_spec
@@ -15,6 +14,7 @@ from typing import Any, Final
 from catalogs import Catalogs, load_catalogs
 from service.dataset.dataset_plan import DatasetPlan, again, made_home, packed_all
 from service.dataset.varied_requests import OURS, check_names, varied
+from service.standard_streams import say, write_standard_output
 from solver.errors import FieldError
 from solver.exchange import dump_scene, format_of_file, format_of_name, load_text, read_request
 from solver.export_formats import EXPORTERS
@@ -55,7 +55,7 @@ def _build(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -
     manifest = built.manifest
     told = ", ".join(f"{number:,} {status}" for status, number in manifest["status"].items())
     spent = f"; {built.homes:,} made now, {1000 * built.cpu_s / built.homes:.1f} ms of CPU each" if built.homes else ""
-    print(f"{manifest['homes']:,} homes in {options.out}: {told}; digest {manifest['digest'][:16]}{spent}", file=sys.stderr)
+    say(f"{manifest['homes']:,} homes in {options.out}: {told}; digest {manifest['digest'][:16]}{spent}")
     return CLEAN if set(manifest["status"]) <= {"clean"} else ERRORS_FOUND
 
 
@@ -96,8 +96,7 @@ def _make_again(options: Namespace, catalogs: Catalogs) -> int:
     format = options.format or format_of_name(options.output) or "json"
     content = dump_scene(home.scene, format)
     if options.output == "-":
-        sys.stdout.buffer.write(content)
-        sys.stdout.buffer.flush()
+        write_standard_output(content)
     else:
         write_whole(options.output, content)
     return CLEAN if row["status"] == "clean" else ERRORS_FOUND
@@ -110,9 +109,9 @@ def _check(options: Namespace, catalogs: Catalogs) -> int:
         raise FieldError("DIR", "is missing", "compose dataset check DIR")
     found = check_dataset(Path(options.folder), catalogs, None if options.all else options.sample or 100)
     for fault in found.faults:
-        print(f"wrong: {fault}", file=sys.stderr)
+        say(f"wrong: {fault}")
     said = "nothing is wrong" if not found.faults else f"{len(found.faults)} things are wrong"
-    print(f"{found.homes:,} homes, {found.files:,} files, {found.made:,} homes made again and validated: {said}", file=sys.stderr)
+    say(f"{found.homes:,} homes, {found.files:,} files, {found.made:,} homes made again and validated: {said}")
     return ERRORS_FOUND if found.faults else CLEAN
 
 
