@@ -57,6 +57,9 @@ SCHEMAS: Final[dict[str, pa.Schema]] = {
             **_named("color parent under wall", TEXT),
         }
     ),
+    "receptacles": _schema(
+        {"seed": WHOLE, **_named("id piece room surface front", TEXT), **_named("x y z turn width depth clearance", REAL)}
+    ),
     "doors": _schema(
         {
             "seed": WHOLE,
@@ -64,7 +67,7 @@ SCHEMAS: Final[dict[str, pa.Schema]] = {
             "level": WHOLE,
             "axis": TEXT,
             **_named("x z width sill head", REAL),
-            **_named("room_a room_b", TEXT),
+            **_named("room_a room_b hinge swing", TEXT),
             "main_entrance": FLAG,
         }
     ),

@@ -1,4 +1,4 @@
-"""A home as rows of tables: its rooms, pieces, doors, fronts and the graph of its rooms, for those who train on many homes.
+"""A home as rows of tables, for those who train on many: rooms, pieces, what things can stand on, doors, fronts, the graph of rooms.
 
 Comes in: a generated scene, catalogs. Goes out: rows of plain values by table; service/dataset/table_schemas.py says what they are, in
 the same order. May import: the ground floor, catalogs.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
+from math import cos, radians, sin
 from typing import Any, Final
 
 from catalogs import Catalogs
@@ -17,6 +18,7 @@ from catalogs.kind_book import KindBook
 from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, count_decorations, count_furniture, rows_in
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
+from solver.exports.receptacles import receptacles_of
 from solver.exports.wall_bands import WallBands
 from solver.exports.wall_lines import RoomFinder, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
@@ -28,7 +30,7 @@ _OPEN: Final = (1.0, None)
 
 
 def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
-    """Returns a home's rows by table: rooms, pieces, doors, graph, fronts; each begins with the home's seed.
+    """Returns a home's rows by table: rooms, pieces, receptacles, doors, graph, fronts; each begins with the home's seed.
 
     Args:
         scene: generated, with its certificate.
@@ -37,9 +39,12 @@ def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
     certificate: Mapping[str, Any] = scene.certificate or {}
     reports: Mapping[str, Mapping[str, Any]] = certificate.get("rooms", {})
     openings = openings_of(scene.rooms, WallBands(scene.rooms, scene.wall_thickness), RoomFinder(scene.rooms))
+    book = book_of(catalogs)
+    pieces = list(_pieces(scene, book))
     return {
         "rooms": [_room(scene.seed, room, reports.get(room.id, {})) for room in scene.rooms],
-        "pieces": list(_pieces(scene, book_of(catalogs))),
+        "pieces": pieces,
+        "receptacles": [row for piece in pieces for row in _receptacles(piece, book)],
         "doors": [_door(scene.seed, one) for one in openings],
         "graph": list(_graph(scene, openings)),
         "fronts": [row for report in reports.values() for row in _fronts(scene.seed, report.get("fronts", {}))],
@@ -123,12 +128,23 @@ def _facts_of_look(book: KindBook, look: Look) -> tuple[tuple[str, str, str | No
     return (sort, look.name, facts.key, facts.category), look.size, round(facts.mass * (width * depth * height / facts.volume), 4)
 
 
+def _receptacles(piece: Row, book: KindBook) -> Iterator[Row]:
+    """Yields what a piece carries things on, numbered from 1, where it is in the house."""
+    seed, name, room, sort, _, key, _, x, y, z, turn, *size = piece[:14]
+    across, along = cos(radians(turn)), sin(radians(turn))
+    for number, one in enumerate(receptacles_of(book, sort, key, tuple(size)), 1):
+        east, south = x + one.x * across + one.z * along, z - one.x * along + one.z * across
+        place = round(east, 6), round(y + one.height, 6), round(south, 6), turn
+        yield seed, f"{name}#{number}", name, room, one.surface, one.front, *place, one.width, one.depth, one.clearance
+
+
 def _door(seed: int | None, one: PlacedOpening) -> Row:
     """Returns a door, garage door, passage or window; of its rooms the first lies towards greater coordinates."""
     middle = round((one.start + one.end) / 2, 6)
     x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
     extent = round(one.end - one.start, 6), one.sill, one.head
-    return seed, one.id, one.kind, one.level, one.axis, x, z, *extent, *one.rooms, one.is_main_entrance
+    hung = (one.hinge, "room_a" if one.towards == 1 else "room_b") if one.kind == "door" else (None, None)
+    return seed, one.id, one.kind, one.level, one.axis, x, z, *extent, *one.rooms, *hung, one.is_main_entrance
 
 
 def _graph(scene: Scene, openings: Sequence[PlacedOpening]) -> Iterator[Row]:

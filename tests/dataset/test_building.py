@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Callable
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import pyarrow.parquet as pq
 import pytest
@@ -42,7 +45,7 @@ def made(folder: Path, *more: str, status: int = 0) -> dict[str, bytes]:
     return contents(folder)
 
 
-def rows(folder: Path, table: str) -> list[dict[str, object]]:
+def rows(folder: Path, table: str) -> list[dict[str, Any]]:
     found = [row for path in (folder / "tables" / table).glob("*.parquet") for row in pq.read_table(path).to_pylist()]
     return sorted(found, key=lambda row: row["seed"])
 
@@ -83,6 +86,49 @@ def test_the_tables_say_what_the_scenes_say(folder: Path) -> None:
         assert {(one["piece"], one["front"]) for one in own["fronts"]} == fronts
         joined = {one["door"] for one in own["graph"] if one["door"]}
         assert joined <= {one["id"] for one in own["doors"] if one["kind"] != "window"} and joined
+
+
+def test_what_lies_on_a_piece_lies_on_one_of_its_receptacles(folder: Path) -> None:
+    pieces = {(row["seed"], row["id"]): row for row in rows(folder, "pieces")}
+    carried, inside = Counter[str](), 0
+    on: dict[tuple[object, object], list[dict[str, Any]]] = {}
+    for row in rows(folder, "receptacles"):
+        assert row["room"] == pieces[row["seed"], row["piece"]]["room"]
+        on.setdefault((row["seed"], row["piece"]), []).append(row)
+    for piece in pieces.values():
+        if piece["sort"] != "decoration" or piece["parent"] is None or piece["wall"] is not None:
+            continue
+        found = on[piece["seed"], piece["parent"]]
+        level = [one for one in found if abs(one["y"] - piece["y"]) < 0.011]
+        holding = [one for one in level if is_over(piece["x"] - one["x"], piece["z"] - one["z"], one)]
+        assert holding, piece
+        carried[holding[0]["surface"]] += 1
+        inside += holding[0]["front"] is not None
+    assert carried["top"] > 50 < carried["shelves"] and inside == carried["drawers"] > 5
+
+
+def is_over(dx: float, dz: float, one: dict[str, Any]) -> bool:
+    """Tells whether a point beside the middle of a turned rectangle is within it."""
+    turn = math.radians(one["turn"])
+    across, along = dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
+    return 2 * abs(across) <= one["width"] + 1e-6 and 2 * abs(along) <= one["depth"] + 1e-6
+
+
+def test_a_door_swings_into_the_room_that_its_leaf_is_in(folder: Path) -> None:
+    hung = {(row["seed"], row["id"]): row for row in rows(folder, "doors")}
+    assert all((row["hinge"] is None) == (row["kind"] != "door") == (row["swing"] is None) for row in hung.values())
+    seen = Counter[tuple[object, object]]()
+    for house in rows(folder, "houses")[:6]:
+        scene = read_scene(load_text(str(house["scene"]), "json"))
+        for room in scene.rooms:
+            for one in room.openings:
+                if one.kind == "door" and one.render_panel:
+                    row = hung[house["seed"], one.id]
+                    sides = {row["room_a"]: "room_a", row["room_b"]: "room_b"}
+                    into = sides[room.id] if one.swing != "out" else next(side for name, side in sides.items() if name != room.id)
+                    assert (row["hinge"], row["swing"]) == (one.hinge or "start", into)
+                    seen[row["hinge"], row["swing"]] += 1
+    assert len(seen) >= 3
 
 
 def test_archives_hold_each_home_once(folder: Path) -> None:
