@@ -149,6 +149,7 @@ def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> P
     with limited_to(body.effort) as work:
         answer = place(
             body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
+            height=body.height,
             catalogs=catalogs, engine=engine, clock=perf_counter,
         )  # fmt: skip
     best = answer.best

@@ -12,7 +12,7 @@ from service.effort import EFFORTS, NORMAL
 from solver.answers import ON_CONFLICT, Conflict, Issue, Limited, Pose
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
-from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, Record, Says, Text, Whole
+from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, PositiveMetres, Record, Says, Text, Whole
 from solver.guessed import KEEPS
 from solver.imported import ALLOWED_UNITS
 from solver.request import MAX_COUNT, Seed
@@ -139,6 +139,7 @@ class PlaceBody(Record):
         alternatives: how many placements are wished for in all.
         wall_thickness: of its walls, m.
         robot_width: side of the square that must be able to walk, m.
+        height: of the room, m; nothing higher may be wanted.
     """
 
     camel_case: ClassVar[bool] = True
@@ -148,6 +149,7 @@ class PlaceBody(Record):
     alternatives: Annotated[int, Ge(1), Le(MOST_ALTERNATIVES), WHOLE] = 1
     wall_thickness: WallThickness = 0.0
     robot_width: RobotWidth = ROBOT_WIDTH
+    height: PositiveMetres | None = None
     effort: Effort = NORMAL
 
 

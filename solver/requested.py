@@ -86,8 +86,8 @@ class PieceRequest(Record):
         return (self.id,) if self.count == 1 else tuple(f"{self.id}_{n}" for n in range(1, self.count + 1))
 
 
-def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -> tuple[PieceRequest, ...]:
-    """Returns the requests with every size and every relation's worth filled in.
+def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, ceiling: float | None = None) -> tuple[PieceRequest, ...]:
+    """Returns the requests with every size and every relation's worth filled in; `ceiling` is how high the room is, m, if that is said.
 
     Raises:
         RequestError: names the field and what is allowed.
@@ -101,7 +101,7 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) ->
     names = [*(request.id for request in requests), *(piece.id for piece in room.furniture)]
     for k, request in enumerate(requests):
         _check_relations(f"pieces[{k}]", request, names)
-    return tuple(all_of(partial(_sized, f"pieces[{k}]", request, catalogs) for k, request in enumerate(requests)))
+    return tuple(all_of(partial(_sized, f"pieces[{k}]", request, catalogs, ceiling) for k, request in enumerate(requests)))
 
 
 def _check_identity(field: str, request: PieceRequest, taken: set[str]) -> None:
@@ -146,11 +146,13 @@ def _some(known: Sequence[str]) -> str:
     return "one of " + ", ".join(known[:20]) + (", ..." if len(known) > 20 else "") if known else "another piece"
 
 
-def _sized(field: str, request: PieceRequest, catalogs: Catalogs) -> PieceRequest:
+def _sized(field: str, request: PieceRequest, catalogs: Catalogs, ceiling: float | None) -> PieceRequest:
     kind = catalogs.furniture.get(kind_of_request(request, catalogs) or "")
     own = kind.size if kind else (None,) * 3
     keys = ("width", "depth", "height")
     width, depth, height = all_of(partial(_length, field, key, request, usual) for key, usual in zip(keys, own, strict=True))
+    if ceiling is not None and height > ceiling:
+        raise RequestError(f"{field}.height", f"is {height:.2f} m, and the room {ceiling:.2f} m high", "what fits under the ceiling")
     return replace(request, relations=tuple(map(_weighed, request.relations)), width=width, depth=depth, height=height)
 
 

@@ -27,6 +27,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     alternatives: int = 1,
     wall_thickness: float = 0.0,
     robot_width: float = ROBOT_WIDTH,
+    height: float | None = None,
     catalogs: Catalogs | None = None,
     engine: str = "osqp",
     clock: Clock | None = None,
@@ -39,6 +40,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         alternatives: how many placements, at most; they differ in a wall, a rotation or clearly in a place.
         wall_thickness: of the room's walls, m.
         robot_width: side, m, of the square that must be able to walk everywhere.
+        height: of the room, m; by default what is judged is 2.8 m, and nothing that is wanted is too high.
         catalogs: whose kinds are known; ours by default.
         engine: of the final continuous solve, "osqp" or "reference".
         clock: a clock in seconds, to fill `timing_ms`.
@@ -56,7 +58,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     if not 1 <= alternatives <= MOST_ALTERNATIVES:
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)
-    known, setting = catalogs or load_catalogs(), (wall_thickness, robot_width, engine)
+    known, setting = catalogs or load_catalogs(), (wall_thickness, robot_width, engine, height)
     task = task_of(room, pieces, known, setting)
     timing.lap("furnish")
     found = best_placement(task, task.pieces)

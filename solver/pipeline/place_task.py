@@ -37,7 +37,7 @@ from solver.requested import (
     labels_by_name,
     relations_of,
 )
-from solver.scene import Furniture, Room, Scene
+from solver.scene import Furniture, Level, Room, Scene
 from solver.streams import Stream
 from solver.understanding import Understood, understood
 from solver.validator import RULES, validate
@@ -63,6 +63,7 @@ class PlaceTask:
     wall_thickness: float
     robot_width: float
     engine: str
+    height: float | None
     space: Space
     """Of the room as it was sent."""
     bare: FinishedRoom
@@ -100,7 +101,7 @@ class PlaceTask:
 
 
 def task_of(
-    room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str], as_sent: bool = False
+    room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str, float | None], as_sent: bool = False
 ) -> PlaceTask:
     """Checks a request and says what it means.
 
@@ -108,16 +109,16 @@ def task_of(
         room: with what stands in it.
         requests: what is wanted.
         catalogs: whose kinds are known.
-        setting: wall thickness, m; the square that must be able to walk, m; the engine of the final solve.
+        setting: wall thickness, m; the square that must be able to walk, m; the engine of the final solve; how high the room is, m.
         as_sent: the pieces are placed in the order of the list, the most important first; else in one that does not depend on it.
 
     Raises:
         RequestError: a field is wrong.
     """
-    wall_thickness, robot_width, engine = setting
+    wall_thickness, robot_width, engine, height = setting
     words = understood(Scene(rooms=(room,)), catalogs)
     room = words.scene.rooms[0]
-    sent = checked(room, requests, catalogs)
+    sent = checked(room, requests, catalogs, None if room.outdoor else height)
     kinds = kinds_of(room, sent, catalogs)
     wanted = sent if as_sent else by_content(sent, kinds)
     names = labels_by_name(room, wanted)
@@ -136,7 +137,8 @@ def task_of(
     framed = Framed(space, _bare(inside, space, by_label, names), inside, listing, there)
     bare = _bare(room, own, by_label, names)
     return PlaceTask(
-        room, in_order(sent, goes_to), catalogs, wall_thickness, robot_width, engine, own, bare, frame, framed, listed, by_label, words
+        room, in_order(sent, goes_to), catalogs, wall_thickness, robot_width, engine, height, own, bare, frame, framed, listed, by_label,
+        words,
     )  # fmt: skip
 
 
@@ -173,7 +175,8 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.robot_width}
     room = task.words.in_their_words(Scene(rooms=(room,))).rooms[0]
-    scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), certificate=document)
+    levels = () if task.height is None else (Level(room.level, height=task.height),)
+    scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), levels=levels, certificate=document)
     stands = {piece.id for piece in task.room.furniture}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
     bodies = {one.id: standing(one, task.space.clear, _heights(task.kinds[one.id])) for one in room.furniture}

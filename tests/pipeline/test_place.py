@@ -13,7 +13,7 @@ from solver import place, validate
 from solver.errors import RequestError
 from solver.relations.held import held
 from solver.requested import Answered, PieceRequest, in_order
-from solver.scene import Decoration, Furniture, Opening, Room
+from solver.scene import Decoration, Furniture, Level, Opening, Room
 from tests.relations.test_held import finished
 from tests.told_forms import has_form
 
@@ -297,3 +297,19 @@ def test_a_thing_on_the_floor_that_is_in_the_way_is_named_with_its_size() -> Non
     said = " ".join(conflict.message for conflict in answer.conflicts)
     assert answer.conflicts
     assert "0.40 x 0.40 m" in said or "plant" not in said
+
+
+def test_a_room_that_is_said_to_be_low_takes_nothing_higher() -> None:
+    """The room's height is judged with what stands there already, and written into the answer."""
+    low = placed(wish("wardrobe"), block("rack", size=(0.5, 0.5, 2.1)), height=2.1)
+    assert low.best.scene.levels == (Level(0, 0.0, 2.1),) and low.best.unplaced == ()
+    assert errors(low) == []
+    assert placed(wish("wardrobe")).best.scene.levels == ()
+    with pytest.raises(RequestError) as refused:
+        placed(wish("bed"), wish("wardrobe"), block("rack", size=(0.5, 0.5, 2.0)), height=1.9)
+    told = [(refused.value.field, refused.value.problem), *((field, problem) for field, problem, _ in refused.value.more)]
+    high = "is {} m, and the room 1.90 m high"
+    assert told == [("pieces[1].height", high.format("2.10")), ("pieces[2].height", high.format("2.00"))]
+    stands = replace(ROOM, furniture=(Furniture("old", "rack", x=2.2, z=0.5, width=0.5, depth=0.5, height=2.0),))
+    assert any("ceiling" in message for message in errors(placed(wish("desk"), room=stands, height=1.9)))
+    assert placed(wish("wardrobe"), room=replace(ROOM, outdoor=True), height=1.9).best.unplaced == ()
