@@ -62,6 +62,13 @@ def test_khronos_validator_finds_nothing(tmp_path: Path) -> None:
     assert wrong["messages"]
 
 
+@pytest.mark.parametrize("name", ["family", "default"])
+def test_no_name_of_a_node_comes_twice_and_meshes_have_normals_alone(name: str) -> None:
+    told = document(glb(name))
+    assert len({node["name"] for node in told["nodes"]}) == len(told["nodes"]) > 300
+    assert {key for mesh in told["meshes"] for one in mesh["primitives"] for key in one["attributes"]} == {"POSITION", "NORMAL"}
+
+
 @pytest.mark.parametrize("name", MADE)
 def test_bodies_are_where_the_description_says(name: str) -> None:
     seen = read({"house.glb": glb(name)})

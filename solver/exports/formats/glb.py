@@ -90,7 +90,7 @@ class _Writer:
         if not room.outdoor:
             mesh = self.book.mesh("ceiling", [(_sheets(rectangles), PLAIN_CEILING)])
             place = f'"translation":[0,{round(room.ceiling, 6)},0],"mesh":{mesh}'
-            yield "house/ceilings", f'{{"name":"ceiling",{place},"extras":{{"room":{name}}}}}'
+            yield "house/ceilings", f'{{"name":{quoted(room.id + "/ceiling")},{place},"extras":{{"room":{name}}}}}'
 
     def _wall_mesh(self, wall: WallBox) -> int:
         key = wall.axis, wall.lesser, wall.greater, wall.rest
@@ -115,7 +115,7 @@ class _Writer:
         if key not in self._meshes:
             self._meshes[key] = self.book.mesh(leaf.look, [(_leaf(some), paint) for paint, some in _by_paint(leaf).items()])
         half = round(leaf.width / 2, 6)
-        child = self.book.node(f'{{"name":"leaf","translation":[{half},0,0],"mesh":{self._meshes[key]}}}')
+        child = self.book.node(f'{{"name":{quoted(leaf.id + "/leaf")},"translation":[{half},0,0],"mesh":{self._meshes[key]}}}')
         turns = leaf.motion == "swing"
         reach = sorted((0.0, leaf.swing if turns else round(leaf.height, 6)))
         at = f',"at":{round(leaf.opened, 6)}' if leaf.open else ""
