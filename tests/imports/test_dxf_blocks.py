@@ -94,3 +94,20 @@ def test_blocks_that_multiply_are_refused() -> None:
     made.modelspace().add_blockref("door 5", (0, 0))
     with pytest.raises(FieldError, match="more than 50,000 entities"):
         read_of(made)
+
+
+def test_what_is_never_looked_at_does_not_keep_a_plan_from_being_read() -> None:
+    made = drawing()
+    made.blocks.new("chair").add_circle((0, 0), 0.77125)
+    for layer, block, x in (("I-FURN", "chair", 2), ("0", "DOOR_90", 1)):
+        made.modelspace().add_blockref(block, (x, 0), dxfattribs={"layer": layer})
+    text = StringIO()
+    made.write(text)
+    whole = text.getvalue()
+    spoilt = whole.replace("\n0.77125\n", "\nno number\n").replace("LAYOUT\n  5\n", "LAYOUT\n  no code\n")
+    assert spoilt.count("no number") == 1 and spoilt.count("no code") == 2
+    answer = read(spoilt.encode(), "plan.dxf")
+    assert answer.scene == read(whole.encode(), "plan.dxf").scene
+    assert [one.kind for room in answer.scene.rooms for one in room.openings] == ["door"]
+    with pytest.raises(FieldError, match="cannot be read"):
+        read(spoilt.replace("I-FURN", "A-DOOR").encode(), "plan.dxf")

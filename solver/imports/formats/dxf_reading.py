@@ -10,8 +10,8 @@ from codecs import BOM_UTF8
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from importlib import import_module
-from io import BytesIO, StringIO
-from itertools import islice
+from io import StringIO
+from itertools import islice, pairwise
 from typing import Any, Final, NamedTuple
 
 from solver.errors import FieldError, SyntaxFault
@@ -27,6 +27,11 @@ BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
 MOST_PARTS: Final = 150_000
 """Entities, vertices and entries of tables in a file, counted before it is read."""
+UNREAD: Final = frozenset({"CLASSES", "OBJECTS", "ACDSDATA", "THUMBNAILIMAGE"})
+"""Sections in which nothing is drawn."""
+SPACES: Final = frozenset({"*model_space", "$model_space"})
+"""Blocks that are the drawing itself."""
+MANY: Final = f"of more than {MOST_PARTS:,} entities, vertices and entries"
 DEEPEST: Final = 8
 """Blocks within blocks."""
 
@@ -73,21 +78,17 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
 
 def _drawing(content: bytes) -> Any:
     """Returns the drawing in a file, with as many parts as a plan may have at most."""
-    files, tags = import_module("ezdxf.filemanagement"), import_module("ezdxf.lldxf.tagger")
-    if content.startswith(BINARY):
-        parts: Iterable[Any] = (tag for tag in tags.binary_tags_loader(content, errors="ignore") if tag.code == 0)
-    else:
-        content = b"\n".join(content.removeprefix(BOM_UTF8).splitlines()) + b"\n"
-        parts = filter(_begins_a_part, islice(BytesIO(content), 0, None, 2))
-    if next(islice(parts, MOST_PARTS, None), None) is not None:
-        raise SyntaxFault(f"of more than {MOST_PARTS:,} entities, vertices and entries")
-    if content.startswith(BINARY):
-        return import_module("ezdxf.document").Drawing.load(tags.binary_tags_loader(content, errors="ignore"))
-    return files.read(StringIO(_text(content)))
+    tags = import_module("ezdxf.lldxf.tagger")
+    if not content.startswith(BINARY):
+        return import_module("ezdxf.filemanagement").read(StringIO("\n".join(_looked_at(_text(content).split("\n")))))
+    if sum(tag.code == 0 for tag in tags.binary_tags_loader(content, errors="ignore")) > MOST_PARTS:
+        raise SyntaxFault(MANY)
+    return import_module("ezdxf.document").Drawing.load(tags.binary_tags_loader(content, errors="ignore"))
 
 
 def _text(content: bytes) -> str:
     """Returns a file's text: files of before 2007 that are not UTF-8 are in the code page that they name."""
+    content = b"\n".join(content.removeprefix(BOM_UTF8).splitlines()) + b"\n"
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError:
@@ -95,9 +96,43 @@ def _text(content: bytes) -> str:
         return content.decode(told.encoding, "replace")
 
 
-def _begins_a_part(code: bytes) -> bool:
+def _looked_at(lines: list[str]) -> list[str]:
+    """Returns a file's lines but for what is never looked at, most of some files: sections that draw nothing, furniture's blocks."""
+    zeros = {code for code in set(lines[::2]) if _begins_a_part(code)}
+    starts = [2 * at for at, code in enumerate(lines[::2]) if code in zeros]
+    if len(starts) > MOST_PARTS:
+        raise SyntaxFault(MANY)
+    parts = [(start, end, lines[start + 1]) for start, end in pairwise((*starts, len(lines))) if start + 1 < end]
+    opened = _blocks_to_open(lines[start:end] for start, end, kind in parts if kind == "INSERT")
+    section, block, kept = "", "", lines[: starts[0] if starts else None]
+    for start, end, kind in parts:
+        if kind in ("SECTION", "EOF"):
+            section, block = _said(2, lines[start:end]), ""
+        elif kind == "ENDBLK":
+            block = ""
+        hidden = kind == "ATTDEF" or (kind == "ATTRIB" and _said(2, lines[start:end]) != BODY) or (block and block not in opened)
+        if section not in UNREAD and not hidden:
+            kept += lines[start:end]
+        if kind == "BLOCK":
+            block = _said(2, lines[start:end]).lower()
+    return kept
+
+
+def _blocks_to_open(inserts: Iterable[list[str]]) -> set[str]:
+    """Returns the names of blocks, in small letters, that neither their names nor the layers they are inserted on tell to hold nothing."""
+    named = {(_said(8, one), _said(2, one)) for one in inserts}
+    told = {name.lower() for layer, name in named if not is_passed((name,)) and (not is_passed((layer,)) or sort_within((name,)))}
+    return told | SPACES
+
+
+def _said(code: int, lines: list[str]) -> str:
+    """Returns what a part of a file says first under some code."""
+    return next((lines[at + 1] for at in range(0, len(lines) - 1, 2) if lines[at].strip() == str(code)), "")
+
+
+def _begins_a_part(code: str) -> bool:
     """Tells whether the first line of a pair is 0, in any way in which numbers are read."""
-    return not code.isascii() or not code.strip().lstrip(b"+-_0")
+    return not code.isascii() or not code.strip().lstrip("+-_0")
 
 
 class _Entity(NamedTuple):
