@@ -6,8 +6,9 @@ insisted on. May import: placement. Not here: whose rooms: a plan's, and those t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any, Final
 
 from solver.pieces import Arrangement, Piece, Space
@@ -46,7 +47,7 @@ def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
     Where others, as of a kitchen's run, have floor that matters, they keep it, too: what is required has it required, what is optional
     stands with it alone. Else what is insisted on would stand where their drawers open.
     """
-    necessary = needed(tuple(_with_its_own(wanted, label)))
+    necessary = _necessary(wanted, label)
     floors = dict[str, list[Piece]]()
     for piece in wanted:
         if (owner := _owner(piece)) is not None:
@@ -61,13 +62,15 @@ def demanded(wanted: Sequence[Piece], label: str | None) -> tuple[Piece, ...]:
     return tuple(found)
 
 
-def _with_its_own(wanted: Sequence[Piece], label: str | None) -> Iterator[Piece]:
-    """Yields wanted pieces, of which the one with a label is required, and what it stands together with alone."""
-    holds = False
-    for piece in wanted:
-        holds = piece.label == label or holds
-        yield replace(piece, required=piece.required or holds)
-        holds = holds and piece.with_next
+def _necessary(wanted: Sequence[Piece], label: str | None) -> set[str]:
+    """Returns the labels of what is required with the piece of a label: all that it needs, each with what it stands together with alone."""
+    found = set[str]()
+    asked = {piece.label for piece in wanted if piece.required or piece.label == label}
+    while asked != found:
+        found = asked
+        asked = needed([replace(piece, required=piece.label in found) for piece in wanted])
+        asked |= {after.label for piece, after in pairwise(wanted) if piece.with_next and piece.label in asked}
+    return found
 
 
 def _owner(piece: Piece) -> str | None:

@@ -95,3 +95,28 @@ def test_a_table_that_is_insisted_on_stands_before_no_front_of_the_kitchen(asked
     kitchen = next(room for room in home.scene.rooms if room.type == "kitchen")
     assert any(piece.name == "dining_table" for piece in kitchen.furniture)
     assert CHANGED not in explain(home.scene, kitchen.furniture[0].id).notes
+
+
+WALLS_OF_MASTERS = [
+    (4.9, 4.2, {"east": (3.625,), "south": (2.45,)}, {"north": (1.225, 3.675), "west": (2.1,)}),
+    (4.35, 4.65, {"south": (0.575,), "west": (2.325,)}, {"north": (1.087, 3.262), "east": (1.15,)}),
+]
+"""Width, depth, and where the doors and windows are along their walls, m."""
+
+
+def bedroom(width: float, depth: float, doors: dict[str, tuple[float, ...]], windows: dict[str, tuple[float, ...]]) -> Scene:
+    kinds = (("door", doors, 0.95, 0.0), ("window", windows, 1.2, 0.9))
+    openings = (
+        Opening(f"{kind}_{wall}_{at}", kind, wall, at, wide, 2.1 - sill, sill=sill, connects_to=EXTERIOR)
+        for kind, walls, wide, sill in kinds
+        for wall, places in walls.items()
+        for at in places
+    )
+    return Scene(rooms=(Room("a", type="bedroom_master", width=width, depth=depth, openings=tuple(openings)),))
+
+
+@pytest.mark.parametrize("room", WALLS_OF_MASTERS)
+def test_what_is_needed_by_what_is_insisted_on_opens_too(room: Any) -> None:
+    made = [furnish(bedroom(*room), seed=seed) for seed in range(6)]
+    assert "second_wardrobe_1" in {insisted(one.scene) for one in made}
+    assert not [issue.message for one in made for issue in one.issues if issue.rule == "front_blocked"]
