@@ -18,12 +18,18 @@ MOVED = 0.001
 SentBody = Furniture | Decoration | Dynamic
 
 
-def storey_height(scene: Scene, level: int) -> float:
-    """Returns how high the rooms of a storey are, m: as `levels` say; where none is listed, of one storey as `size` says; else 2.8."""
+def said_height(scene: Scene, level: int) -> float | None:
+    """Returns how high the rooms of a storey are said to be, m: by `levels`; where none is listed, of one storey by `size`; else None."""
     listed = {one.index: one.height for one in scene.levels}
     if listed or scene.size is None or any(room.level != level for room in scene.rooms):
-        return listed.get(level, Level.height)
+        return listed.get(level)
     return scene.size.height
+
+
+def storey_height(scene: Scene, level: int) -> float:
+    """Returns how high the rooms of a storey are, m: as is said, else as high as rooms usually are."""
+    said = said_height(scene, level)
+    return Level.height if said is None else said
 
 
 def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:

@@ -40,7 +40,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         alternatives: how many placements, at most; they differ in a wall, a rotation or clearly in a place.
         wall_thickness: of the room's walls, m.
         robot_width: side, m, of the square that must be able to walk everywhere.
-        height: of the room, m; by default what is judged is 2.8 m, and nothing that is wanted is too high.
+        height: of the room, m; by default it is not known, and nothing is too high.
         catalogs: whose kinds are known; ours by default.
         engine: of the final continuous solve, "osqp" or "reference".
         clock: a clock in seconds, to fill `timing_ms`.

@@ -23,7 +23,7 @@ from solver.body_rows import (
 )
 from solver.demanded import demand
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
-from solver.scene_bodies import home_of, storey_height
+from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
@@ -40,7 +40,7 @@ DOOR_KINDS: Final = ("door", "passage")
 WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
 _OPEN_SKY: Final = 1 << 60
-"""As high as this is an outdoor room."""
+"""As high as this is a room outdoors, and one whose height is not said."""
 
 PAIR_WORK: Final = 0.1
 """What looking at two rooms, walls or openings counts; measured."""
@@ -177,7 +177,8 @@ def world_of(scene: Scene, before: World | None = None) -> World:
             was if room is was.room and crowd == was.people else replace(was, room=room, people=crowd) for was, room, crowd in known
         )
         return replace(before, scene=scene, places=placed)
-    heights = {level: exact(storey_height(scene, level)) for level in {room.level for room in scene.rooms}}
+    said = {level: said_height(scene, level) for level in {room.level for room in scene.rooms}}
+    heights = {level: _OPEN_SKY if height is None else exact(height) for level, height in said.items()}
     places = tuple(_place(room, crowd, heights[room.level]) for room, crowd in zip(scene.rooms, inside, strict=True))
     return World(scene, exact(scene.wall_thickness) // 2, exact(robot_width_of(scene)), places)
 

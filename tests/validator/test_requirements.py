@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from catalogs.shapes import Solid
-from solver.scene import Decoration
+from solver.scene import Decoration, Size
 from solver.validator import RULES, validate
 from tests.validator.worlds import CATALOGS, issues, opening, piece, room, scene
 
@@ -105,8 +105,9 @@ def test_issues_come_room_by_room_and_rule_by_rule() -> None:
     whole = Solid(form="box", x=(0, 1), y=(0, 1), z=(0, 1), axis="y", taper=1, material="body")
     lid = Solid(form="box", x=(0, 1), y=(0.9, 1), z=(0.9, 1), axis="y", taper=1, material="body", front="flap", opens="down", range=90)
     known = CATALOGS.model_copy(update={"shapes": {"crate": (whole, lid)}})
-    found = validate(scene(*rooms), known)
-    assert found == validate(scene(*rooms), known)
+    house = scene(*rooms, size=Size(8.0, 4.0, 2.8))
+    found = validate(house, known)
+    assert found == validate(house, known)
     order = [(issue.room, list(RULES).index(issue.rule)) for issue in found]
     assert order == sorted(order, key=lambda entry: (entry[0] != "two", entry[1]))
     assert {issue.rule for issue in found if issue.room == "two"} == set(RULES)
