@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
 from solver.pieces import Link
@@ -22,10 +21,6 @@ class FarFrom(Relation):
     """Keeps `distance` from a piece or an opening."""
 
     by_degree = with_all = among_copies = True
-
-    def openings(self, spec: RelationSpec) -> tuple[str, ...]:
-        """Returns the kinds of openings it is about."""
-        return tuple(name for name in spec.of if name in OPENINGS)
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Rectangles clear of the square around every opening; along a wall, exactly clear of the circle."""

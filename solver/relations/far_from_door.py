@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from catalogs.schema import RelationSpec
 from solver.relations.far_from import FarFrom
 
 
 class FarFromDoor(FarFrom):
     """Is `far_from` every door."""
 
-    def openings(self, spec: RelationSpec) -> tuple[str, ...]:
-        """Doors, whatever it names."""
-        return ("door",)
+    about = ("door",)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
 from solver.relations.centred import about
@@ -19,10 +18,6 @@ class Near(Relation):
     """Is drawn towards a piece, or stands within `distance` of an opening."""
 
     by_degree = among_copies = True
-
-    def openings(self, spec: RelationSpec) -> tuple[str, ...]:
-        """Returns the kinds of openings it is about."""
-        return tuple(name for name in spec.of if name in OPENINGS)
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Within the distance of each opening."""

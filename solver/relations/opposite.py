@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from catalogs.schema import RelationSpec
 from solver.geometry import OPPOSITE
-from solver.pieces import Link
-from solver.relations.relation import ALIGN_PULL, ANYWHERE, Box, Fit, Relation
+from solver.relations.relation import ANYWHERE, Box, Fit, Relation
 
 
 class Opposite(Relation):
     """Stands at the wall opposite another piece, each looking at the other, one's middle on the other."""
 
-    turns = at_walls = True
+    turns = at_walls = into_line = True
 
     def boxes(self, fit: Fit) -> list[Box]:
         """Before the other's front, turned to it."""
@@ -21,7 +20,3 @@ class Opposite(Relation):
     def suits(self, spec: RelationSpec, mine: str | None, theirs: str | None) -> bool:
         """Tells whether it stands at the opposite wall, where the other is at one."""
         return (theirs is None or mine == OPPOSITE[theirs]) and super().suits(spec, mine, theirs)
-
-    def pulls(self, spec: RelationSpec, labels: list[str]) -> list[Link]:
-        """Returns a pull of the middles into line."""
-        return [Link(spec.type, labels[0], align=ALIGN_PULL)]

@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
 
+from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import OPPOSITE, Rect, rotate, to_mm, turned
 from solver.pieces import Link
@@ -119,6 +120,15 @@ class Relation:
     at_walls: ClassVar[bool] = False
     """It makes a piece stand with its back at a wall that would not do so by itself."""
 
+    into_line: ClassVar[bool] = False
+    """It draws the middle of the piece into line with that of the other, not near it."""
+    about: ClassVar[tuple[str, ...]] = ()
+    """The kinds of openings it is about, where it does not name them."""
+
+    def openings(self, spec: RelationSpec) -> tuple[str, ...]:
+        """Returns the kinds of openings it is about."""
+        return self.about or tuple(name for name in spec.of if name in OPENINGS)
+
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Returns the rectangles in any of which a footprint holds the relation to the room; none where it cannot hold so."""
         return []
@@ -151,7 +161,8 @@ class Relation:
 
     def pulls(self, spec: RelationSpec, labels: list[str]) -> list[Link]:
         """Returns weak pulls towards the pieces named, for a piece that is not placed at one of them."""
-        return [Link(spec.type, labels[0], near=NEAR_PULL)]
+        near, align = (0.0, ALIGN_PULL) if self.into_line else (NEAR_PULL, 0.0)
+        return [Link(spec.type, labels[0], near=near, align=align)]
 
 
 def missed(spec: RelationSpec) -> float:
