@@ -7,10 +7,10 @@ solver/core/decorate/decorating.hpp, in the same order. May import: the ground f
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct
-from typing import Final, TypeVar
+from typing import Final
 
 from catalogs.decoration_types import ALL, INDOOR, SURFACE, Decorating, DecoratingRow, DecorationKind, Hangs, Holds, Lies, Stands
 from catalogs.entries import Comfort, Side, Surface
@@ -19,11 +19,10 @@ from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import KindBook
 from catalogs.styles import Leaning
 from solver.body_rows import LooksBySize
+from solver.core.core_tables import CoreTables, TableRange
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.decorations.looks_by_kind import looks_by_kind
 from solver.geometry import to_mm
-
-Item = TypeVar("Item")
 
 SCALE_STEP: Final = 0.1
 """By which share things are made smaller where they do not fit. Our choice."""
@@ -49,8 +48,6 @@ _MOST_KEPT: Final = 64
 
 SizeMm = tuple[int, int, int]
 """Width, depth and height, mm."""
-TableRange = tuple[int, int]
-"""Rows of a table of the core: the first, and how many."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,13 +106,14 @@ def millimetres(size: tuple[float, float, float]) -> SizeMm:
     return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
 
 
-class _DecoratingTables:
+class _DecoratingTables(CoreTables):
     """The tables of what decorates while they are written."""
 
+    layouts, header = _TABLES, _HEADER
+
     def __init__(self, settings: DecorationSettings) -> None:
+        super().__init__(settings.catalogs.decorating)
         self._settings, self._catalogs = settings, settings.catalogs
-        self._rows: dict[str, list[bytes]] = {name: [] for name in _TABLES}
-        self._words = {name: k for k, name in enumerate(self._catalogs.decorating)}
         self._kinds = {name: k for k, name in enumerate(self._catalogs.decorations)}
         leaning = settings.style.decorations if settings.style else Leaning()
         self._favoured, self._avoided = self._meant(leaning.favoured), self._meant(leaning.avoided)
@@ -163,19 +161,7 @@ class _DecoratingTables:
 
     def _data(self) -> bytes:
         indoor = [*self._catalogs.decorating].index(INDOOR) if INDOOR in self._catalogs.decorating else -1
-        header = _HEADER.pack(*map(len, self._rows.values()), indoor, self._word(SEAT))
-        tables = [b"".join(rows) for rows in self._rows.values()]
-        return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
-
-    def _added(self, table: str, items: Iterable[Item], row: Callable[[Item], Iterable[float]]) -> TableRange:
-        """Adds rows to a table; returns the first and how many."""
-        rows, pack = self._rows[table], _TABLES[table].pack
-        made = [pack(*row(item)) for item in items]
-        rows += made
-        return len(rows) - len(made), len(made)
-
-    def _word(self, name: str) -> int:
-        return self._words.setdefault(name, len(self._words))
+        return self._packed(indoor, self._word(SEAT))
 
     def _names(self, names: Iterable[str], itself: str | None = None) -> TableRange:
         """Adds words; one of them may stand for something else."""

@@ -6,23 +6,22 @@ solver/core/furnish/room_type.hpp, in the same order.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from struct import Struct
-from typing import Final, TypeVar, get_args
+from typing import Final, get_args
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.runs import Run
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType
 from solver.body_rows import LooksBySize, furniture_look
+from solver.core.core_tables import CoreTables
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
 from solver.pieces import NamedKinds
 from solver.relations.relation import distance_mm
 from solver.relations.subject import Kind, SurfaceHeight
-
-Item = TypeVar("Item")
 
 SIDES: Final = ("left", "right", "front", "back")
 """As the core numbers them."""
@@ -108,16 +107,17 @@ def _kinds_of(catalogs: Catalogs) -> dict[str, Kind]:
     return _known_kinds[key][1]
 
 
-class _Tables:
+class _Tables(CoreTables):
     """The tables of a room type while they are written."""
 
+    layouts, header = _ROW, _HEADER
+
     def __init__(self, catalogs: Catalogs, indoors: str | None) -> None:
+        super().__init__()
         self._profile = catalogs.profile if indoors else None
         self._room = indoors or ""
         self.kinds: dict[str, Kind] = {}
         self._catalogs, self._known = catalogs, _kinds_of(catalogs)
-        self._rows: dict[str, list[bytes]] = {name: [] for name in _ROW}
-        self._words: dict[str, int] = {}
         self._surfaces: dict[str, int] = {}
         self._names: dict[str, int] = {}
         self._among: dict[str, int] = {}
@@ -134,19 +134,7 @@ class _Tables:
         for kind in self.kinds.values():
             self._add_kind(kind)
         turning = to_mm(self._profile.turning(self._room)) if self._profile else 0
-        header = _HEADER.pack(*map(len, self._rows.values()), len(self._words), run is not None, turning)
-        tables = [b"".join(rows) for rows in self._rows.values()]
-        return b"".join([header, *(table + bytes(-len(table) % 8) for table in tables)])
-
-    def _added(self, table: str, items: Iterable[Item], row: Callable[[Item], Iterable[float]]) -> tuple[int, int]:
-        """Adds rows to a table; returns the first and how many."""
-        rows, pack = self._rows[table], _ROW[table].pack
-        made = [pack(*row(item)) for item in items]
-        rows += made
-        return len(rows) - len(made), len(made)
-
-    def _word(self, name: str) -> int:
-        return self._words.setdefault(name, len(self._words))
+        return self._packed(len(self._words), run is not None, turning)
 
     def _kind(self, name: str) -> int:
         if name not in self.kinds:
