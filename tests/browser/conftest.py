@@ -9,9 +9,12 @@ from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, exp
 
 from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, Visit
+from tests.browser.ways import Touch, Way
 from tests.chromium import FLAGS, executable
 
 WINDOW: ViewportSize = {"width": 1000, "height": 600}
+DESK: ViewportSize = {"width": 1280, "height": 800}
+PHONE: ViewportSize = {"width": 390, "height": 800}
 PIXEL_RATIO = 0.5
 """The canvas has a pixel for two of CSS each way: without a graphics card every pixel costs."""
 
@@ -136,6 +139,26 @@ def service() -> Iterator[ServiceProcess]:
 def visit(page: Page, service: ServiceProcess) -> Visit:
     """A browser page that has not opened anything yet."""
     return Visit(page, service.address)
+
+
+@pytest.fixture(scope="module")
+def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Way]:
+    """A page for somebody who works in one way, in which the module's `begin` has begun."""
+    is_phone = request.param is Touch
+    context = browser.new_context(
+        viewport=PHONE if is_phone else DESK,
+        device_scale_factor=PIXEL_RATIO,
+        reduced_motion="reduce",
+        has_touch=is_phone,
+        is_mobile=is_phone,
+    )
+    for script in (SHOWN, FEW_TRIANGLES):
+        context.add_init_script(script)
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    made: Way = request.param(Visit(context.new_page(), service.address))
+    request.module.begin(made)
+    yield made
+    context.close()
 
 
 @pytest.fixture

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Frame, Page, Route, ViewportSize, expect
+from playwright.sync_api import Frame, Page, Route, expect
 
+from tests.browser.conftest import PHONE
 from tests.browser.visit import SMALL, Visit, intercept, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
@@ -21,7 +22,6 @@ OVER = """() => {
     transfer.items.add(new File(['a'], 'a'));
     window.dispatchEvent(new DragEvent('dragover', {dataTransfer: transfer, cancelable: true}));
 }"""
-PHONE: ViewportSize = {"width": 390, "height": 800}
 
 
 def violations(visit: Visit) -> list[str]:

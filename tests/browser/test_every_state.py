@@ -10,9 +10,9 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Route, expect
 
 from tests.architecture.tree import ROOT
-from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN, close
+from tests.browser.conftest import FEW_TRIANGLES, PHONE, PIXEL_RATIO, SHOWN, close
 from tests.browser.service_process import ServiceProcess
-from tests.browser.test_accessible import OVER, PHONE, found_in, in_conflict, refusing
+from tests.browser.test_accessible import OVER, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
 from tests.browser.test_language import TOWN
 from tests.browser.visit import Visit, furniture_of, intercept

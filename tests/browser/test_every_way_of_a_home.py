@@ -2,49 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ViewportSize, expect
+from playwright.sync_api import expect
 
 from tests.browser.acts import Act, Acts, left_as_found
 from tests.browser.acts_on_homes import left_and_come_back_to, lit_at_another_hour, movable, scene, sent_as_file
-from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
-from tests.browser.service_process import ServiceProcess
-from tests.browser.test_accessible import PHONE
 from tests.browser.test_looking import entrance_of
 from tests.browser.test_touch import PRESSED, SMALLEST
 from tests.browser.test_walking import KNOWN
-from tests.browser.visit import SMALL, Visit
+from tests.browser.visit import SMALL
 from tests.browser.ways import Keyboard, Touch, Way, unfold
 
-DESK: ViewportSize = {"width": 1280, "height": 800}
 ON_MAP = "([x, z]) => new DOMPoint(x, z).matrixTransform(document.querySelector('#minimap svg').getScreenCTM()).toJSON()"
 ACTS = Acts()
 doing = ACTS.act
 
 
-@pytest.fixture(scope="module")
-def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Way]:
-    """A small home, opened to somebody who works in one way."""
-    is_phone = request.param is Touch
-    context = browser.new_context(
-        viewport=PHONE if is_phone else DESK,
-        device_scale_factor=PIXEL_RATIO,
-        reduced_motion="reduce",
-        has_touch=is_phone,
-        is_mobile=is_phone,
-    )
-    for script in (SHOWN, FEW_TRIANGLES):
-        context.add_init_script(script)
-    context.grant_permissions(["clipboard-read", "clipboard-write"])
-    visit = Visit(context.new_page(), service.address)
-    visit.open(SMALL.format(4))
-    made: Way = request.param(visit)
-    made.seen = "3"
-    yield made
-    context.close()
+def begin(way: Way) -> None:
+    """A small home is opened."""
+    way.visit.open(SMALL.format(4))
+    way.seen = "3"
 
 
 @doing("1 another home comes and goes as a step; it is among the recent homes")

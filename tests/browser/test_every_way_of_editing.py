@@ -2,41 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ViewportSize, expect
+from playwright.sync_api import expect
 
 from tests.browser.acts import Act, left_as_found
 from tests.browser.acts_on_pieces import ACTS, OTHER, TABLET, doing, home, ids, move_piece, piece
-from tests.browser.conftest import FEW_TRIANGLES, PIXEL_RATIO, SHOWN
-from tests.browser.service_process import ServiceProcess
-from tests.browser.test_accessible import PHONE
+from tests.browser.conftest import PHONE
 from tests.browser.test_editing import Bench
-from tests.browser.visit import Visit
 from tests.browser.ways import Keyboard, Touch, Way, unfold
 
-DESK: ViewportSize = {"width": 1280, "height": 800}
 
-
-@pytest.fixture(scope="module")
-def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Way]:
-    """The home, opened from above, to somebody who works in one way."""
-    is_phone = request.param is Touch
-    context = browser.new_context(
-        viewport=PHONE if is_phone else DESK,
-        device_scale_factor=PIXEL_RATIO,
-        reduced_motion="reduce",
-        has_touch=is_phone,
-        is_mobile=is_phone,
-    )
-    for script in (SHOWN, FEW_TRIANGLES):
-        context.add_init_script(script)
-    visit = Visit(context.new_page(), service.address)
-    Bench(visit, home())
-    yield request.param(visit)
-    context.close()
+def begin(way: Way) -> None:
+    """The home is opened, seen from above."""
+    Bench(way.visit, home())
 
 
 @doing("5 a kind is found by its category, by search, and put where it is best; its other places are flipped through")
