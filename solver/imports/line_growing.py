@@ -30,7 +30,7 @@ THINNEST: Final = 40
 
 @dataclass(frozen=True)
 class Grown:
-    """Rooms along wall lines: corners by room, the thinnest wall (mm), and for each room how far each line is from the face."""
+    """Rooms along wall lines: corners by room, the thinnest wall (mm), and for each room how far outside of the face each line is."""
 
     corners: list[FloorCorners]
     thickness: int
@@ -54,7 +54,7 @@ def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness:
         for edge in room:
             lines.setdefault((edge.room, edge.side), edge.at + edge.out * (usual // 2))
     _gather(edges, levels, lines)
-    moved = [[abs(lines[edge.room, edge.side] - edge.at) for edge in room] for room in edges]
+    moved = [[(lines[edge.room, edge.side] - edge.at) * edge.out for edge in room] for room in edges]
     corners = [_rebuilt(room, [lines[edge.room, edge.side] for edge in room], usual) for room in edges]
     return Grown(corners, usual, moved)
 
@@ -112,7 +112,10 @@ def _weighted_median(values: Sequence[tuple[int, int]]) -> int:
 
 
 def _lines(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> dict[tuple[int, int], int]:
-    """Returns the line of every edge that faces another room: edges joined by walls have one in common."""
+    """Returns the line of every edge that faces another room: edges joined by walls have one in common.
+
+    Where a wall goes on as a border between two rooms without one, the wall tells.
+    """
     heads: dict[tuple[int, int], tuple[int, int]] = {}
 
     def head(key: tuple[int, int]) -> tuple[int, int]:
@@ -128,9 +131,10 @@ def _lines(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> dict[tuple[int, i
         walls[head((pair[0].room, pair[0].side))].append(pair)
     lines = {}
     for wall in walls.values():
-        weight = sum(overlap for *_, overlap in wall)
-        line = round(sum((a.at + b.at) / 2 * overlap for a, b, overlap in wall) / weight)
-        line = min(max(line, *(a.at for a, *_ in wall)), *(b.at for _, b, _ in wall))
+        drawn = [pair for pair in wall if pair[1].at - pair[0].at >= THINNEST] or wall
+        weight = sum(overlap for *_, overlap in drawn)
+        line = round(sum((a.at + b.at) / 2 * overlap for a, b, overlap in drawn) / weight)
+        line = min(max(line, *(a.at for a, *_ in drawn)), *(b.at for _, b, _ in drawn))
         for a, b, _ in wall:
             lines[a.room, a.side] = lines[b.room, b.side] = line
     return lines

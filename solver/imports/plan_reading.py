@@ -135,7 +135,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     if settings.furniture:
         made = with_pieces(made, plan.pieces, origin, catalogs, notes)
         if all(piece.size for piece in plan.pieces):
-            made = [trimmed(room, thickness / 2000, notes) for room in made]
+            made = [trimmed(room, (thickness + 1) // 2, notes) for room in made]
         made = with_carriers(made, thickness / 1000)
     return _scene(made, rooms, plan.levels, thickness), notes
 
@@ -198,7 +198,7 @@ def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes
     for room, moved in zip(rooms, made.moved, strict=True):
         worst = max((by - half for by in moved), key=abs, default=0)
         if abs(worst) > 5:
-            words = f"a wall is drawn {2 * (worst + half)} mm thick and held as {made.thickness}: half of that is floor"
+            words = f"a wall is drawn {max(0, 2 * (worst + half))} mm thick and held as {made.thickness}: half of that is floor"
             notes.change("wall_lines", room.id, abs(worst) / 1000, words)
     words = f"rooms are grown to the lines of their walls, the thinnest of which are {made.thickness / 1000:.2f} m thick"
     notes.change("wall_lines", "plan", half / 1000, words)

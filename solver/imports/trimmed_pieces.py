@@ -56,17 +56,17 @@ def _squared(piece: Furniture) -> float:
     return round(piece.rotation / 90) * 90.0
 
 
-def trimmed(room: Room, half_wall: float, notes: PlanNotes) -> Room:
+def trimmed(room: Room, half_wall: int, notes: PlanNotes) -> Room:
     """Returns a room of whose furniture what reaches up to HAIR into walls or other pieces is cut, and told.
 
     Args:
         room: its outline is rectilinear.
-        half_wall: how far inside of its lines the room's faces are, m.
+        half_wall: how far inside of its lines the room's clear floor begins, whole mm.
         notes: what is cut is noted here.
     """
     boxes = {piece.id: _DrawnBox(piece) for piece in room.furniture if abs(piece.rotation - _squared(piece)) <= ASKEW}
     for box in boxes.values():
-        for face, to in _walls(room, box, to_mm(half_wall)):
+        for face, to in _walls(room, box, half_wall):
             box.move(face, to)
     for one, other in combinations(boxes.values(), 2):
         _part(one, other)

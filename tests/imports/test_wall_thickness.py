@@ -15,7 +15,7 @@ from solver import export
 from solver.imported import PlanImport
 from solver.scene import Room, Scene
 from tests.exports.test_page_agrees import THICK_WALLS
-from tests.imports.plans import read
+from tests.imports.plans import box, collection, line, piece, read
 
 CLOSE = 0.0101
 """m."""
@@ -129,6 +129,22 @@ def test_gaps_between_inner_faces_are_the_walls() -> None:
     assert (a.wall_thickness, b.wall_thickness) == ((None, None, None, 0.4), None)
     assert [one.connects_to for one in (*a.openings, *b.openings) if one.kind == "door"] == [b.id, a.id]
     assert scene.adjacency == ((0, 1), (0, 2), (1, 2))
+
+
+def test_a_wall_that_goes_on_as_a_border_without_one_takes_no_floor_of_the_room_behind_it() -> None:
+    thick, stove = 0.125, {"width": 0.6, "depth": 0.64, "height": 0.85, "rotation": 180}
+    rooms = [box("Kitchen", 0, 0, 4, 3), box("Bathroom", 0, 3 + thick, 2, 5), box("Hallway", 2 + thick, 3, 4, 5)]
+    doors = [line("door", (1, 3 + thick / 2), (1.8, 3 + thick / 2)), line("door", (3, 5), (3.9, 5)), line("passage", (2.2, 3), (3.9, 3))]
+    said = {"y": "down", "drawn": "inner", "wall_thickness": thick}
+    answer = read(collection(*rooms, *doors, piece("Stove", 0.6, 3 - 0.32, **stove), **said))
+    kitchen, bathroom, hallway = answer.scene.rooms
+    assert (kitchen.depth - answer.scene.wall_thickness, bathroom.depth - answer.scene.wall_thickness) == pytest.approx(
+        (3, 2 - thick), abs=0.001
+    )
+    told = [(one["of"], str(one["message"])) for one in answer.changes]
+    assert any(of == hallway.id and "drawn 0 mm thick and held as 125" in words for of, words in told)
+    assert [words for _, words in told if words.startswith("moved")] == []
+    assert [issue.message for issue in answer.issues if issue.severity == "error"] == []
 
 
 Ring = list[tuple[float, float]]
