@@ -101,9 +101,12 @@ def test_a_family_says_first_what_it_is_and_then_which() -> None:
         building.add(
             "IfcFurniture", name, [shell(building.file, corners_of((0, 0, 0), (1, 0.6, high)), "IfcFacetedBrep")], (at * 1.5 - 1.5, 1, 0)
         )
+    table = [shell(building.file, corners_of((0, 0, 0), (1.8, 0.9, 0.75)), "IfcFacetedBrep")]
+    building.add("IfcFurniture", "Table_Dining_w-Chairs_Rectangular:1830mm:167656", table, (-1, -1, 0))
     answer = read(str(building.file.to_string()).encode(), "house.ifc")
-    assert [one.name for one in answer.scene.rooms[0].furniture] == ["Double Door & 2 Drawer Base Cabinet", "Coffee Table"]
-    assert [*answer.understood_as.values()] == ["medium_counter", "coffee_table"]
+    names = ["Double Door & 2 Drawer Base Cabinet", "Coffee Table", "Table_Dining with Chairs_Rectangular"]
+    assert [one.name for one in answer.scene.rooms[0].furniture] == names
+    assert [*answer.understood_as.values()] == ["medium_counter", "coffee_table", "dining_table"]
 
 
 def test_pieces_of_one_shape_are_each_turned_their_own_way() -> None:

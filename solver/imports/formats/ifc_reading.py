@@ -50,6 +50,8 @@ HOLDERS: Final = {
 }  # fmt: skip
 """The relations by which something holds an element, the nearest first, and what each calls it."""
 REVIT: Final = re.compile(r"([^:]+):.*:\d+")
+WITH: Final = re.compile(r"[\s_-]+w(?:ith)?[\s_/-]+")
+"""Behind this a family's name says what there is besides."""
 OURS: Final = "Compose_Body"
 HEADER: Final = b"ISO-10303-21"
 Element = Any
@@ -262,12 +264,13 @@ class _ReadBuilding:
 def _called(piece: Element) -> str:
     """Returns what a piece is called: its family, where its name is Revit's `family:type:number`, else its type.
 
-    Families say first what they are, then which: `M_Table-Coffee` is a coffee table.
+    Families say first what they are, then which: `M_Table-Coffee` is a coffee table, `Table_Dining w-Chairs` a dining table with chairs.
     """
     family = REVIT.fullmatch(piece.Name or "")
     if not family:
         return str(piece.ObjectType or piece.Name or "")
-    return " ".join(part.strip() for part in reversed(family[1].removeprefix("M_").split("-")))
+    name, *things = WITH.split(family[1].removeprefix("M_"))
+    return " with ".join((" ".join(part.strip() for part in reversed(name.split("-"))), *things))
 
 
 def _kind(element: Element, is_window: bool) -> Any:
