@@ -109,7 +109,7 @@ def _tied(space: Space, candidate: Candidate, side: str, shape: tuple[int, int])
     extents, direction = candidate.extent, outwards(side, candidate.rotation)
     reach = []
     for axis in (0, 1):
-        floor, own, half = shape[axis], extents[axis], space.robot_mm // 2
+        floor, own, half = shape[axis], extents[axis], (space.robot_mm + 1) // 2
         shift = (floor - own) // 2  # from the floor's low end to the piece's where their centres meet, as the kernel rounds it
         low, high = (half - own, floor - half) if not direction[axis] else ((floor, floor) if direction[axis] < 0 else (-own, -own))
         reach.append((low - shift, high - shift))

@@ -182,3 +182,24 @@ def test_the_crowded_rooms_have_one_conflict_or_several_and_something_is_offered
     answers = [fix(crowded(seed)).conflicts for seed in range(0, 24, 3)]
     assert {1, 2} <= {min(len(conflicts), 2) for conflicts in answers}
     assert sum(len(conflict.repairs) for conflicts in answers for conflict in conflicts) > 20
+
+
+ODD = [
+    ((2.04, 1.74), 1.3, 0.801, [("toilet_1", 0.85, 0.62, (0.4, 0.66, 0.8), 180), ("sink_1", 0.42, 0.67, (0.5, 0.42, 0.86), 270)]),
+    ((2.41, 1.89), 1.14, 0.601, [("toilet_1", 1.71, 1.33, (0.4, 0.66, 0.8), 180), ("laundry_basket_1", 1.74, 1.11, (0.46, 0.36, 0.6), 0)]),
+    ((2.95, 1.62), 0.63, 0.801, [("laundry_basket_1", 2.22, 0.94, (0.46, 0.36, 0.6), 0), ("bookshelf_1", 2.36, 0.69, (0.8, 0.3, 1.8), 0)]),
+]
+"""Room, where its door is, who walks, and pieces where they are sent: the way to one is as wide as who walks, half a millimetre counts."""
+
+
+@pytest.mark.parametrize(("extents", "door_at", "robot", "sent"), ODD)
+def test_who_is_an_odd_number_of_millimetres_wide_gets_a_way_as_all_others_do(
+    extents: tuple[float, float], door_at: float, robot: float, sent: list[tuple[str, float, float, tuple[float, float, float], int]]
+) -> None:
+    door = Opening("door", "door", "south", door_at, 0.9, connects_to="EXTERIOR", main_entrance=True)
+    furniture = [replace(body(*one[:4]), rotation=one[4]) for one in sent]
+    scene = room_of(*furniture, width=extents[0], depth=extents[1], openings=(door,))
+    for who in (robot, robot + 0.001):
+        fixed = fix(replace(scene, request={"robot_width": round(who, 3)}))
+        assert not fixed.conflicts
+        assert not errors(fixed.scene)

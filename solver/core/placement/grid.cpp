@@ -201,7 +201,8 @@ static void find_runs(const WalkGrid& grid, i32 nx, i32 nz) {
   grid.first_run[nx] = count;
 }
 
-// The cells whose closed rectangles meet a target.
+// The cells that a target meets, not only touches: blocks are half a millimetre smaller than they block, so that a way just as wide as who
+// walks has cells, and ends of what can be walked lie between the cuts.
 static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
   Cells cells;
   for (i64 axis = 0; axis < 2; axis++) {
@@ -209,7 +210,7 @@ static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
     const i64 count = grid.state->cuts[axis];
     i64 low = 0, high = 0;  // cuts below its ends: there are few, and each comparison is as good as a guess
     for (i64 k = 0; k < count; k++) {
-      low += cuts[k] < target.low[axis];
+      low += cuts[k] <= target.low[axis];
       high += cuts[k] < target.high[axis];
     }
     cells.first[axis] = static_cast<i32>(most<i64>(low - 1, 0));

@@ -127,7 +127,7 @@ static void add_stand(const Room& room, const Work& work, i64 piece, i64 side) {
   const i64 start = body.offset[along], extent = body.extent[along], v = body.variable[along];
   const i64 own = add_variable(work, along, space.low[along], space.high[along] - size);
   add_row(work, {along, v, own, start - floor_div(size, 2)});
-  add_row(work, {along, own, v, floor_div(size, 2) - extent - start});
+  add_row(work, {along, own, v, size - floor_div(size, 2) - extent - start});
   add_pull(work, {along, v, own}, {static_cast<f64>(2 * start + extent - size) / 2000, STAND_WEIGHT});
   part.variable[along] = own;
   part.offset[along] = 0;
