@@ -29,9 +29,15 @@ function shapeNumber({ form, size, taper }: Part): number {
   return form === "cylinder" || form === "cone" ? taper : 0;
 }
 
+/** What is nearly black is lifted: else its shape is lost in the shade. */
+function lifted(color: Color): number[] {
+  const lift = 0.032 * Math.exp(-16 * (0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b));
+  return color.toArray().map((share) => share + lift);
+}
+
 /** A paint's tint and finish. */
 function painted({ color, opacity, roughness, metalness, glow, texture }: Paint): number[] {
-  return [...new Color(color).toArray(), opacity, Math.max(0.05, roughness), metalness, glow, patternLayer(texture)];
+  return [...lifted(new Color(color)), opacity, Math.max(0.05, roughness), metalness, glow, patternLayer(texture)];
 }
 
 const paints = new WeakMap<Paint, readonly number[]>();

@@ -4,7 +4,7 @@
  */
 import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
-import { litMaterial, type LitMaterial } from "./lit";
+import { evenly, lightAtCorners, litMaterial, type LitMaterial } from "./lit";
 import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
 import { RULE } from "./part_geometry";
 import { patternSpans, patternUniform } from "./patterns";
@@ -37,13 +37,19 @@ vec3 partNormal() {
   return normalize(vec3(normal.x * 2.0 / size.x, (near - min(span.w, 1.0)) / size.y, normal.z * 2.0 / size.z));
 }`;
 
+/** What the vertices of a part hand to its pixels. */
+function handedOn(): string {
+  return /* glsl */ `
+${evenly()} vec4 vTint;
+${evenly()} vec4 vFinish;
+varying vec2 vWeave;
+varying vec2 vMirrored;`;
+}
+
 const WEAVE = /* glsl */ `
 attribute vec4 tint; // colour, opacity
 attribute vec4 finish; // roughness, metalness, glow, pattern
 uniform float patternSpans[${patternSpans.length}];
-varying vec4 vTint;
-varying vec4 vFinish;
-varying vec2 vWeave;
 
 // Where on its pattern a vertex lies [m]: the grain runs along the longer side.
 vec2 weave(vec3 at) {
@@ -54,7 +60,21 @@ vec2 weave(vec3 at) {
   else if (rule.y < 2.5) { flatAt = at.xy; sides = span.xy; }
   vec2 shift = fract(sin(vec2(dot(instanceMatrix[3].xyz, vec3(12.99, 78.23, 37.72)), dot(span.xyz, vec3(39.35, 11.14, 83.16)))) * 437.58);
   return (sides.x < sides.y ? flatAt.yx : flatAt) / patternSpans[int(finish.w + 0.5)] + shift;
+}
+
+// How high above the horizon a vertex mirrors what is around, and how flatly it is seen.
+vec2 mirrored(vec3 facing, vec3 at) {
+  vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
+  vec3 seen = normalize(-at);
+  return vec2(dot(reflect(-seen, facing), up), pow(1.0 - abs(dot(seen, facing)), 3.0));
 }`;
+
+const TO_PIXELS = /* glsl */ `
+#include <project_vertex>
+vTint = tint;
+vFinish = finish;
+vWeave = weave(transformed);
+vMirrored = finish.y > 0.0 ? mirrored(normalize(transformedNormal), mvPosition.xyz) : vec2(0.0);`;
 
 /** Rougher than this metal is no mirror. */
 const MIRROR_ROUGHNESS = 0.07;
@@ -65,9 +85,7 @@ const METAL = 0.55;
 const REFLECTION = /* glsl */ `
 if (vFinish.y + vFinish.z > 0.0) {
   // Metal and glass show the sky, brighter above than below: there is no picture of the surroundings to mirror.
-  vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
-  vec3 seen = normalize(vViewPosition);
-  float rise = dot(reflect(-seen, normal), up);
+  float rise = vMirrored.x;
   float sky = mix(0.18, 0.95, smoothstep(-0.5, 0.8, rise));
   totalEmissiveRadiance += diffuseColor.rgb * (vFinish.z + vFinish.y * sky * 0.6);
   if (vFinish.x < ${MIRROR_ROUGHNESS} && vFinish.y > 0.5) {
@@ -75,19 +93,14 @@ if (vFinish.y + vFinish.z > 0.0) {
     float across = vWeave.x + vWeave.y * 0.8;
     float band = smoothstep(0.30, 0.36, fract(across)) * (1.0 - smoothstep(0.56, 0.60, fract(across)))
       + 0.6 * smoothstep(0.66, 0.69, fract(across)) * (1.0 - smoothstep(0.72, 0.75, fract(across)));
-    float flatly = pow(1.0 - abs(dot(seen, normal)), 3.0);
     vec3 shown = mix(vec3(0.40, 0.47, 0.52), vec3(0.52, 0.70, 0.86), smoothstep(-0.35, 0.45, rise));
-    totalEmissiveRadiance = shown * 0.8 + vec3(0.22 * band + 0.25 * flatly);
+    totalEmissiveRadiance = shown * 0.8 + vec3(0.22 * band + 0.25 * vMirrored.y);
     diffuseColor.rgb *= 0.3;
   }
 #ifndef STANDARD
   diffuseColor.rgb *= 1.0 - ${METAL} * vFinish.y;
 #endif
 }`;
-
-/** What is nearly black is lifted: else its shape is lost in the shade. */
-const LIFT = /* glsl */ `
-diffuseColor.rgb += 0.032 * exp(-16.0 * dot(diffuseColor.rgb, vec3(0.2126, 0.7152, 0.0722)));`;
 
 function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
   shader.vertexShader = shader.vertexShader
@@ -100,15 +113,16 @@ function paint(shader: WebGLProgramParametersWithUniforms): void {
   Object.assign(shader.uniforms, lampUniforms, { patterns: patternUniform });
   shader.uniforms.patternSpans = { value: patternSpans };
   shader.vertexShader = shader.vertexShader
-    .replace(SHAPE, SHAPE + WEAVE)
+    .replace(SHAPE, SHAPE + WEAVE + handedOn())
     .replace("#include <beginnormal_vertex>", "vec3 objectNormal = partNormal();")
-    .replace("#include <project_vertex>", "vTint = tint; vFinish = finish; vWeave = weave(transformed);\n#include <project_vertex>");
+    .replace("#include <project_vertex>", TO_PIXELS);
   shader.fragmentShader = shader.fragmentShader
-    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;\nvarying vec4 vTint;\nvarying vec4 vFinish;\nvarying vec2 vWeave;" + LAMP_UNIFORMS)
-    .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;" + LIFT)
+    .replace("#include <common>", "#include <common>\nuniform highp sampler2DArray patterns;" + handedOn() + LAMP_UNIFORMS)
+    .replace("#include <color_fragment>", "diffuseColor *= vTint;\ndiffuseColor.rgb *= texture(patterns, vec3(vWeave, floor(vFinish.w + 0.5))).r;")
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vFinish.x;")
     .replace("#include <metalnessmap_fragment>", `float metalnessFactor = ${METAL} * vFinish.y;`)
     .replace("#include <emissivemap_fragment>", REFLECTION + LAMPLIGHT);
+  lightAtCorners(shader);
 }
 
 /** What is solid does not blend either: told so, it is drawn with the shader of what is clear. */

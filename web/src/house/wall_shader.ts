@@ -1,7 +1,7 @@
 /** The materials of walls and of what is flat as they are: colour, pattern and roughness are their vertices'. From afar a pattern fades into its mean. */
 import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type WebGLProgramParametersWithUniforms } from "three";
 import { sharedMaterial } from "./shared_materials";
-import { litMaterial, type LitMaterial } from "./lit";
+import { lightAtCorners, litMaterial, type LitMaterial } from "./lit";
 import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
 import { MORTAR, patternLayer, patternUniform } from "./patterns";
 
@@ -28,6 +28,7 @@ function weave(shader: WebGLProgramParametersWithUniforms): void {
     .replace("#include <emissivemap_fragment>", LAMPLIGHT)
     .replace("#include <color_fragment>", `#include <color_fragment>\n${WOVEN}`)
     .replace("#include <roughnessmap_fragment>", "float roughnessFactor = vWeave.w;");
+  lightAtCorners(shader);
 }
 
 /** A material that all share which ask for it by this name; what vertices do not say is plain and rough. All are drawn with one shader. */
