@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Catalog, CatalogPart } from "../src/contract";
 import type { PlacedBody } from "../src/house/frame";
-import { patternGreys, patternLayer } from "../src/house/patterns";
+import { layerOf, makeNextPattern, patternGreys, patternLayer, patternUniform } from "../src/house/patterns";
 import { ShapeBook } from "../src/house/shapes";
 
 const solid = (material: string, more: Partial<CatalogPart> = {}): CatalogPart => ({
@@ -93,5 +93,23 @@ describe("patterns", () => {
     expect(jump(0, 255)).toBeLessThanOrEqual(jump(100, 101) + 12);
     expect(patternLayer("no such texture")).toBe(patternLayer(null));
     expect(patternLayer("brick")).toBeGreaterThan(0);
+  });
+
+  it("are made only when something is drawn with them, each once", () => {
+    while (makeNextPattern()); // what tests before this asked for
+    const texture = patternUniform.value;
+    const layers = texture.image.depth;
+    const isMade = (layer: number): boolean => (texture.image.data as Uint8Array).subarray(layer * 256 ** 2, (layer + 1) * 256 ** 2).some((grey) => grey > 0);
+    const [unmade] = ["cast", "wallpaper", "panelling", "leather", "deck"].filter((name) => !isMade(layerOf(name)));
+    const before = Array.from({ length: layers }, (_, layer) => isMade(layer)).filter(Boolean).length;
+    expect(before).toBeLessThan(layers);
+    texture.clearLayerUpdates();
+    const asked = patternLayer(unmade ?? "");
+    expect(isMade(asked)).toBe(false);
+    expect(patternUniform.value).toBe(texture);
+    expect(isMade(asked)).toBe(true);
+    expect([...texture.layerUpdates]).toEqual([asked]);
+    expect(Array.from({ length: layers }, (_, layer) => isMade(layer)).filter(Boolean).length).toBe(before + 1);
+    expect(makeNextPattern()).toBe(false);
   });
 });

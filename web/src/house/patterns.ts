@@ -245,9 +245,20 @@ const NAMES = Object.keys(LAYERS);
 /** The metres that each layer's square covers. */
 export const patternSpans: readonly number[] = Object.values(LAYERS).map(({ span }) => span);
 
-/** The layer of a texture's name; the plain one for a name that is not known. */
+/** The layer of a pattern. */
+export function layerOf(name: string): number {
+  return NAMES.indexOf(name);
+}
+
+/** The layers that something is drawn with, and how many of them are made. */
+const wanted = new Set<number>();
+let countMade = 0;
+
+/** The layer of a texture's name, which something is now drawn with; the plain one for a name that is not known. */
 export function patternLayer(name: string | null): number {
-  return Math.max(0, name === null ? 0 : NAMES.indexOf(name));
+  const layer = Math.max(0, name === null ? 0 : layerOf(name));
+  wanted.add(layer);
+  return layer;
 }
 
 /** A layer's greys, row by row. */
@@ -258,32 +269,27 @@ export function patternGreys(name: string, size = SIZE): Uint8Array<ArrayBuffer>
   return greys;
 }
 
-const greys: Uint8Array[] = [];
+const texture = new DataArrayTexture(new Uint8Array(SIZE * SIZE * NAMES.length), SIZE, SIZE, NAMES.length);
+Object.assign(texture, {
+  format: RedFormat, type: UnsignedByteType, wrapS: RepeatWrapping, wrapT: RepeatWrapping,
+  magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, generateMipmaps: true, anisotropy: 4,
+});
 
-/** Makes the next pattern; false when all are made. */
+/** Makes the next pattern that something is drawn with; false when all these are made. */
 export function makeNextPattern(): boolean {
-  const name = NAMES[greys.length];
-  if (name !== undefined) greys.push(patternGreys(name));
-  return name !== undefined;
+  const layer = [...wanted][countMade];
+  if (layer === undefined) return false;
+  (texture.image.data as Uint8Array).set(patternGreys(NAMES[layer] ?? ""), layer * SIZE * SIZE);
+  texture.addLayerUpdate(layer);
+  texture.needsUpdate = true;
+  countMade += 1;
+  return true;
 }
 
-let made: DataArrayTexture | undefined;
-
-function make(): DataArrayTexture {
-  while (makeNextPattern());
-  const layers = new Uint8Array(SIZE * SIZE * NAMES.length);
-  greys.forEach((layer, i) => layers.set(layer, i * SIZE * SIZE));
-  const texture = new DataArrayTexture(layers, SIZE, SIZE, NAMES.length);
-  Object.assign(texture, {
-    format: RedFormat, type: UnsignedByteType, wrapS: RepeatWrapping, wrapT: RepeatWrapping,
-    magFilter: LinearFilter, minFilter: LinearMipmapLinearFilter, generateMipmaps: true, anisotropy: 4, needsUpdate: true,
-  });
-  return texture;
-}
-
-/** All patterns as one texture, for shaders: made when something is first drawn with it. */
+/** All patterns as one texture, for shaders: what is now drawn is made. */
 export const patternUniform = {
   get value(): DataArrayTexture {
-    return (made ??= make());
+    while (makeNextPattern());
+    return texture;
   },
 };

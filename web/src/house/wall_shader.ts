@@ -3,7 +3,7 @@ import { NoBlending, NormalBlending, type MeshStandardMaterialParameters, type W
 import { sharedMaterial } from "./shared_materials";
 import { lightAtCorners, litMaterial, type LitMaterial } from "./lit";
 import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
-import { MORTAR, patternLayer, patternUniform } from "./patterns";
+import { layerOf, MORTAR, patternUniform } from "./patterns";
 
 const WOVEN = /* glsl */ `
 {
@@ -14,7 +14,7 @@ const WOVEN = /* glsl */ `
   float grey = texture(patterns, at).r;
   if (far > 0.0) grey = mix(grey, textureLod(patterns, at, 16.0).r, far);
   diffuseColor.rgb *= grey;
-  float mortar = abs(at.z - ${patternLayer("brick")}.0) < 0.5 ? smoothstep(${MORTAR}, 1.0, grey) : 0.0;
+  float mortar = abs(at.z - ${layerOf("brick")}.0) < 0.5 ? smoothstep(${MORTAR}, 1.0, grey) : 0.0;
   diffuseColor.rgb = mix(diffuseColor.rgb, vec3(0.42, 0.38, 0.34), mortar * 0.7);
 }`;
 
