@@ -54,7 +54,7 @@ def test_homes_of_another_request_need_another_folder(tmp_path: Path, capfd: pyt
 
 
 def test_a_wrong_request_is_refused_by_its_field(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    assert main([*SMALL, "-o", str(tmp_path), "--width", "-3"]) == 2
+    assert main([*SMALL, "-o", str(tmp_path), "--width", "-3", "--workers", "1"]) == 2
     assert "width" in capfd.readouterr().err
     assert list(tmp_path.glob("*.yaml")) == []
     assert len(made(tmp_path, "--workers", "1", "-n", "1")) == 2

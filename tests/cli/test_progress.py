@@ -21,12 +21,6 @@ def test_a_file_is_told_line_by_line(tmp_path: Path, capfd: pytest.CaptureFixtur
     assert [line for line in told.splitlines() if " of 3 " in line] == ["1 of 3 houses", "2 of 3 houses", "3 of 3 houses"]
 
 
-def test_quick_work_tells_nothing(tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(progress, "monotonic", lambda: 7.0)
-    assert main([*MANY, "-o", str(tmp_path)]) == 0
-    assert " of 3 " not in capfd.readouterr().err
-
-
 def test_nobody_need_listen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "stderr", None)
     assert main([*MANY, "-o", str(tmp_path)]) == 0

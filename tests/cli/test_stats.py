@@ -109,7 +109,7 @@ def test_what_no_house_can_meet_is_bad_use(capfdbinary: Captured) -> None:
     assert stats(capfdbinary, *asked, status=2) == ""
 
 
-def test_a_person_sees_how_far_it_is_and_a_file_does_not(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_person_sees_how_far_it_is_and_a_file_hears_nothing_of_quick_work(capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
     class Terminal(io.StringIO):
         def isatty(self) -> bool:
             return True
@@ -119,5 +119,6 @@ def test_a_person_sees_how_far_it_is_and_a_file_does_not(capfdbinary: Captured, 
     assert stats(capfdbinary, "-n", "2", *SMALL).startswith("# Statistics: 2 houses")
     assert "2/2" in seen.getvalue()
     monkeypatch.setattr("sys.stderr", written := io.StringIO())
+    monkeypatch.setattr("service.progress.monotonic", lambda: 7.0)
     stats(capfdbinary, "-n", "2", *SMALL)
     assert written.getvalue() == ""

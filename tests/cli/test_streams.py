@@ -100,9 +100,10 @@ def test_a_broken_catalog_stops_the_start_with_file_key_and_line(tmp_path: Path,
     number = next(index for index, line in enumerate(lines) if line.startswith("area:"))
     lines[number] = "area: {min: [5, 6], typical: 12"
     kitchen.write_text("\n".join(lines) + "\n")
-    run = compose("serve", "--port", "0", "--catalog", str(tmp_path))
-    assert (run.returncode, run.stdout) == (2, b"")
-    words = said(run)
+    assert main(["serve", "--port", "0", "--catalog", str(tmp_path)]) == 2
+    out, told = capfdbinary.readouterr()
+    words = told.decode()
+    assert out == b"" and "Traceback" not in words
     assert f"{kitchen}:" in words
     where = int(words.partition(f"{kitchen}:")[2].partition(":")[0])
     assert number + 1 <= where <= number + 2
