@@ -86,9 +86,10 @@ def with_pieces(
     for (name, usual), many in unsized.items():
         notes.guess("plan", "size", usual, f"{name!r:.60}: the file gives no size of {many} of them")
     return [
-        replace(room, furniture=tuple(_beneath_sills(room, _tucked(standing, catalogs), notes)), decorations=tuple(small))
+        replace(room, furniture=tuple(_beneath_sills(room, _tucked(_on_top(standing, catalogs, notes), catalogs), notes)),
+                decorations=tuple(small))
         for room, standing, small in zip(rooms, furniture, decorations, strict=True)
-    ]
+    ]  # fmt: skip
 
 
 def _on_whole_mm(piece: DrawnPiece) -> DrawnPiece:
@@ -129,6 +130,22 @@ def _outline(room: Room) -> list[FloorCorner]:
 def _sort(meaning: Meaning | None, catalogs: Catalogs) -> str | None:
     """Returns the category of a kind of furniture."""
     return catalogs.furniture[meaning.key].category if meaning is not None and meaning.sort == "furniture" else None
+
+
+def _on_top(standing: Sequence[Furniture], catalogs: Catalogs, notes: PlanNotes) -> list[Furniture]:
+    """Returns furniture whose screens stand on the pieces within which they are drawn, as in the open front of a cabinet."""
+    names = synonyms_of(catalogs)
+    found = []
+    for one in standing:
+        is_screen = (
+            one.y >= RESTING and one.on is None and _sort(names.meaning(one.name, (one.width, one.depth, one.height)), catalogs) in HIGH
+        )
+        tops = ((round(other.y + other.height, 4), other) for other in standing if is_screen and covers(other, one.x, one.z))
+        top, other = next(((top, other) for top, other in tops if other is not one and one.y < top <= OVERHEAD), (one.y, None))
+        if other is not None:
+            notes.change("furniture", one.id, top - one.y, f"put on {other.id}: it is drawn within it")
+        found.append(one if other is None else replace(one, y=top, on=other.id))
+    return found
 
 
 def _tucked(standing: Sequence[Furniture], catalogs: Catalogs) -> list[Furniture]:

@@ -177,3 +177,16 @@ def test_a_piece_drawn_with_its_front_at_a_wall_is_turned_about() -> None:
     assert turns == {"wardrobe": 0.0, "facing": 0.0, "free": 180.0, "chair": 270.0}
     told = [change["of"] for change in answer.changes if "drawn with its front at a wall" in str(change["message"])]
     assert told == ["facing", "wardrobe"]
+
+
+@pytest.mark.parametrize("first", ["Cabinet", "Television"])
+def test_a_screen_that_is_drawn_in_a_cabinet_stands_on_it(first: str) -> None:
+    parts = [piece("TV unit", 2, 0.26, width=1.0, depth=0.52, height=0.93),
+             piece("Television", 2.1, 0.25, width=0.8, depth=0.2, height=0.5, elevation=0.42)]  # fmt: skip
+    walls = [box("Living room", 0, 0, 4, 4), line("door", (1, 4), (1.9, 4))]
+    answer = read(collection(*walls, *(parts if first == "Cabinet" else parts[::-1]), y="down", drawn="inner"))
+    screen, cabinet = sorted(answer.scene.rooms[0].furniture, key=lambda one: one.height)
+    assert (screen.on, screen.y, cabinet.on) == (cabinet.id, 0.93, None)
+    assert abs(screen.x - cabinet.x) == pytest.approx(0.1) and abs(screen.z - cabinet.z) < 0.05
+    assert [one["amount"] for one in answer.changes if "drawn within it" in str(one["message"])] == [pytest.approx(0.51)]
+    assert [issue.message for issue in answer.issues if issue.severity == "error"] == []
