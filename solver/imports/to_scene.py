@@ -138,7 +138,7 @@ def _opening(one: Joined, name: str, place: int, rooms: Sequence[NamedRoom]) -> 
         name,
         drawn.kind,
         side if is_rectangle else None,
-        round((one.low + one.high) / 2 - edge.low) / 1000,
+        round(one.low + one.high - 2 * edge.low) / 2000,
         to_m(one.high - one.low),
         round(HEIGHTS[drawn.kind] if drawn.height is None else drawn.height, 3),
         round(SILLS[drawn.kind] if drawn.sill is None else drawn.sill, 3),

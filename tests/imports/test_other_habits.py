@@ -110,3 +110,12 @@ def test_escaped_names_are_names() -> None:
     layers = "<g id='Rooms_x20_1'><rect id='Living_x20_Room' width='400' height='300'/></g>" + DOOR
     (room,) = read(svg(layers), "plan.svg").scene.rooms
     assert (room.type, room.extra["name"]) == ("living_room", "Living Room")
+
+
+@pytest.mark.parametrize("wide", [1.345, 1.344])
+@pytest.mark.parametrize("west", [0.0, 0.0005])
+def test_an_opening_as_wide_as_its_wall_lies_in_it_whatever_the_width(wide: float, west: float) -> None:
+    rooms = [box("Kitchen", west, 0, west + wide, 3), box("Living room", west, 3, west + wide, 6)]
+    answer = read(collection(*rooms, line("passage", (west, 3), (west + wide, 3)), line("door", (west, 6), (west + wide, 6))))
+    assert [issue.message for issue in answer.issues if issue.rule == "opening_wrong"] == []
+    assert {one.width for room in answer.scene.rooms for one in room.openings} == {wide}
