@@ -14,7 +14,7 @@ from solver.guessed import RoomGuess
 from solver.guessing.room_marks import RoomMarks, marks_of
 from solver.guessing.suiting import Suiting
 from solver.guessing.types_in_home import TypesInHome
-from solver.scene import Room, Scene
+from solver.scene import Room, Scene, robot_width_of
 
 
 def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None = None) -> tuple[RoomGuess, ...]:
@@ -26,7 +26,7 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
         program: how many rooms of each word the home has, where that is known.
 
     Returns:
-        A guess for each such room; rooms that are called by what we have no type for keep that.
+        A guess for each such room; rooms that are called by what we have no type for keep that, and shafts are of none.
     """
     names, found = room_names_of(catalogs), dict[str, RoomGuess]()
     marks = marks_of(scene.rooms)
@@ -37,6 +37,8 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
             continue
         said, meaning = next(((word, told) for word in _said(room) if (told := names.meaning(word))), ("", None))
         if meaning is None:
+            if is_shaft(room, scene):
+                fixed[k] = ""
             continue
         if meaning.key in catalogs.rooms:
             fixed[k] = _of_size(meaning.key, marks[k], catalogs)
@@ -46,6 +48,11 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
     for k, guess in _by_form(scene.rooms, TypesInHome(Suiting(marks, catalogs), fixed, program)).items():
         found[scene.rooms[k].id] = guess
     return tuple(found[room.id] for room in scene.rooms if room.id in found)
+
+
+def is_shaft(room: Room, scene: Scene) -> bool:
+    """Tells whether a room is empty and between its walls too narrow for anybody to stand in: a shaft, or a cupboard in a wall."""
+    return not (room.furniture or room.outdoor) and min(room.width, room.depth) - scene.wall_thickness < robot_width_of(scene)
 
 
 def with_types(scene: Scene, guesses: Sequence[RoomGuess]) -> Scene:

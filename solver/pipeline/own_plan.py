@@ -15,7 +15,7 @@ from solver.errors import RequestError, SceneError
 from solver.floorplan import program_counts, program_of
 from solver.furnished import recoloured
 from solver.guessed import KEEPS, FurnishedPlan
-from solver.guessing import guessed_types, with_entrance, with_types
+from solver.guessing import guessed_types, is_shaft, with_entrance, with_types
 from solver.materials import chosen_style, with_materials
 from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan
@@ -29,6 +29,8 @@ from solver.validator import validate
 HOME: frozenset[str] = frozenset({"kitchen", "bathroom", "living_room"})
 """Types of which two make a home: its rooms hold what it has no room for, such as a bed where there is no bedroom."""
 _UNKNOWN: Final = "there is no furniture for what is called {called!r:.60}: say which type the room has, if it has one"
+
+_SHAFT: Final = "nobody can stand in it: it stays empty, as a shaft or a cupboard in a wall does"
 
 
 def furnish(  # noqa: PLR0913 - keyword-only options of a public function
@@ -156,7 +158,9 @@ def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known:
     empty = [room for room in scene.rooms if room.id in asked and room.id not in stays]
     if empty:
         scene = reroll_plan(scene, [room.id for room in empty], seed, known)
-    left = {room.id: _UNKNOWN.format(called=room.extra.get("name", room.type)) for room in empty if room.type not in known.rooms}
+    unknown = [room for room in empty if room.type not in known.rooms]
+    called = {room.id: room.extra.get("name", "" if is_shaft(room, scene) else room.type) for room in unknown}
+    left = {name: _UNKNOWN.format(called=word) if word else _SHAFT for name, word in called.items()}
     for name in [room.id for room in scene.rooms if room.id in asked & stays]:
         try:
             scene = _around_all(scene, name, seed, known) if keep == "all" else reroll_plan(scene, [name], seed, known)

@@ -105,6 +105,20 @@ def test_a_room_that_no_furniture_is_known_for_is_named_and_its_certificate_says
     assert (again.left, rooms["k"]["notes"]) == ({}, [])
 
 
+@pytest.mark.parametrize(("width", "called", "thickness", "stays"), [
+    (0.5, {}, 0.0, True), (0.69, {}, 0.1, True), (0.71, {}, 0.1, False), (0.69, {}, 0.0, False), (0.5, {"name": "WC"}, 0.1, False),
+])  # fmt: skip
+def test_a_shaft_is_no_bathroom(width: float, called: dict[str, str], thickness: float, stays: bool) -> None:
+    shaft = Room("s", type="room", x=4.0, width=width, depth=1.5, extra=called)
+    made = furnish(Scene(rooms=(BEDROOM, shaft), wall_thickness=thickness), seed=1)
+    assert ("s" in made.left) == stays and ("s" in {guess.room for guess in made.guesses}) != stays
+    if stays:
+        assert "nobody can stand in it" in made.left["s"] and made.scene.rooms[1].furniture == ()
+    beside = Furniture("shelf", "bookshelf", x=0.2, z=0.5, width=0.3, depth=0.3, height=1.0)
+    kept = furnish(Scene(rooms=(BEDROOM, replace(shaft, furniture=(beside,))), wall_thickness=thickness), seed=1)
+    assert kept.left == {}
+
+
 def test_a_told_type_wins_over_name_and_guess() -> None:
     made = furnish(Scene(rooms=(BEDROOM,)), types={"a": "office"}, seed=1)
     assert made.guesses == ()
