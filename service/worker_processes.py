@@ -72,6 +72,10 @@ class WorkerProcess:
             left = left[taken:]
         return received
 
+    def lives(self) -> bool:
+        """Tells whether it has not ended."""
+        return bool(self._process.is_alive())
+
     def kill(self) -> None:
         """Ends it, whatever it does, and waits until it has ended."""
         self._process.kill()

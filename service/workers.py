@@ -97,7 +97,7 @@ class Workers:
                 raise TooLong("body", f"takes longer than {self._seconds:g} s", TooLong.SMALLER) from None
 
     async def _in_process(self, lane: Lane, work: Callable[[Unpack[Given]], T], *given: *Given) -> T:
-        while not lane.idle:
+        while not self._is_ready(lane):
             if not lane.coming:
                 self._begin(lane)
             await asyncio.wait(lane.coming, return_when=asyncio.FIRST_COMPLETED)
@@ -115,6 +115,14 @@ class Workers:
         if isinstance(found, Raised):
             raise found.error
         return found
+
+    def _is_ready(self, lane: Lane) -> bool:
+        """Tells whether a process of a lane is idle; those that died while they were are replaced."""
+        while lane.idle and not lane.idle[-1].lives():
+            lane.idle.pop().kill()
+            self.restarts += 1
+            self._begin(lane)
+        return bool(lane.idle)
 
     def _begin(self, lane: Lane) -> None:
         """Begins to start a process for a lane."""
