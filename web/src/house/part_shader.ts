@@ -64,9 +64,10 @@ vec2 weave(vec3 at) {
 
 // How high above the horizon a vertex mirrors what is around, and how flatly it is seen.
 vec2 mirrored(vec3 facing, vec3 at) {
-  vec3 up = normalize((viewMatrix * vec4(0.0, 1.0, 0.0, 0.0)).xyz);
-  vec3 seen = normalize(-at);
-  return vec2(dot(reflect(-seen, facing), up), pow(1.0 - abs(dot(seen, facing)), 3.0));
+  vec3 gaze = normalize(at);
+  float along = dot(gaze, facing);
+  float flatly = 1.0 - abs(along);
+  return vec2(dot(gaze - 2.0 * along * facing, viewMatrix[1].xyz), flatly * flatly * flatly);
 }`;
 
 const TO_PIXELS = /* glsl */ `
@@ -74,7 +75,7 @@ const TO_PIXELS = /* glsl */ `
 vTint = tint;
 vFinish = finish;
 vWeave = weave(transformed);
-vMirrored = finish.y > 0.0 ? mirrored(normalize(transformedNormal), mvPosition.xyz) : vec2(0.0);`;
+vMirrored = mirrored(normalize(transformedNormal), mvPosition.xyz);`;
 
 /** Rougher than this metal is no mirror. */
 const MIRROR_ROUGHNESS = 0.07;
