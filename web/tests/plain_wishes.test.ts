@@ -3,7 +3,7 @@ import type { Catalog } from "../src/contract";
 import { readWish } from "../src/panel/plain_wishes";
 
 const CATALOG = {
-  presets: { family: { rooms: { bedrooms: 3, bathrooms: 2 } }, one_bed: { rooms: { bedrooms: 1 } } },
+  presets: { family: { rooms: { bedrooms: 3, bathrooms: 2 } }, one_bed: { rooms: { bedrooms: 1 } }, studio: { rooms: {} } },
   rooms: { bedroom: { home: { word: "bedrooms" } }, bathroom: { home: { word: "bathrooms" } }, office: { home: {} }, laundry_room: { home: {} }, hallway: {} },
 } as unknown as Catalog;
 
@@ -25,12 +25,17 @@ describe("a line of plain words", () => {
     ["2bd/1ba 1,000 sq ft", { program: { bedrooms: 2, bathrooms: 1 }, area: 92.9 }],
     ["2 Schlafzimmer 1 Bad Laundry room 90,5 Quadratmeter", { program: { bedrooms: 2, bathrooms: 1, laundry_room: 1 }, area: 90.5 }],
     ["family home 140 sqm", { program: "family", area: 140 }],
+    ["2 bed 2 bed", { program: { bedrooms: 4 } }],
+    ["bedroom, bedroom and a bath", { program: { bedrooms: 2, bathrooms: 1 } }],
+    ["3 Zimmer, 80 m²", { program: { bedrooms: 2 }, area: 80 }],
+    ["Vier-Zimmer-Wohnung mit Bad", { program: { bedrooms: 3, bathrooms: 1 } }],
+    ["1 Zimmer", { program: "studio" }],
     ["3 Schlafzimmer, 120 m²", { program: { bedrooms: 3 }, area: 120 }],
   ])("%s", (text, wish) => {
     expect(readWish(text, CATALOG)).toEqual({ wish });
   });
 
-  it.each([["3 swimming halls", "3 swimming halls"], ["2 bedrooms, a hallway", "a hallway"], ["<b>", "<b>"], ["12", "12"], ["3 m", "3 m"], ["2 bed 3 swimming halls 90 m2", "2 bed 3 swimming halls 90 m2"], ["2 bed 1", "2 bed 1"], [",", ","]])("%s is not understood", (text, unread) => {
+  it.each([["3 swimming halls", "3 swimming halls"], ["2 bedrooms, a hallway", "a hallway"], ["<b>", "<b>"], ["12", "12"], ["3 m", "3 m"], ["2 bed 3 swimming halls 90 m2", "3 swimming halls"], ["2 bed 1", "1"], ["2 bed gym 1 bath", "gym"], ["0 Zimmer and 12", "12"], [",", ","]])("%s is not understood", (text, unread) => {
     expect(readWish(text, CATALOG)).toEqual({ unread });
   });
 });

@@ -10,6 +10,8 @@ const SHORT: Readonly<Record<string, string>> = {
   bed: "bedroom", bd: "bedroom", br: "bedroom", bath: "bathroom", ba: "bathroom", wc: "toilet", loo: "toilet", study: "office", schlafzimmer: "bedroom", bad: "bathroom", bäder: "bathroom", badezimmer: "bathroom",
   küche: "kitchen", wohnzimmer: "living_room", esszimmer: "dining_room", diele: "foyer", waschküche: "laundry", büro: "office", arbeitszimmer: "office", werkstatt: "workshop",
 };
+/** Germans count the rooms that one lives and sleeps in: of three, two are bedrooms. */
+const ZIMMER = /^(\d+|eine?|zwei|drei|vier|fünf)[\s-]*zimmer(?:[\s-]*(?:wohnung|haus))?$/;
 const M2_OF_FT2 = 0.09290304;
 
 export type PlainWish = Pick<HouseRequest, "program" | "area">;
@@ -44,6 +46,16 @@ function askedIn(part: string, read: (words: string) => Asked | null): Asked[] |
   return null;
 }
 
+/** The words of a part that are not understood: without what is, from either end. */
+function unreadOf(part: string, read: (words: string) => Asked | null): string {
+  const words = part.split(/\s+/);
+  for (let count = words.length - 1; count > 0; count -= 1) {
+    if (askedIn(words.slice(0, count).join(" "), read)) return unreadOf(words.slice(count).join(" "), read);
+    if (askedIn(words.slice(-count).join(" "), read)) return unreadOf(words.slice(0, -count).join(" "), read);
+  }
+  return part;
+}
+
 /** Reads a line with the words that the service's catalog knows. */
 export function readWish(text: string, catalog: Catalog): ReadWish {
   const words = new Map(wordsOf(catalog).map((word) => [bare(word), word]));
@@ -55,17 +67,21 @@ export function readWish(text: string, catalog: Catalog): ReadWish {
     if (square !== null) return { area: square };
     const named = presets.get(bare(part.replace(/\b(home|house|flat|apartment)\b/, "")));
     if (named !== undefined) return { preset: named };
+    const [, zimmer] = ZIMMER.exec(part) ?? [];
+    const bedrooms = zimmer === undefined ? 0 : (NUMBERS[zimmer] ?? Number(zimmer)) - 1;
+    if (zimmer !== undefined && bedrooms < 1) return presets.has("studio") ? { preset: "studio" } : null;
+    if (zimmer !== undefined) return { word: words.get("bedroom") ?? "bedrooms", count: bedrooms };
     const [, number = "1", noun = part] = COUNTED.exec(part) ?? [];
     const word = words.get(bare(noun));
     return word === undefined ? null : { word, count: NUMBERS[number] ?? Number(number) };
   };
   for (const part of text.toLowerCase().split(/,(?!\d)|;|\+|\/|\b(?:and|with|und|mit)\b/).map((one) => one.trim()).filter(Boolean)) {
     const asked = askedIn(part, read);
-    if (!asked) return { unread: part };
+    if (!asked) return { unread: unreadOf(part, read) };
     for (const one of asked) {
       if ("area" in one) area = one.area;
       else if ("preset" in one) preset = one.preset;
-      else counts[one.word] = one.count;
+      else counts[one.word] = (counts[one.word] ?? 0) + one.count;
     }
   }
   const program: string | Counts | undefined = Object.keys(counts).length > 0 ? { ...(preset ? catalog.presets?.[preset]?.rooms : {}), ...counts } : preset;
