@@ -144,7 +144,7 @@ def test_a_plan_is_drawn_with_the_pointer_and_furnished(board: DrawingBoard) -> 
 def test_the_tools_are_one_row_of_a_laptop_and_nothing_is_said_of_the_home_before(board: DrawingBoard) -> None:
     page = board.page
     before = page.viewport_size
-    page.set_viewport_size({"width": 1440, "height": 900})
+    page.set_viewport_size({"width": 1280, "height": 800})
     tools = page.locator(".drawing-tools button")
     boxes = [tool.bounding_box() for tool in tools.all()]
     assert len(boxes) > 10
