@@ -16,7 +16,7 @@ const MARGIN = 1.25;
 /** How large names of rooms are written [pixels], and how wide a letter is for its size. */
 const SMALLEST = 7;
 const LARGEST = 13;
-const LETTER = 0.62;
+const LETTER = 0.72;
 /** What is seen of a sheet on which nothing is drawn [mm]. */
 const EMPTY_SHEET: Corners = [{ x: 0, z: 0 }, { x: 10 * METRE, z: 7 * METRE }];
 
