@@ -60,8 +60,7 @@ def _wrong(world: World, place: PlacedRoom) -> Iterator[tuple[Opening, int, str,
     in_line: dict[tuple[str, int], list[Hole]] = {}
     for hole in place.holes:
         before = in_line.setdefault((hole.edge.side, hole.edge.line), [])
-        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before)
-        found = found or _reaches_above(place, hole) or _enters_beside(world, hole)
+        found = _leaves_its_wall(place, hole) or _leads_elsewhere(world, place, hole) or _meets(hole, before) or _reaches_above(place, hole)
         before.append(hole)
         if found is not None:
             yield hole.opening, found[0], "of", f" {found[1]}"
@@ -86,16 +85,6 @@ def _reaches_above(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
     if above <= 0 or not (is_sure or hole.sill >= place.ceiling):
         return None
     return above, f"reaches {words(above)} above its wall, which is {words(place.ceiling)} high"
-
-
-def _enters_beside(world: World, hole: Hole) -> tuple[int, str] | None:
-    """Judges a main entrance: a home has one, which both its rooms may list."""
-    if not hole.opening.main_entrance or world.main_entrance is None:
-        return None
-    place, first = world.main_entrance
-    if hole.opening.id == first.id:
-        return None
-    return 0, f"is a main entrance, and so is the {first.kind} {first.id} of {place.room.id}"
 
 
 def _leads_elsewhere(world: World, place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:

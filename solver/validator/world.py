@@ -145,11 +145,6 @@ class World:
         return {key: [place for _, place in sorted(later, key=lambda one: one[0])] for key, later in found.items()}
 
     @cached_property
-    def main_entrance(self) -> tuple[PlacedRoom, Opening] | None:
-        """The main entrance that is listed first, and its room."""
-        return next(((place, one) for place in self.places for one in place.room.openings if one.main_entrance), None)
-
-    @cached_property
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:
         """Every opening, with the room that lists it, by the id of what it connects to."""
         found: dict[str, list[tuple[PlacedRoom, Hole]]] = {}

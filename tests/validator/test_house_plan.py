@@ -54,19 +54,6 @@ def test_an_opening_stays_in_its_wall() -> None:
     assert wrong(opening("north", 2.0), outline=corners) == []
 
 
-def test_a_home_has_one_main_entrance() -> None:
-    def entrances(here: Opening, there: Opening) -> list[tuple[str | None, float, str, str]]:
-        found = issues(scene(room(openings=(here,)), room(id="other", x=4.0, openings=(there,)), wall_thickness=0.1), "opening_wrong")
-        return [(issue.room, issue.amount, issue.severity, issue.message) for issue in found]
-
-    main = {"connects_to": EXTERIOR, "main_entrance": True}
-    here, there = opening("north", 2.0, **main), opening("north", 2.0, id="door_2", **main)
-    said = "the door door_2 of other is a main entrance, and so is the door door_1 of room_0"
-    assert entrances(here, there) == [("other", 0.0, "warning", said)]
-    assert entrances(here, opening("north", 2.0, id="door_2", connects_to=EXTERIOR)) == []
-    assert entrances(east(main_entrance=True), opening("west", 2.0, connects_to="room_0", main_entrance=True)) == []
-
-
 def test_an_opening_leads_to_a_room_that_is_there() -> None:
     assert wrong(east()) == []
     assert wrong(east(to=None)) == []
