@@ -218,18 +218,9 @@ def _read_export(document: object) -> ExportBody:
     return read(ExportBody, document)
 
 
-def _check_plan_keys(body: ExportBody) -> None:
-    """Refuses what only a drawn plan has, for another format."""
-    for key in ("scale", "called"):
-        if getattr(body, key):
-            raise FieldError(key, "is of an svg plan alone", "none with other formats")
-
-
 @_call("export", reads=_read_export)
 def export_scene(body: ExportBody | SceneByItself, catalogs: Catalogs) -> Scene:
     """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
-    if isinstance(body, ExportBody):
-        _check_plan_keys(body)
     scene = body if isinstance(body, Scene) else body.scene
     return with_assets(with_kinds(scene, catalogs), catalogs)
 
@@ -254,8 +245,6 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
         FieldError: a field is wrong, or the format's library is not installed.
     """
     body = _read_export(document)
-    if format != "svg":
-        _check_plan_keys(body)
     return export(
         body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, called=body.called, catalogs=catalogs
     )

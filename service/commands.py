@@ -179,7 +179,7 @@ def _export(options: Namespace) -> int:
 
     format = options.format or _exporter_of(options.output) or "yaml"
     if format not in EXPORTERS:
-        _write(_answer(options, scale=options.scale), options)
+        _write(_answer(options), options)
         return CLEAN
     scene, catalogs = _scene(options), _catalogs(options)
     told_kinds(scene, catalogs)

@@ -35,12 +35,6 @@ def test_one_file_goes_to_a_name_that_tells_its_format(den: Path, tmp_path: Path
     assert capfdbinary.readouterr().out == written
 
 
-@pytest.mark.parametrize("format", ["csv", "json"])
-def test_a_scale_of_what_is_no_plan_is_refused(den: Path, capsys: pytest.CaptureFixture[str], format: str) -> None:
-    assert main(["export", str(den), "-f", format, "--scale", "50"]) == 2
-    assert "den.yaml: scale: is of an svg plan alone" in capsys.readouterr().err
-
-
 def test_a_scene_with_errors_is_refused_when_strict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "far.yaml").write_text(
         "rooms: [{id: den, width: 4, depth: 3, furniture: [{id: s, name: sofa, x: 9, z: 1, width: 2, depth: 0.9, height: 0.8}]}]"

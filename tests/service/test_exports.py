@@ -60,15 +60,6 @@ def test_what_is_free_to_move_is_checked(client: TestClient) -> None:
     assert client.post("/export/csv", json=body()).text.splitlines()[1].endswith("yes")
 
 
-@pytest.mark.parametrize(("key", "value"), [("scale", 50), ("called", {"office": "Büro"})])
-def test_what_a_plan_alone_has_is_refused_elsewhere(client: TestClient, key: str, value: object) -> None:
-    for format in ("svg", "csv", "json"):
-        answer = client.post(f"/export/{format}", json={**body(), key: value})
-        assert answer.status_code == (200 if format == "svg" else 422), format
-        if format != "svg":
-            assert [error["field"] for error in answer.json()["errors"]] == [key]
-
-
 def test_an_unknown_format_and_a_missing_library_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(RequestError, match="csv"):
         export(DEN, "papyrus")
