@@ -24,8 +24,8 @@ function summed(codes: ReadonlySet<string>): [number, number, number] {
   return [sum(0), sum(1), sum(2)];
 }
 
-/** Less than this [m] in a frame is no way: who goes to a place and is stopped stays. */
-const STOPPED = 1e-4;
+/** Who goes to a place and comes no further than this share of a frame's way is stopped, however short the frame. */
+const STOPPED = 1e-3;
 
 function placeOf({ eye }: Pose): Place {
   return [eye[0], eye[2]];
@@ -110,17 +110,17 @@ export class WalkMode {
       if (seconds === 0) return true; // two frames of one moment: nothing stops one
       const { pose, arrived } = walkedTo(this.#pose, next, seconds);
       if (arrived) corner += 1;
-      return this.#go(pose) > STOPPED || arrived;
+      return this.#go(pose) >= STOPPED || arrived;
     });
   }
 
-  /** Goes towards where one wishes to be, as far as one comes; returns how far [m]. */
+  /** Goes towards where one wishes to be, as far as one comes; returns which share of the way that is. */
   #go(wished: Pose): number {
     if (!this.#pose) return 0;
-    const from = placeOf(this.#pose);
-    const to = this.#floor ? this.#floor.step(from, placeOf(wished)) : placeOf(wished);
+    const [from, aim] = [placeOf(this.#pose), placeOf(wished)];
+    const to = this.#floor ? this.#floor.step(from, aim) : aim;
     this.#stand(this.#at(wished, to));
-    return Math.hypot(to[0] - from[0], to[1] - from[1]);
+    return Math.hypot(to[0] - from[0], to[1] - from[1]) / Math.hypot(aim[0] - from[0], aim[1] - from[1]);
   }
 
   #at(pose: Pose, [x, z]: Place): Pose {
