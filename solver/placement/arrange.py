@@ -61,7 +61,7 @@ class SolvedRoom:
         left_out: pieces without a place, each with the reason.
         solves: QPs.
         proven: the placement is the optimum, and no required piece left out could stand beside those before it.
-        best: no other candidates of the required pieces are cheaper; both within the widenings tried.
+        best: no other candidates of the required pieces are cheaper, within the widenings tried first.
     """
 
     core: Core

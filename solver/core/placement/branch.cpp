@@ -93,7 +93,10 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
   const i64 axis = row.axis;
   const Program& program = engine.programs[axis];
   const NodeAxis &before = nodes.axes.at(parent, axis), &other = nodes.axes.at(parent, 1 - axis);
-  if (program.fixed_rows + before.rows >= program.most_rows) return -1;
+  if (program.fixed_rows + before.rows >= program.most_rows) {
+    nodes.result->exhausted = 0;
+    return -1;
+  }
   nodes.result->solves++;
   const i32 at = 2 * program.size + program.fixed_rows + before.rows;
   if (!write_row(program, at, row)) return -1;
@@ -141,20 +144,25 @@ void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling) {
   open_family(engine, parent, count);
 }
 
-void widen(const Engine& engine, i64 parent, f64 ceiling) {
-  const Work& work = engine.work;
+void widen(const Engine& engine, i64 parent, f64 ceiling, bool all) {
+  const arena::Scope scope;
   const Nodes& nodes = engine.nodes;
   i64 count = 0;
-  for (i64 k = add_wider_rows(engine.room, work, engine.grid); k < work.counts->wide; k++) {
-    const i64 slot = solve_child(engine, parent, work.options.size + k, ceiling);
+  for (const i64 row : wider_rows(engine.room, engine.work, engine.grid, all)) {
+    const bool fits = count < nodes.family.size && nodes.state->spare >= OPTIONS;
+    if (all && (row == UNTOLD || !fits)) nodes.result->exhausted = 0;
+    if (!fits) break;
+    if (row == UNTOLD) continue;
+    const i64 slot = solve_child(engine, parent, engine.work.options.size + row, ceiling);
     if (slot < 0) continue;
     nodes.widened[slot]++;
     nodes.family[count++] = {slot, in_steps(nodes.total(slot))};
-    if (count == nodes.family.size || nodes.state->spare < OPTIONS) break;
   }
   sort_family(nodes, count);
-  for (i64 k = WIDE_CHILDREN; k < count; k++) nodes.spare[nodes.state->spare++] = nodes.family[k].slot;
-  open_family(engine, parent, least(count, WIDE_CHILDREN));
+  const i64 kept = all && nodes.state->spare >= nodes.spare.size / 2 ? count : least(count, FEW_CHILDREN);
+  if (all && kept < count) nodes.result->exhausted = 0;
+  for (i64 k = kept; k < count; k++) nodes.spare[nodes.state->spare++] = nodes.family[k].slot;
+  open_family(engine, parent, kept);
 }
 
 }  // namespace placement

@@ -5,7 +5,8 @@
 
 namespace placement {
 
-constexpr i64 WIDE_CHILDREN = 12;  // children kept of one widening
+constexpr i64 MOST_FAMILY = 256;  // children of one node
+constexpr i64 FEW_CHILDREN = 12;  // kept of one widening, the cheapest, where not all are asked for or slots run short
 constexpr i64 ALL_HOLD = -1;  // no choice of the node is violated
 constexpr i64 DEAD = -2;  // a choice of the node has no option left
 
@@ -18,7 +19,7 @@ i64 find_violated(const Engine& engine, i64 slot);
 // Opens a choice's children.
 void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling);
 
-// Opens the placements in which one of the pairs that block the way leaves room for a person.
-void widen(const Engine& engine, i64 parent, f64 ceiling);
+// Opens the placements in which one of the pairs that block the way leaves room for a person: all such, or the likely ones.
+void widen(const Engine& engine, i64 parent, f64 ceiling, bool all);
 
 }  // namespace placement

@@ -86,7 +86,7 @@ RoomReport arrange_room(
   }
   const i64 closed = required > 0 ? counters.closed : 1;
   fill(engine, decisions, costs, fates, limits, walk);
-  evaluate(engine, decisions, limits.final_qps, costs.all - costs.preferences + 1e-6, walk);
+  evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + 1e-6, walk);
   return {1, closed, engine.nodes.result->exhausted, counters.solved_qps};
 }
 

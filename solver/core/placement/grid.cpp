@@ -201,9 +201,7 @@ static void find_runs(const WalkGrid& grid, i32 nx, i32 nz) {
   grid.first_run[nx] = count;
 }
 
-// The cells that a target meets, not only touches: blocks are half a millimetre smaller than they block, so that a way just as wide as who
-// walks has cells, and ends of what can be walked lie between the cuts.
-static Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
+Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
   Cells cells;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64* const cuts = grid.cuts.row(axis).data;

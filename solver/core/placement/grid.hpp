@@ -25,6 +25,10 @@ template <class Meet> bool any_met(const WalkGrid& grid, const Cells& cells, Mee
   return false;
 }
 
+// The cells that a target meets, not only touches: blocks are half a millimetre smaller than they block, so that a way just as wide as who
+// walks has cells, and ends of what can be walked lie between the cuts.
+Cells cells_of(const WalkGrid& grid, const NumberedRect& target);
+
 // Tells whether all doors and use sides are joined, and the doors by ways as wide as asked, with the bodies at integer positions, mm.
 // Leaves runs, cuts and the entered component in `grid`.
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions);

@@ -35,7 +35,8 @@ static bool pay(const Engine& engine, const Effort& effort) {
 }
 
 // Evaluates; `limit` becomes the QPs that it was held to, and `effort` what one cost.
-static bool evaluate(const Engine& engine, const Decisions& decisions, i64& limit, f64 ceiling, bool walk, Effort& effort) {
+static bool evaluate(
+    const Engine& engine, const Decisions& decisions, i64& limit, f64 ceiling, bool walk, Effort& effort, bool all = false) {
   *engine.nodes.result.data = {};
   engine.nodes.result->exhausted = 1;
   effort = {};
@@ -43,12 +44,18 @@ static bool evaluate(const Engine& engine, const Decisions& decisions, i64& limi
   effort = effort_of(engine, walk);
   limit = least(limit, affordable_qps(engine, effort));
   search(engine, limit, ceiling, walk);
+  if (all) search_all(engine, limit);
   return pay(engine, effort);
 }
 
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
   return evaluate(engine, decisions, limit, ceiling, walk, effort);
+}
+
+bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
+  Effort effort;
+  return evaluate(engine, decisions, limit, ceiling, walk, effort, true);
 }
 
 // Evaluates decisions, or recalls what came of them; only what they cost is there then.

@@ -12,6 +12,9 @@ namespace placement {
 // Assembles and searches; tells whether a placement was found. Pays from the budget, in QPs of a small room.
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
 
+// The same, and then all ways to open the walk are tried, with as many QPs again.
+bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
+
 // How many QPs of so much effort the budget holds.
 i64 affordable_qps(const Engine& engine, const Effort& effort);
 

@@ -10,7 +10,7 @@
 namespace placement {
 
 constexpr f64 COST_TOLERANCE = 1e-9;
-constexpr i64 WIDENINGS = 4;  // widenings on one path of the tree
+constexpr i64 WIDENINGS = 4, MOST_WIDENINGS = 12;  // widenings on one path of the tree
 
 // Writes the rows of a node's path along an axis to its programme.
 static void write_path(const Engine& engine, i64 slot, i64 axis) {
@@ -117,7 +117,7 @@ static bool passes(const Engine& engine) {
 }
 
 // Looks at an open node that may be better than the best: branches on it, keeps it, or widens what blocks its way.
-static void visit(const Engine& engine, i64 slot, f64 best, bool walk) {
+static void visit(const Engine& engine, i64 slot, f64 best, bool walk, bool all) {
   const Nodes& nodes = engine.nodes;
   open_node(engine, slot);
   const i64 choice = find_violated(engine, slot);
@@ -129,28 +129,28 @@ static void visit(const Engine& engine, i64 slot, f64 best, bool walk) {
     keep_best(engine, slot);
   } else {
     nodes.result->turned_down++;
-    if (nodes.widened[slot] < WIDENINGS) widen(engine, slot, best);
+    if (nodes.widened[slot] < (all ? MOST_WIDENINGS : WIDENINGS)) {
+      widen(engine, slot, best, all);
+    } else if (all) {
+      nodes.result->exhausted = 0;
+    }
   }
 }
 
 // Empties the tree.
-static void begin(const Work& work, const Nodes& nodes, f64 ceiling) {
-  *nodes.result.data = {};
-  nodes.result->exhausted = 1;
-  nodes.best_cost[0] = ceiling;
+static void begin(const Nodes& nodes) {
   nodes.state->open = nodes.state->picked = 0;
   nodes.state->spare = nodes.state->untouched = nodes.spare.size;
   for (i64 axis = 0; axis < 2; axis++) {
     nodes.state->shown[axis] = nodes.state->based[axis] = nodes.state->reached[axis] = NO_VERSION;
   }
-  work.counts->wide = 0;
 }
 
-void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
-  constexpr i64 room_for = OPTIONS + WIDE_CHILDREN;
+// Searches for what is cheaper than the best so far.
+static void go_on(const Engine& engine, i64 limit, bool walk, bool all) {
   const Nodes& nodes = engine.nodes;
   NodesState& state = *nodes.state.data;
-  begin(engine.work, nodes, ceiling);
+  begin(nodes);
   if (!open_root(engine)) return;
   i64 opened = 0;
   while (state.open > 0) {
@@ -159,15 +159,28 @@ void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
     const i64 slot = nodes.stack[state.open];
     const f64 best = nodes.best_cost[0] - COST_TOLERANCE;
     if (nodes.total(slot) < best) {
-      const bool full = state.spare <= room_for || state.picked + room_for >= nodes.pick_option.size;
+      const bool full = state.spare <= OPTIONS + FEW_CHILDREN || state.picked + MOST_FAMILY >= nodes.pick_option.size;
       if (nodes.result->solves >= limit || full) {
         nodes.result->exhausted = 0;
         return;
       }
-      visit(engine, slot, best, walk);
+      visit(engine, slot, best, walk, all);
     }
     nodes.spare[state.spare++] = slot;
   }
+}
+
+void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
+  *engine.nodes.result.data = {};
+  engine.nodes.result->exhausted = 1;
+  engine.nodes.best_cost[0] = ceiling;
+  engine.work.counts->wide = 0;
+  go_on(engine, limit, walk, false);
+}
+
+void search_all(const Engine& engine, i64 limit) {
+  const SearchResult& result = *engine.nodes.result.data;
+  if (result.exhausted != 0 && result.turned_down > 0) go_on(engine, result.solves + limit, true, true);
 }
 
 }  // namespace placement

@@ -19,4 +19,10 @@ namespace placement {
 //   walk: whether doors and use sides must be joined.
 void search(const Engine& engine, i64 limit, f64 ceiling, bool walk);
 
+// Searches once more where the walk turned a placement down: now all ways to open it are tried, no longer the likely ones alone. What is
+// found is cheaper than what the search found, which else stays.
+//
+//   limit: QPs after which to stop; `exhausted` is then 0.
+void search_all(const Engine& engine, i64 limit);
+
 }  // namespace placement

@@ -1,12 +1,13 @@
 #include "placement/space.hpp"
 
+#include "placement/branch.hpp"
+
 namespace placement {
 
 constexpr i64 SPARE_PATH = 16;  // rows a path may have beside one for every choice: its widenings
 constexpr i64 MOST_WIDE = 8192;  // rows that the widenings of one search may ask for
 constexpr i64 MOST_NODES = 4096;  // open nodes of one search; where there would be more, the search stops as at its limit
 constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with the nodes
-constexpr i64 MOST_FAMILY = 256;  // children of one node
 constexpr i64 MOST_STATES = 6500;  // prefixes the best-first search may keep
 constexpr i64 MOST_MOVES = 64;
 constexpr i64 MOST_REFUSED = 4096;  // a power of two

@@ -1,70 +1,103 @@
 #include "placement/widen.hpp"
 
 #include "placement/grid.hpp"
+#include "plain/lists.hpp"
+#include "plain/memory.hpp"
 
 namespace placement {
 
-// Tells whether cells of blocked floor touch the component entered and another one.
-static bool divides(const WalkGrid& grid, Cells cells) {
-  for (i64 axis = 0; axis < 2; axis++) {
-    cells.first[axis] = most(cells.first[axis] - 1, 0);
-    cells.last[axis] = least(cells.last[axis] + 1, static_cast<i32>(grid.state->cuts[axis]) - 1);
-  }
-  bool inside = false, outside = false;
-  return any_met(grid, cells, [&](i32 component) {
-    (component == grid.state->entered ? inside : outside) = true;
-    return inside && outside;
-  });
-}
+// Where a block meets another one or a wall: a link of what closes the way.
+struct Link {
+  Cells cells;  // what both cover; of a wall the row of cells beyond the floor
+  i32 block, other;  // numbers of blocks; `other` is AT_LOW or AT_HIGH for the walls there
+  i32 axis;  // along which a wall is met
+  i32 pile;  // the first link of those that touch one another
+};
 
-// Adds a wider row where the bounds leave room for it.
-static void add_wide(const Work& work, const DifferenceRow& row) {
-  if (row.i == row.j || work.counts->wide >= work.wide.size) return;
+// All links, and by pile 1 for each component that it touches.
+struct Links {
+  List<Link> all;
+  Table<u8> touched;
+};
+
+static bool same(const DifferenceRow& a, const DifferenceRow& b) { return a.axis == b.axis && a.i == b.i && a.j == b.j && a.s == b.s; }
+
+constexpr i32 AT_LOW = -1, AT_HIGH = -2;
+
+// Adds a wider row to those found, where the bounds leave room for it; rows that were asked for before keep their numbers.
+static void add_wide(const Work& work, List<i64>& found, const DifferenceRow& row) {
+  if (row.i == row.j) return;
   i64 highest = row.j != ORIGIN ? work.high.at(row.axis, row.j) : 0;
   if (row.i != ORIGIN) highest -= work.low.at(row.axis, row.i);
-  if (highest >= row.s) work.wide[work.counts->wide++] = row;
+  if (highest < row.s) return;
+  i64& count = work.counts->wide;
+  i64 at = 0;
+  while (at < count && !same(work.wide[at], row)) at++;
+  const bool fits = at < work.wide.size;
+  if (fits && at == count) work.wide[count++] = row;
+  found.add(fits ? at : UNTOLD);
 }
 
-static void between_parts(const Work& work, const WalkGrid& grid, const Part& a, const Part& b) {
+static void between_parts(const Work& work, List<i64>& found, const WalkGrid& grid, const Part& a, const Part& b) {
   const i64 width = grid.state->width;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis];
     const i64 shift = a.offset[axis] - b.offset[axis];
-    add_wide(work, {axis, u, v, a.extent[axis] + shift + width});
-    add_wide(work, {axis, v, u, b.extent[axis] - shift + width});
+    add_wide(work, found, {axis, u, v, a.extent[axis] + shift + width});
+    add_wide(work, found, {axis, v, u, b.extent[axis] - shift + width});
   }
 }
 
-static void from_zone(const Work& work, const WalkGrid& grid, const Part& part, const Zone& zone) {
+static void from_zone(const Work& work, List<i64>& found, const WalkGrid& grid, const Part& part, const Zone& zone) {
   const i64 width = grid.state->width;
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis] + width});
-    add_wide(work, {axis, ORIGIN, v, zone.high[axis] - offset + width});
+    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis] + width});
+    add_wide(work, found, {axis, ORIGIN, v, zone.high[axis] - offset + width});
   }
 }
 
-// Adds the rows that make room between a block and the walls it is too near to.
-static void from_walls(const Room& room, const Work& work, const WalkGrid& grid, i64 number) {
+// Adds the rows that make room between a block and the walls on one side.
+static void from_wall(const Room& room, const Work& work, List<i64>& found, const WalkGrid& grid, const Link& link) {
+  const NumberedRect& block = grid.blocks[link.block];
+  if (block.number < 0) return;
   const SpaceRow& space = *room.space.data;
-  const NumberedRect& block = grid.blocks[number];
   const Part& part = work.parts[block.number];
-  for (i64 axis = 0; axis < 2; axis++) {
-    const i32 cuts = static_cast<i32>(grid.state->cuts[axis]);
-    const i64 low = grid.cuts.at(axis, 0), high = grid.cuts.at(axis, cuts - 1);
-    const i64 v = part.variable[axis], offset = part.offset[axis];
-    Cells strip = grid.block_cells[number];
-    strip.first[axis] = strip.last[axis] = 0;
-    if (block.low[axis] < low && divides(grid, strip)) add_wide(work, {axis, ORIGIN, v, space.low[axis] + grid.state->width - offset});
-    strip.first[axis] = strip.last[axis] = cuts - 1;
-    if (block.high[axis] > high && divides(grid, strip)) {
-      add_wide(work, {axis, v, ORIGIN, part.extent[axis] + offset + grid.state->width - space.high[axis]});
-    }
+  const i64 axis = link.axis, width = grid.state->width, v = part.variable[axis], offset = part.offset[axis];
+  if (link.other == AT_LOW) {
+    add_wide(work, found, {axis, ORIGIN, v, space.low[axis] + width - offset});
+  } else {
+    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset + width - space.high[axis]});
   }
 }
 
-// Adds the rows that make room between two blocks, where what they both cover closes the way.
-static void between_blocks(const Room& room, const Work& work, const WalkGrid& grid, i64 one, i64 two) {
+// Adds the rows that make room between two blocks.
+static void between_blocks(const Room& room, const Work& work, List<i64>& found, const WalkGrid& grid, const Link& link) {
+  const NumberedRect &a = grid.blocks[link.block], &b = grid.blocks[link.other];
+  if (a.number >= 0 && b.number >= 0) {
+    between_parts(work, found, grid, work.parts[a.number], work.parts[b.number]);
+  } else if (a.number >= 0) {
+    from_zone(work, found, grid, work.parts[a.number], room.zones[-1 - b.number]);
+  } else if (b.number >= 0) {
+    from_zone(work, found, grid, work.parts[b.number], room.zones[-1 - a.number]);
+  }
+}
+
+static void link_walls(List<Link>& links, const WalkGrid& grid, i32 number) {
+  const NumberedRect& block = grid.blocks[number];
+  for (i32 axis = 0; axis < 2; axis++) {
+    const i32 cuts = static_cast<i32>(grid.state->cuts[axis]);
+    Cells beyond = grid.block_cells[number];
+    beyond.first[axis] = -1;
+    beyond.last[axis] = 0;
+    if (block.low[axis] < grid.cuts.at(axis, 0)) links.add({beyond, number, AT_LOW, axis, links.size()});
+    beyond.first[axis] = cuts - 1;
+    beyond.last[axis] = cuts;
+    if (block.high[axis] > grid.cuts.at(axis, cuts - 1)) links.add({beyond, number, AT_HIGH, axis, links.size()});
+  }
+}
+
+static void link_blocks(List<Link>& links, const WalkGrid& grid, i32 one, i32 two) {
   const NumberedRect &a = grid.blocks[one], &b = grid.blocks[two];
   const Cells &of_a = grid.block_cells[one], &of_b = grid.block_cells[two];
   Cells both;
@@ -73,24 +106,115 @@ static void between_blocks(const Room& room, const Work& work, const WalkGrid& g
     both.first[axis] = most(of_a.first[axis], of_b.first[axis]);
     both.last[axis] = least(of_a.last[axis], of_b.last[axis]);
   }
-  if (!divides(grid, both)) return;
-  if (a.number >= 0 && b.number >= 0) {
-    between_parts(work, grid, work.parts[a.number], work.parts[b.number]);
-  } else if (a.number >= 0) {
-    from_zone(work, grid, work.parts[a.number], room.zones[-1 - b.number]);
-  } else if (b.number >= 0) {
-    from_zone(work, grid, work.parts[b.number], room.zones[-1 - a.number]);
-  }
+  links.add({both, one, two, 0, links.size()});
 }
 
-i64 add_wider_rows(const Room& room, const Work& work, const WalkGrid& grid) {
-  const i64 first = work.counts->wide;
-  if (grid.state->entered == 0) return first;
-  for (i64 k = 0; k < grid.state->blocks; k++) {
-    if (grid.blocks[k].number >= 0) from_walls(room, work, grid, k);
-    for (i64 other = 0; other < k; other++) between_blocks(room, work, grid, other, k);
+static bool touch(const Cells& a, const Cells& b) {
+  return a.first[0] <= b.last[0] && b.first[0] <= a.last[0] && a.first[1] <= b.last[1] && b.first[1] <= a.last[1];
+}
+
+static i32 pile_of(const List<Link>& links, i32 link) {
+  while (links[link].pile != link) link = links[link].pile = links[links[link].pile].pile;
+  return link;
+}
+
+// Finds the links and notes which components they touch, where asked with those that they touch piled up.
+static Links find_links(const WalkGrid& grid, bool piled) {
+  Links links;
+  for (i32 k = 0; k < grid.state->blocks; k++) {
+    link_walls(links.all, grid, k);
+    for (i32 other = 0; other < k; other++) link_blocks(links.all, grid, other, k);
   }
-  return first;
+  for (i32 k = 0; piled && k < links.all.size(); k++) {
+    for (i32 other = 0; other < k; other++) {
+      if (!touch(links.all[k].cells, links.all[other].cells)) continue;
+      const i32 one = pile_of(links.all, k), two = pile_of(links.all, other);
+      links.all[most(one, two)].pile = least(one, two);
+    }
+  }
+  const i32 columns = static_cast<i32>(grid.state->components) + 1;
+  links.touched = {zeroes<u8>(links.all.size() * columns).data, links.all.size(), columns};
+  for (i32 k = 0; k < links.all.size(); k++) {
+    Cells around = links.all[k].cells;
+    for (i64 axis = 0; axis < 2; axis++) {
+      around.first[axis] = most(around.first[axis] - 1, 0);
+      around.last[axis] = least(around.last[axis] + 1, static_cast<i32>(grid.state->cuts[axis]) - 1);
+    }
+    const Span<u8> touched = links.touched.row(pile_of(links.all, k));
+    any_met(grid, around, [&](i32 component) {
+      touched[component] = 1;
+      return false;
+    });
+  }
+  return links;
+}
+
+// Tells whether a link's pile lies between some components and others: nobody comes from there to them unless such a link opens.
+static bool parts(const Links& links, i32 link, const Span<u8>& within) {
+  const Span<u8> touched = links.touched.row(pile_of(links.all, link));
+  bool inside = false, outside = false;
+  for (i32 c = 1; c < touched.size; c++) {
+    if (touched[c]) (within[c] ? inside : outside) = true;
+  }
+  return inside && outside;
+}
+
+static i64 count_parting(const Links& links, const Span<u8>& within) {
+  i64 count = 0;
+  for (i32 k = 0; k < links.all.size(); k++) count += parts(links, k, within);
+  return count;
+}
+
+// The components in which one of the targets from number `k` on is that have the same number; `k` becomes the number behind them.
+static Span<u8> components_at(const WalkGrid& grid, i64& k, bool& any) {
+  const Span<u8> within = zeroes<u8>(static_cast<i32>(grid.state->components) + 1);
+  any = false;
+  for (const i64 number = grid.targets[k].number; k < grid.state->targets && grid.targets[k].number == number; k++) {
+    any_met(grid, cells_of(grid, grid.targets[k]), [&](i32 component) {
+      any = within[component] = 1;
+      return false;
+    });
+  }
+  return within;
+}
+
+// Finds the components that are parted from the others by the fewest links: `best`, or those at something that is not reached. False where
+// no link tells what is wrong: something is covered, or all is reached and too little floor is free.
+static bool part_by_fewest(const WalkGrid& grid, const Links& links, Span<u8>& best) {
+  i64 fewest = count_parting(links, best);
+  bool told = true, reached = true, any;
+  for (i64 k = 0; k < grid.state->targets;) {
+    const Span<u8> within = components_at(grid, k, any);
+    told = told && any;
+    if (!any || within[grid.state->entered]) continue;
+    reached = false;
+    const i64 count = count_parting(links, within);
+    if (count >= fewest) continue;
+    best = within;
+    fewest = count;
+  }
+  return told && !reached;
+}
+
+Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, bool all) {
+  List<i64> found;
+  if (grid.state->entered == 0) {
+    found.add(UNTOLD);
+    return found.all();
+  }
+  const Links links = find_links(grid, all);
+  Span<u8> within = zeroes<u8>(links.touched.columns);
+  within[grid.state->entered] = 1;
+  if (all && !part_by_fewest(grid, links, within)) found.add(UNTOLD);
+  for (i32 k = 0; k < links.all.size(); k++) {
+    if (!parts(links, k, within)) continue;
+    if (links.all[k].other < 0) {
+      from_wall(room, work, found, grid, links.all[k]);
+    } else {
+      between_blocks(room, work, found, grid, links.all[k]);
+    }
+  }
+  return found.all();
 }
 
 }  // namespace placement
