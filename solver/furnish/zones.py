@@ -41,10 +41,12 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         if line is None:
             continue
         zone = opening_zone(opening, line, lines)
-        if zone is not None:
+        if zone is None:
+            continue
+        if opening.kind != "garage_door":
             zones.append(zone)
-            if opening.kind in ("door", "passage"):
-                doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
+        if opening.kind != "window":
+            doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
@@ -148,9 +150,12 @@ def outline_edges(room: Room) -> list[WallLine]:
 
 
 def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
-    """Returns what an opening keeps free of the room, or None if nothing; rounded outwards by less than a millimetre."""
+    """Returns the floor before an opening, or None if none; rounded outwards by less than a millimetre.
+
+    It is kept free but for that before a garage door, which one has only to come past.
+    """
     start, width = line[2], opening.width * 1000
-    if opening.kind in ("door", "passage"):
+    if opening.kind in ("door", "passage", "garage_door"):
         depth, side, above = min(_up(width), DOOR_SQUARE_MM), 0, -1
     elif opening.kind == "window":
         depth, side, above = WINDOW_DEPTH_MM, WINDOW_SIDE_MM, _down(opening.sill * 1000)

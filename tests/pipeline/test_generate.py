@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import json
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import cache
 from typing import Any
 
@@ -13,9 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from catalogs import load_catalogs
-from solver import Request, generate, reroll
+from solver import Request, generate, reroll, validate
 from solver.answers import Generated
 from solver.exchange import dump_text, load_text, read_scene, write_scene
+from solver.scene import Room
 from solver.streams import Stream
 from tests.sweeps import examples, seeds, times
 
@@ -143,3 +144,17 @@ def test_no_desk_stands_without_a_chair() -> None:
             desks += "desk" in names
             assert "desk" not in names or {"office_chair", "dining_chair"} & set(names), room.id
     assert 12 * desks > 20 * len(SEEDS)
+
+
+@pytest.mark.parametrize("seed", seeds(range(60), 6))
+def test_one_comes_in_by_a_garage_door_past_the_cars(seed: int) -> None:
+    """The validator, which walks by itself, is left no other way into the house."""
+    scene = generate(Request(seed=seed, program={"bedrooms": 1, "bathrooms": 1, "garage": 1 + seed // 6 % 3}, people=False)).scene
+
+    def left(room: Room) -> Room:
+        return replace(room, openings=tuple(one for one in room.openings if one.kind in kept or one.connects_to != "EXTERIOR"))
+
+    kept = ("garage_door", "window")
+    rooms = tuple(map(left, scene.rooms))
+    assert any(one.kind == "garage_door" for room in rooms for one in room.openings)
+    assert [issue.message for issue in validate(replace(scene, rooms=rooms, certificate=None)) if issue.severity == "error"] == []
