@@ -123,14 +123,16 @@ class Habit(Entry):
 
 
 class Variant(Entry):
-    """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area it needs, m2.
+    """A size variant of a wanted piece: a kind of furniture, what settling for it costs, and the area of rooms it is for, m2.
 
+    It is for rooms of `min_area` and more, below `max_area`: from there on another piece is that kind, as the shower beside a tub.
     `corner`: it stands only in the corner of a run, where what stands round the corner hides that end of its front.
     """
 
     kind: KindName
     cost: Cost = 0.0
     min_area: Annotated[float, Field(ge=0)] = 0.0
+    max_area: Annotated[float, Field(gt=0)] | None = None
     corner: Literal["left", "right"] | None = None
 
 

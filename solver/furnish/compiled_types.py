@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import inf
 from struct import Struct
 from typing import Final, get_args
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.runs import Run
-from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Variant
 from solver.body_rows import LooksBySize, furniture_look
 from solver.core.core_tables import CoreTables
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
@@ -34,7 +35,7 @@ _SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
-        "kind": "<3q14i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i2d", "rule": "<12i3q2d", "name": "<2i",
+        "kind": "<3q14i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i3d", "rule": "<12i3q2d", "name": "<2i",
         "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i", "leaving": "<2iqd",
     }.items()
@@ -166,15 +167,16 @@ class _Tables(CoreTables):
         return one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm, name
 
     def _add_piece(self, spec: PieceSpec) -> None:
-        variants = self._added(
-            "variant", spec.variants, lambda one: (self._kind(one.kind), _CORNERS.index(one.corner) - 1, one.cost, one.min_area)
-        )
+        variants = self._added("variant", spec.variants, self._variant)
         rules = self._added("rule", spec.rules, self._rule)
         among = -1 if spec.among is None else self._among.setdefault(spec.among, len(self._among))
         counted = (self._word(spec.piece), spec.required, spec.count, among, spec.per_area is not None, spec.with_next)
         shares = spec.per_area or 0.0, spec.min_area, spec.chance, spec.skip_cost
         approach = self._sides(spec.approach)
         self._added("piece", [spec], lambda _: (*counted, *variants, *rules, *approach, *shares))
+
+    def _variant(self, one: Variant) -> tuple[float, ...]:
+        return self._kind(one.kind), _CORNERS.index(one.corner) - 1, one.cost, one.min_area, inf if one.max_area is None else one.max_area
 
     def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
         names = self._added("name", rule.of, lambda name: (self._word(name), OPENINGS.index(name) if name in OPENINGS else -1))

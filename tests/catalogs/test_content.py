@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from fractions import Fraction
 from pathlib import Path
 from typing import get_args
@@ -101,6 +102,16 @@ def test_variants_go_from_wanted_down_to_least(name: str) -> None:
             areas = [KNOWN.furniture[one.kind].size[0] * KNOWN.furniture[one.kind].size[1] for one in variants]
             assert [one.cost for one in variants] == sorted(one.cost for one in variants), piece.piece
             assert areas == sorted(areas, reverse=True), piece.piece
+
+
+def test_no_bathroom_wants_two_tubs_or_two_showers() -> None:
+    for area in (quarter / 4 for quarter in range(4, 80)):
+        wanted = Counter[str]()
+        for piece in KNOWN.rooms["bathroom"].pieces:
+            fits = [one for one in piece.variants if one.min_area <= area and (one.max_area is None or area < one.max_area)]
+            if area >= piece.min_area:
+                wanted.update({KNOWN.name_of(one.kind) for one in fits})
+        assert wanted["bathtub"] <= 1 and wanted["shower"] == 1, area
 
 
 @rooms

@@ -219,7 +219,12 @@ def test_a_misspelled_word_is_told_with_the_one_that_may_be_meant(edit: Mend, fi
         (BEDROOM, "cover: [0.34, 0.45]", "cover: 0.4", "cover: is 0.4 (allowed: a list of 2 entries)"),
         (BEDROOM, "cover: [0.34, 0.45]", "cover: [0.3, 0.4, 0.5]", "cover: has 3 entries (allowed: at most 2)"),
         (BEDROOM, "flooring: wood\n", "", "flooring: is missing (allowed: a text)"),
-        (BEDROOM, "{kind: small_bed, cost: 1.2}", "small_bed", "is 'small_bed' (allowed: an object with kind, cost, min_area, corner)"),
+        (
+            BEDROOM,
+            "{kind: small_bed, cost: 1.2}",
+            "small_bed",
+            "is 'small_bed' (allowed: an object with kind, cost, min_area, max_area, corner)",
+        ),
         (BEDROOM, "short_side: 2.4", "short_side: wide", "short_side: is 'wide' (allowed: a number above 0, up to 100)"),
         (BEDROOM, "short_side: 2.4", "short_side: -1", "short_side: should be greater than 0"),
     ],

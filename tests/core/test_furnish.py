@@ -19,7 +19,7 @@ from solver.furnish.core_rows import room_rows
 from solver.scene import Room
 from solver.streams import Stream
 from tests.core.test_native_furnish import answer
-from tests.furnish.random_types import WORDS, random_room, random_type
+from tests.furnish.random_types import WORDS, for_small_rooms, random_room, random_type
 from tests.furnish.reference import stage
 from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
@@ -62,7 +62,7 @@ def test_random_room_types_are_furnished_as_by_the_reference(block: int) -> None
     wanted = 0
     for seed in seeds(range(400), 8):
         rng = Random(f"{block} {seed}")
-        catalogs = KNOWN.model_copy(update={"rooms": {"den": random_type(rng, KNOWN)}})
+        catalogs = KNOWN.model_copy(update={"rooms": {"den": for_small_rooms(Random(seed), random_type(rng, KNOWN))}})
         core, reference = both(random_room(rng, "den"), catalogs, seed)
         assert core == reference, seed
         wanted += len(reference[0]) - 1

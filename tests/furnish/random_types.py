@@ -30,6 +30,15 @@ def random_type(rng: Random, catalogs: Catalogs, words: Sequence[str] = WORDS) -
     return RoomType.model_validate(asked)
 
 
+def for_small_rooms(rng: Random, room_type: RoomType) -> RoomType:
+    """Returns a room type of whose kinds some are for small rooms alone."""
+    pieces = []
+    for piece in room_type.pieces:
+        kinds = tuple(one.model_copy(update={"max_area": rng.choice((None, 14.0))}) for one in piece.kinds)
+        pieces.append(piece.model_copy(update={"kinds": kinds}))
+    return room_type.model_copy(update={"pieces": tuple(pieces)})
+
+
 def _piece(rng: Random, so: tuple[str, Sequence[str]], kinds: list[str], names: list[str]) -> dict[str, Any]:
     name, words = so
     variants = [{"kind": kind, "cost": rng.choice(COSTS), "min_area": rng.choice((0.0, 0.0, 12.0))} for kind in rng.choices(kinds, k=3)]

@@ -69,6 +69,13 @@ def test_variants_may_need_an_area() -> None:
     assert {a.kind for a in ask(den(width=6.0), couch)[0].candidates} == {"couch", "short_couch"}
 
 
+def test_variants_may_be_for_smaller_rooms_alone() -> None:
+    couch = piece("couch", kinds=[{"kind": "couch"}, {"kind": "short_couch", "cost": 1, "max_area": 20}])
+    assert {a.kind for a in ask(den(width=4.9), couch)[0].candidates} == {"couch", "short_couch"}
+    assert {a.kind for a in ask(den(), couch)[0].candidates} == {"couch"}
+    assert {a.kind for a in ask(den(), piece("couch", kinds=[{"kind": "short_couch", "max_area": 20}]))[0].candidates} == {"short_couch"}
+
+
 def test_what_is_required_from_an_area_on_is_optional_below_it() -> None:
     pot, couch = ask(den(), piece("pot"), piece("couch", required=True, min_area=21, skip_cost=7))
     assert (pot.label, couch.label, couch.required, couch.skip_cost) == ("pot_1", "couch_1", False, 7)

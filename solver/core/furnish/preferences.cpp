@@ -95,7 +95,7 @@ static Span<Variant> suited(const RoomType& type, const PieceSpec& piece, f64 ar
   for (const Variant& variant : type.variants_of(piece)) {
     if (variant.corner >= 0) continue;
     all.add(variant);
-    if (variant.min_area <= area) found.add(variant);
+    if (variant.min_area <= area && area < variant.max_area) found.add(variant);
   }
   return found.size() > 0 ? found.all() : all.all();
 }

@@ -79,6 +79,7 @@ struct Variant {
   i32 corner;  // stands only in the corner of a run, where what stands round it hides its left (0) or right (1) end; -1: elsewhere
   f64 cost;
   f64 min_area;
+  f64 max_area;
 };
 
 // A word of an `of`: its own index, and which opening it is, if any.

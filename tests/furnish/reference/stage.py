@@ -84,7 +84,7 @@ def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Strea
     found = []
     for spec in specs:
         anywhere = [variant for variant in spec.variants if not variant.corner]
-        suited = [variant for variant in anywhere if variant.min_area <= area] or anywhere
+        suited = [one for one in anywhere if one.min_area <= area and (one.max_area is None or area < one.max_area)] or anywhere
         variants = tuple((Kind.of(one.kind, catalogs), one.cost) for one in suited)
         corners = tuple((one.corner, Kind.of(one.kind, catalogs), one.cost) for one in spec.variants if one.corner)
         found.append(CountedPiece(spec, variants, count(spec, area, stream), corners))
