@@ -43,13 +43,12 @@ from solver.version import VERSION
 
 STOREY_HEIGHT = 2.8
 """Height of a storey, m."""
-SHIFTED_ROOMS = 40
-"""Rooms of a house whose doors are tried elsewhere; a house with more rooms too small for their type keeps the rest."""
-EXPLAINED_ROOMS = 40
-"""Rooms of a house whose missing pieces are explained in lengths."""
+SMALL_ROOMS = 40
+"""Rooms of a house, too small for their type, whose doors are tried elsewhere and whose missing pieces are explained in lengths."""
 SHIFTS = 6
-"""Places tried for each door of a room whose required piece does not fit."""
-
+"""Places tried for each door of a room whose required or dear piece does not fit."""
+DEAR = 20.0
+"""What leaving a piece out costs, from which on doors are shifted for it, too."""
 
 _Asked = tuple[Staying, Space, tuple[Piece, ...]]
 """What stays in a room, and what is wanted around that."""
@@ -141,9 +140,9 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
 
 
 def _shifted(plan: FloorPlan, arrangements: dict[str, Arrangement], setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
-    """Shifts a door where a required piece would not fit otherwise, and says why one does not."""
+    """Shifts a door where a required or dear piece would not fit otherwise, and says why one does not."""
     lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
-    for room_id in lacking[:SHIFTED_ROOMS]:
+    for room_id in lacking[:SMALL_ROOMS]:
         plan = _shift_doors(plan, room_id, arrangements, setting)
     return plan, _explained(plan.rooms, arrangements, setting) if lacking else arrangements
 
@@ -216,21 +215,22 @@ def _is_in_one_go(setting: _Setting) -> bool:
 
 
 def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:
-    """Says in lengths why required pieces are missing, in the first EXPLAINED_ROOMS rooms that miss some."""
-    lacking = [room for room in rooms if _missing(arrangements[room.id], room, setting)][:EXPLAINED_ROOMS]
+    """Says in lengths why required pieces are missing, in the first SMALL_ROOMS rooms that miss some."""
+    lacking = [room for room in rooms if _missing(arrangements[room.id], room, setting)][:SMALL_ROOMS]
     return {**arrangements, **{room.id: with_lengths(*_wished(room, setting), arrangements[room.id]) for room in lacking}}
 
 
 def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
-    """Returns how many of the room type's requirements the arrangement does not meet."""
+    """Returns how many of the room type's requirements the arrangement does not meet, and how many dear pieces it leaves out."""
     room_type = setting.catalogs.rooms.get(room.type)
-    requires = room_type.requires if room_type else ()
+    requires, gone = room_type.requires if room_type else (), {label for label, _ in arrangement.left_out}
+    dear = sum(spec.skip_cost >= DEAR and f"{spec.piece}_1" in gone for spec in room_type.pieces) if room_type else 0
     names = names_placed(arrangement, setting.catalogs) if requires else []
-    return sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
+    return dear + sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
 
 
 def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
-    """Tries other places for a room's doors; keeps the first that lets more required pieces in, both sides counted."""
+    """Tries other places for a room's doors; keeps the first that lets more of these pieces in, both sides counted."""
     room = next(room for room in plan.rooms if room.id == room_id)
     for opening in room.openings:
         if opening.kind not in ("door", "passage"):
@@ -247,7 +247,7 @@ def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangem
 def _improved(
     shifted: FloorPlan, room_id: str, door: str, arrangements: Mapping[str, Arrangement], setting: _Setting
 ) -> dict[str, Arrangement] | None:
-    """Furnishes both sides of a shifted door anew; returns them if more required pieces stand, both sides counted."""
+    """Furnishes both sides of a shifted door anew; returns them if more of these pieces stand, both sides counted."""
     sides = [room for room in shifted.rooms if any(opening.id == door for opening in room.openings)]
     sides.sort(key=lambda side: side.id != room_id)
     gained, tried = 0, dict[str, Arrangement]()

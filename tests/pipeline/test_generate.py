@@ -127,6 +127,19 @@ def test_a_door_is_shifted_where_a_required_piece_would_not_fit_otherwise(monkey
     assert sum(shifted.values()) < sum(middle.values())
 
 
+def test_a_door_is_shifted_where_a_bathroom_would_have_neither_tub_nor_shower(monkeypatch: pytest.MonkeyPatch) -> None:
+    flow = importlib.import_module("solver.pipeline.generate")
+
+    def without(seed: int) -> int:
+        rooms = generate(Request(seed=seed, program="family", robot_width=0.8)).scene.rooms
+        return sum(not {"bathtub", "shower"} & {piece.name for piece in room.furniture} for room in rooms if room.type == "bathroom")
+
+    some = seeds(range(64), 4)
+    shifted = sum(map(without, some))
+    monkeypatch.setattr(flow, "SHIFTS", 0)
+    assert shifted <= sum(map(without, some)) / 2
+
+
 def test_wall_hugging_kinds_name_their_wall() -> None:
     known = load_catalogs()
     hugging = {known.name_of(kind) for kind, spec in known.furniture.items() if spec.stands == "wall"}
