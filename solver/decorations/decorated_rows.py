@@ -54,7 +54,8 @@ def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings
     rows += [furniture_as_told(room), pack(f"<{len(numbers)}q", *numbers), *(_manner(known, *one) for one in manners)]
     rows += openings
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == _OUTLINE) for zone in space.zones]
-    rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in space.doorways]
+    swings = {opening.id for opening in room.openings if opening.kind == "door" and opening.swing == "in"}
+    rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], door.id in swings, *door.square) for door in space.doorways]
     rows += [_RECT.pack(*rect) for rect in kept]
     return b"".join(rows)
 

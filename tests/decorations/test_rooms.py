@@ -99,6 +99,22 @@ def test_with_a_style_rugs_lie_beside_what_stands_at_the_walls_not_under_it(name
         assert any(overlap(rug, there[0]) for rug in laid)
 
 
+@pytest.mark.parametrize("name", ["hallway", "living_room"])
+def test_with_a_style_rugs_lie_where_no_door_opens_over_them(name: str) -> None:
+    width, pieces = BESIDE[name]
+    there = [at_wall(kind, wall, along) if wall else piece(kind, width / 2, along) for kind, wall, along in pieces]
+    over = {"in": 0, "out": 0}
+    for swing, at in product(over, (0.6, 1.5, 2.2)):
+        door = Opening("d", "door", "south", at, 0.9, connects_to="EXTERIOR", swing=swing)
+        home = room(*there, type=name, width=width, depth=4.6, openings=(door,))
+        done = decorate(home, style=KNOWN.styles["scandi"], style_name="scandi")
+        before = Furniture("before", "box", x=at, z=home.depth - 0.45, width=0.9, depth=0.9, height=0.01)
+        laid = [thing for thing in done.decorations if thing.name in ("rug", "runner", "floor_rug_small")]
+        assert laid
+        over[swing] += sum(overlap(rug, before) for rug in laid)
+    assert over["in"] == 0 < over["out"]
+
+
 def overlap(one: Decoration | Furniture, other: Decoration | Furniture) -> bool:
     (x, width), (z, depth) = ((abs(getattr(one, axis) - getattr(other, axis)), _extent(one, axis) + _extent(other, axis)) for axis in "xz")
     return x < width / 2 - 1e-6 and z < depth / 2 - 1e-6

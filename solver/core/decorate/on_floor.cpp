@@ -44,6 +44,7 @@ class Floor {
   bool has_floor(const Rect& place) const;
   bool is_at_wall(const Piece& piece) const;
   NearestPlace rug_place(const Stands& row, const Rect& wish) const;
+  List<Rect> not_under(const Stands* row) const;
   Rect cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const;
   List<Spot> spots_of(const Stands& row);
   void add_beside(const Stands& row, List<Spot>& spots);
@@ -121,14 +122,23 @@ void Floor::spread(const Stands& row, const Choice& choice) {
   }
 }
 
+// Floor without rugs: under what stands at the walls and is not named, if there is a row that names, and what doors open over.
+List<Rect> Floor::not_under(const Stands* row) const {
+  List<Rect> found;
+  for (const Piece& piece : room_.pieces) {
+    if (is_at_wall(piece) && !(row && is_named(*row, piece))) found.add(piece.rect);
+  }
+  for (const Doorway& door : room_.doors) {
+    if (door.swings_in) found.add(door.square);
+  }
+  return found;
+}
+
 // Where a rug wished for in the middle lies before what stands at the walls, and not under it: as near and as large as there is room.
 // One that is to cover the floor lies under all.
 NearestPlace Floor::rug_place(const Stands& row, const Rect& wish) const {
   if (row.fills && !row.widest) return {true, wish};
-  List<Rect> blocks;
-  for (const Piece& piece : room_.pieces) {
-    if (is_at_wall(piece)) blocks.add(piece.rect);
-  }
+  const List<Rect> blocks = not_under(nullptr);
   const bool along_x = wish.width() >= wish.depth();
   for (i64 length = RUG_PARTS; 2 * length >= RUG_PARTS; length--) {
     for (i64 breadth = RUG_PARTS; 2 * breadth >= RUG_PARTS; breadth--) {
@@ -175,14 +185,13 @@ bool Floor::is_named(const Stands& row, const Piece& piece) const {
   return false;
 }
 
-// Cuts off a rug what would lie under furniture at the walls that is not named, at the side that leaves most of it; never what lies
-// under its own piece.
+// Cuts off a rug what would lie under furniture at the walls that is not named, or under a door's leaf, at the side that leaves most of it;
+// never what lies under its own piece.
 Rect Floor::cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const {
   const Rect& under = holder.rect;
   const Rect own{most(under.x0, place.x0), most(under.z0, place.z0), least(under.x1, place.x1), least(under.z1, place.z1)};
-  for (const Piece& piece : room_.pieces) {
-    const Rect& off = piece.rect;
-    if (!place.overlaps(off) || is_named(row, piece) || !is_at_wall(piece)) continue;
+  for (const Rect& off : not_under(&row)) {
+    if (!place.overlaps(off)) continue;
     const Rect left[] = {{off.x1, place.z0, place.x1, place.z1}, {place.x0, place.z0, off.x0, place.z1},
                          {place.x0, off.z1, place.x1, place.z1}, {place.x0, place.z0, place.x1, off.z0}};
     Rect best{0, 0, 0, 0};

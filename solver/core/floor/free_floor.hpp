@@ -10,7 +10,7 @@
 // A door or passage: the wall it is in and its square inside the room, mm.
 struct Doorway {
   Wall wall;
-  i32 unused;
+  i32 swings_in;  // its leaf opens over its square; of what is decorated alone
   Rect square;
 };
 
