@@ -29,16 +29,21 @@ class Hold(Record):
 
 @dataclass(frozen=True)
 class MovedPiece(Record):
-    """How a piece would stand: its footprint's centre in the room, m, its rotation, degrees, and its kind, perhaps another size of it."""
+    """How a piece would stand: its footprint's centre in the room, m, its rotation, degrees, and its kind, perhaps another size of it.
+
+    `y` is its underside, m, and `on` what it would stand on.
+    """
 
     id: str
     kind: str
     x: float
+    y: float
     z: float
     rotation: int
     width: float
     depth: float
     height: float
+    on: str | None
 
 
 @dataclass(frozen=True)

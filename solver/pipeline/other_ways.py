@@ -72,7 +72,7 @@ def _tried(room: AsFurnished, piece: Piece, stance: _Stance, before: Mapping[str
     if piece.label not in placed:
         return OtherWay(stance[0], stance[1], None, (), (), f"{words}: no place was found for it so")
     gone = tuple(room.ids[label] for label in before if label not in placed)
-    moves = tuple(_moved(room.ids[label], one) for label, one in placed.items() if label in before and _distance(before[label], one) > 0)
+    moves = tuple(_moved(room.ids, one) for label, one in placed.items() if label in before and _distance(before[label], one) > 0)
     far = [label for label, one in placed.items() if label in before and _distance(before[label], one) > FAR_MM]
     others = [room.ids[label] for label in far if label != piece.label]
     cost = round(solved.cost - room.solved.cost, 2)
@@ -101,15 +101,17 @@ def _several(names: Sequence[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _moved(name: str, placed: Placed) -> MovedPiece:
+def _moved(ids: Mapping[str, str], placed: Placed) -> MovedPiece:
     rect, way = placed.footprint, placed.chosen
     x, z = round(to_m(rect.x0 + rect.x1) / 2, 4), round(to_m(rect.z0 + rect.z1) / 2, 4)
-    return MovedPiece(name, way.kind, x, z, placed.rotation, *(to_m(extent) for extent in way.size_mm))
+    on = None if way.on is None else ids[way.on]
+    width, depth, height = map(to_m, way.size_mm)
+    return MovedPiece(ids[placed.label], way.kind, x, to_m(way.bottom_mm), z, placed.rotation, width, depth, height, on)
 
 
 def _distance(a: Placed, b: Placed) -> float:
-    """How far a piece would be moved, mm; without end where it is turned or of another size."""
+    """How far a piece would be moved, mm; without end where it is turned, of another size or on another piece."""
     one, other = a.footprint, b.footprint
-    if (a.rotation, a.chosen.size_mm) != (b.rotation, b.chosen.size_mm):
+    if (a.rotation, a.chosen.size_mm, a.chosen.on) != (b.rotation, b.chosen.size_mm, b.chosen.on):
         return inf
     return max(abs(one.x0 - other.x0), abs(one.z0 - other.z0))

@@ -11,14 +11,14 @@ from catalogs import load_catalogs
 from compose_homes import Explained, Request, Scene, SceneError, explain, generate, validate
 from solver.explained import HOLDERS
 from solver.geometry import Rect
-from solver.pieces import Candidate, Piece, Space
+from solver.pieces import Attach, Candidate, Piece, Space
 from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, _floor_holder
 from solver.pipeline.other_ways import AsFurnished, other_ways
 from solver.placement import arrange
 from solver.scene import Furniture, Room
 from tests.told_forms import has_form
 
-POSE = ("kind", "x", "z", "rotation", "width", "depth", "height")
+POSE = ("kind", "x", "y", "z", "rotation", "width", "depth", "height", "on")
 EXAMPLE = Path(__file__).parents[2] / "catalogs" / "example"
 TOUCHING = 0.015
 """A piece at its wish is this close to it, m: the solve is rounded to millimetres, and slivers are tidied away since."""
@@ -187,6 +187,26 @@ def test_what_a_way_costs_is_what_one_reckons_by_hand() -> None:
     assert [move.id for move in west.moves] == ["den/desk"]
     assert "den/bed would stand elsewhere" in south.message
     assert other_ways(room, "bed") == ()
+
+
+def test_a_way_says_what_all_would_stand_on() -> None:
+    """A set stands on one of two shelves, 0.8 and 1.2 m high; the desk at the west wall takes the lower one's place."""
+
+    def upon(shelf: str, bottom: int, cost: float) -> Candidate:
+        attach = Attach(shelf, shelf, (0, 0), (0, 0), "on top 0")
+        return Candidate("set", (300, 300, 300), 0, None, (0, 0), cost=cost, bottom_mm=bottom, attach=attach, on=shelf)
+
+    low = Piece("low", False, (Candidate("low", (800, 400, 800), 90, "west", (230, 800)),), skip_cost=2.0)
+    high = at_wall("high", ("south", 3500, 0.0))
+    set_ = Piece("set", True, (upon("low", 800, 0.0), upon("high", 1200, 1.0)))
+    desk = at_wall("desk", ("north", 2000, 0.0), ("west", 800, 0.0), width=1600)
+    space = Space("den", Rect(0, 0, 4000, 2200), (), ())
+    ids = {label: f"den/{label}" for label in ("low", "high", "set", "desk")}
+    pieces = (high, desk, low, set_)
+    west = next(way for way in other_ways(AsFurnished(space, pieces, arrange(space, pieces), ids), "desk") if way.wall == "west")
+    assert west.left_out == ("den/low",)
+    assert [(move.on, move.y) for move in west.moves if move.id == "den/set"] == [("den/high", 1.2)]
+    assert [(move.on, move.y) for move in west.moves if move.id == "den/desk"] == [(None, 0.0)]
 
 
 def test_a_way_for_which_there_is_no_room_has_no_cost() -> None:

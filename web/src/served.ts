@@ -432,11 +432,13 @@ export interface MovedPiece {
   readonly id: string;
   readonly kind: string;
   readonly x: number;
+  readonly y: number;
   readonly z: number;
   readonly rotation: number;
   readonly width: number;
   readonly depth: number;
   readonly height: number;
+  readonly on: string | null;
 }
 
 /** A door, garage door, passage or window in a wall. Both rooms of a door list it under one id. */

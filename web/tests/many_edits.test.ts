@@ -115,7 +115,7 @@ describe("a decoration", () => {
 
 describe("another way to stand", () => {
   it("puts all where they would stand, with what they carry, and leaves out who has no place", () => {
-    const way = (id: string, x: number, z: number, rotation: number) => ({ id, kind: "table", x, z, rotation, width: 1.6, depth: 0.9, height: 0.75 });
+    const way = (id: string, x: number, z: number, rotation: number) => ({ id, kind: "table", x, y: 0, z, rotation, width: 1.6, depth: 0.9, height: 0.75, on: null });
     const after = stoodSo(house(), [way("den/table_1", 3, 3, 90)], ["den/bed_1"]).rooms[0];
     const at = (id: string) => [...(after?.furniture ?? []), ...(after?.decorations ?? [])].find((body) => body.id === id);
     expect(at("den/table_1")).toMatchObject({ x: 3, z: 3, rotation: 90, kind: "table", height: 0.75 });
