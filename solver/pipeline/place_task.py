@@ -16,7 +16,7 @@ from catalogs.schema import RelationSpec
 from solver.certificate import room_certificate
 from solver.furnish import NEARLY_ALL, Habits, ListedPieces, Listing, habits_of, kept_pieces, listed_pieces, scope_of, space_of, tucks
 from solver.furnished import furnished
-from solver.geometry import WALL_BEHIND
+from solver.geometry import WALL_BEHIND, to_mm
 from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
@@ -118,8 +118,11 @@ def task_of(
     wall_thickness, robot_width, engine, height = setting
     words = understood(Scene(rooms=(room,)), catalogs)
     room = words.scene.rooms[0]
-    sent = checked(room, requests, catalogs, None if room.outdoor else height)
+    ceiling = None if room.outdoor else height
+    sent = checked(room, requests, catalogs, ceiling)
     kinds = kinds_of(room, sent, catalogs)
+    if ceiling is not None:
+        kinds = {name: kind.below(to_mm(ceiling)) for name, kind in kinds.items()}
     wanted = sent if as_sent else by_content(sent, kinds)
     names = labels_by_name(room, wanted)
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}

@@ -313,3 +313,16 @@ def test_a_room_that_is_said_to_be_low_takes_nothing_higher() -> None:
     stands = replace(ROOM, furniture=(Furniture("old", "rack", x=2.2, z=0.5, width=0.5, depth=0.5, height=2.0),))
     assert any("ceiling" in message for message in errors(placed(wish("desk"), room=stands, height=1.9)))
     assert placed(wish("wardrobe"), room=replace(ROOM, outdoor=True), height=1.9).best.unplaced == ()
+
+
+def test_nothing_is_put_on_what_is_too_near_the_ceiling() -> None:
+    """It is on the first of two where that may be, in a lower room on the lower one; where only the high one is named, on none."""
+    pieces = (block("high", size=(0.8, 0.5, 1.2)), block("low", size=(0.8, 0.5, 0.6)))
+    upon = block("crate", RelationSpec(type="on", of=("high", "low")), size=(0.4, 0.4, 0.5))
+    for height, bottom in ((None, 1.2), (1.7, 1.2), (1.69, 0.6)):
+        made = placed(*pieces, upon, height=height)
+        assert [piece.y for piece in made.best.scene.rooms[0].furniture if piece.id == "crate"] == [bottom]
+        assert errors(made) == []
+    with_high = placed(pieces[0], block("crate", rule("on", "high"), size=(0.4, 0.4, 0.5)), height=1.6)
+    assert [piece.y for piece in with_high.best.scene.rooms[0].furniture if piece.id == "crate"] in ([], [0.0])
+    assert errors(with_high) == []
