@@ -21,6 +21,7 @@ from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
 from solver.exports.wall_panels import Storey, WallPlan, boxes_of, fittings_of, panels_of
 from solver.geometry import doubled_area
 from solver.scene import Flooring, Room, Scene
+from solver.scene_bodies import storey_height
 
 ROUNDING_ERROR: Final = 1e-6
 """What is left of a wall between two ends that are one but for rounding is no wall, m."""
@@ -30,12 +31,13 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
     """Describes a scene.
 
     Args:
-        scene: any scene; what it leaves unsaid is described as it is drawn: floors at 0 m, walls of 2.8 m.
+        scene: any scene; what it leaves unsaid is described as it is drawn: floors at 0 m, walls as high as `size` says, else 2.8 m.
         catalogs: what kinds of bodies look like and weigh.
         free: what a simulator may move.
         warnings: what is wrong with it, in words, to stand in the files.
     """
-    storeys = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
+    listed = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
+    storeys = {level: Storey(height=storey_height(scene, level)) for level in {room.level for room in scene.rooms}} | listed
     paints = paints_of(catalogs, style_of(scene))
     rooms = scene.rooms
     finder, bands = RoomFinder(rooms), WallBands(rooms, scene.wall_thickness)

@@ -67,6 +67,7 @@ dynamic:
 
 THICK_WALLS = """
 wall_thickness: 0.1
+size: {width: 8.25, depth: 8.14, height: 2.4}
 rooms:
 - {id: a, x: 0.0, z: 0.0, width: 3.0, depth: 4.0, wall_thickness: [0.4, null, 0.3, 0.36], openings: [
     {id: ab, kind: door, wall: east, position: 1.5, connects_to: b},
@@ -103,6 +104,11 @@ def built(homes: list[Scene], tmp_path_factory: pytest.TempPathFactory) -> list[
 @pytest.fixture(scope="module")
 def models(homes: list[Scene]) -> list[HouseModel]:
     return [describe(scene, load_catalogs()) for scene in homes]
+
+
+def test_walls_are_as_high_as_the_size_says_where_no_storey_is_listed(models: list[HouseModel]) -> None:
+    assert {panel.height for panel in models[-1].panels} == {2.4}
+    assert {panel.height for panel in models[-2].panels} == {2.5}
 
 
 def close(ours: Iterable[float], theirs: Iterable[float]) -> bool:

@@ -19,6 +19,15 @@ describe("a scene that leaves things unsaid", () => {
     expect(Object.values(rooms[0]?.wall_flags ?? {})).toEqual([true, true, true, true]);
   });
 
+  it("is as high as its size says, where it lists no storeys and has one", () => {
+    const low = { ...bare, size: { width: 5, depth: 5, height: 2.3 } };
+    expect(drawable(low).levels).toEqual([{ index: 0, elevation: 0, height: 2.3 }]);
+    const [den] = bare.rooms;
+    const above = { ...low, rooms: [{ ...den, level: 2 }] } as unknown as Scene;
+    expect(drawable(above).levels).toMatchObject([{ index: 2, height: 2.3 }]);
+    expect(drawable({ ...above, rooms: [den, ...above.rooms] } as unknown as Scene).levels).toMatchObject([{ height: 2.8 }]);
+  });
+
   it("has the plain floor and the colour of its rooms' types, where the catalog knows them", () => {
     const catalog = { rooms: { storage: { accent: "#123456", flooring: "tile" } }, floorings: { tile: { color: "#abcdef" } } } as unknown as Catalog;
     expect(drawable(bare, catalog).rooms[0]).toMatchObject({ flooring: { type: "tile", color: "#abcdef" }, accent: "#123456" });

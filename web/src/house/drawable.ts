@@ -1,5 +1,5 @@
 /** A scene of somebody else's need not say all that is drawn; what it leaves unsaid is drawn like this. Never sent anywhere. */
-import type { Catalog, Decoration, Furniture, Room, Scene, Sides } from "../contract";
+import type { Catalog, Decoration, Furniture, Level, Room, Scene, Sides } from "../contract";
 
 const ALL: Sides = { north: true, south: true, east: true, west: true };
 const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
@@ -35,11 +35,17 @@ function drawableRoom(room: Room, catalog: Catalog | null): Room {
   };
 }
 
+/** The storey of a scene that lists none: where there is one alone, as high as the house is said to be. */
+function storeyOf(rooms: readonly Room[], height: number | undefined): Level {
+  const index = rooms[0]?.level ?? 0;
+  return rooms.every(({ level }) => level === index) ? { ...STOREY, index, height: height ?? STOREY.height } : STOREY;
+}
+
 /** The scene complete; with a catalog bodies take the colours of their kinds where they say none. */
 export function drawable(scene: Scene, catalog: Catalog | null = null): Scene {
   const said: Unsaid<Scene> = scene;
   const rooms = scene.rooms.map((room) => drawableRoom(room, catalog));
-  const levels = said.levels && said.levels.length > 0 ? said.levels : [STOREY];
+  const levels = said.levels && said.levels.length > 0 ? said.levels : [storeyOf(rooms, said.size?.height)];
   const size = said.size ?? {
     width: Math.max(0, ...rooms.map((room) => room.x + room.width)),
     depth: Math.max(0, ...rooms.map((room) => room.z + room.depth)),
