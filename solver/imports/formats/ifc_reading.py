@@ -36,6 +36,8 @@ LOWEST_SILL: Final = 0.1
 PASSAGE: Final = 1.8
 THICKEST_FLOOR: Final = 0.4
 """So far above its storey's elevation, m, a floor may lie: where the lowest door begins."""
+RISES: Final = 1.2
+"""A wall is one of a storey at whose floor it reaches this height, m."""
 MOST_ENTITIES: Final = 400_000
 MOST_RELATIONS: Final = 100_000
 """Relations of elements that are looked at, each as often as it is."""
@@ -104,7 +106,7 @@ class _ReadBuilding:
     def plan(self) -> DrawnPlan:
         """Returns what is drawn."""
         rooms = tuple(self._rooms())
-        walls = tuple(self._walls())
+        walls = tuple(self._walls(sorted({room.level for room in rooms})))
         drawn, thickness = drawn_along(rooms, walls)
         return DrawnPlan(
             rooms, tuple(self._openings()), walls, tuple(self._pieces()), tuple(self.levels), self.metres, drawn, thickness,
@@ -156,13 +158,16 @@ class _ReadBuilding:
     def _is_ours(self) -> bool:
         return str(self.file.header.file_name.originating_system) == "Compose"
 
-    def _walls(self) -> Iterator[DrawnWall]:
+    def _walls(self, levels: Sequence[int]) -> Iterator[DrawnWall]:
+        """Yields walls, each on those of some levels through which it rises, whichever holds it; without levels on its own."""
         for wall in self.file.by_type("IfcWall"):
             where = _place(wall)
             solid = self._solid(wall, where)
             if solid is not None:
                 start, end, thickness = solid.middle_line(self.shapes.world_of(wall))
-                yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, self._level(wall))
+                low, high, by = solid.points[:, 2].min(), solid.points[:, 2].max(), RISES / self.metres
+                for level in [at for at in levels if low <= self.floors[at] + by <= high] if levels else [self._level(wall)]:
+                    yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, level)
 
     def _openings(self) -> Iterator[DrawnOpening]:
         filled: set[int] = set()
@@ -170,7 +175,8 @@ class _ReadBuilding:
         yield from self._filling("IfcWindow", filled)
         seen: set[tuple[float, ...]] = set()
         for hole in self.file.by_type("IfcOpeningElement"):
-            made = None if hole.id() in filled or self._related(hole, "HasFillings") else self._opening(hole, hole, False)
+            is_wanted = hole.id() not in filled and not self._related(hole, "HasFillings") and self._is_in_wall(hole)
+            made = self._opening(hole, hole, False) if is_wanted else None
             if made is None:
                 continue
             key = (*(round(value * self.metres, 2) for value in (*made.start, *made.end)), float(made.level))
@@ -179,6 +185,10 @@ class _ReadBuilding:
             elif key not in seen:
                 seen.add(key)
                 yield made
+
+    def _is_in_wall(self, hole: Element) -> bool:
+        """Tells whether a hole is none in a roof, a floor or a piece of furniture."""
+        return all(relation.RelatingBuildingElement.is_a("IfcWall") for relation in self._related(hole, "VoidsElements"))
 
     def _filling(self, kind: str, filled: set[int]) -> Iterator[DrawnOpening]:
         """Yields doors or windows; the holes that they fill are added to those filled."""
@@ -214,7 +224,7 @@ class _ReadBuilding:
         else:
             self.unread.append(Unread(where, "an opening without a width"))
             return None
-        level = self._level(wall if wall is not None else element)
+        level = self._level(element)
         floor = self.floors[min(level, len(self.floors) - 1)]
         kind, hinge = _kind(element, is_window), None
         towards = None
