@@ -12,6 +12,7 @@ from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import Final
 
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied
@@ -160,8 +161,8 @@ def _gather(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], lines: d
 
 
 def _rebuilt(edges: Sequence[PlanEdge], lines: Sequence[int], usual: int) -> FloorCorners:
-    """Returns a room's corners along its lines; along lines half a usual wall away where those would fold it."""
-    for moved in (lines, [edge.at + edge.out * (usual // 2) for edge in edges], [edge.at for edge in edges]):
+    """Returns a room's corners along its lines; where those would fold it, parted ones; else along lines half a usual wall away."""
+    for moved in (lines, _parted(edges, lines), [edge.at + edge.out * (usual // 2) for edge in edges], [edge.at for edge in edges]):
         placed = [edge._replace(at=at) for edge, at in zip(edges, moved, strict=True)]
         corners = [_corner(edge, placed[at - 1]) for at, edge in enumerate(placed)]
         following = [*corners[1:], *corners[:1]]
@@ -169,6 +170,17 @@ def _rebuilt(edges: Sequence[PlanEdge], lines: Sequence[int], usual: int) -> Flo
         if all(way in (0, _forwards(edge)) for way, edge in zip(ways, edges, strict=True)):
             return tidied(corners)
     return tidied([_corner(edge, edges[at - 1]) for at, edge in enumerate(edges)])
+
+
+def _parted(edges: Sequence[PlanEdge], lines: Sequence[int]) -> list[int]:
+    """Returns lines of which those on both sides of a stub of wall within one room do not pass each other: they lie in its middle."""
+    found = list(lines)
+    for a, b in product((one for one in edges if one.out > 0), (one for one in edges if one.out < 0)):
+        is_stub = a.axis == b.axis and a.at < b.at and min(a.high, b.high) > max(a.low, b.low)
+        if is_stub and lines[a.side] >= lines[b.side]:
+            middle = (a.at + b.at) // 2
+            found[a.side], found[b.side] = min(found[a.side], middle), max(found[b.side], middle + 1)
+    return found
 
 
 def _corner(edge: PlanEdge, before: PlanEdge) -> tuple[int, int]:

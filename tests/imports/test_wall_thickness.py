@@ -15,7 +15,7 @@ from solver import export
 from solver.imported import PlanImport
 from solver.scene import Room, Scene
 from tests.exports.test_page_agrees import THICK_WALLS
-from tests.imports.plans import box, collection, line, piece, read
+from tests.imports.plans import box, collection, line, piece, polygon, read
 
 CLOSE = 0.0101
 """m."""
@@ -207,3 +207,14 @@ def test_outlines_of_walls_around_rooms_that_are_not_drawn_tell_how_thick_they_a
 def test_an_outline_along_the_faces_of_rooms_alone_tells_nothing() -> None:
     scene = read(dxf_of(ROOMS, [ring(0, 0, 8, 4)], 0.0), "plan").scene
     assert [room.wall_thickness for room in scene.rooms] == [None, None]
+
+
+def test_a_stub_of_a_thin_wall_within_a_room_keeps_its_other_walls_where_they_are() -> None:
+    """The room's outline goes around a stub 8 cm thick, thinner than the walls of 10 cm that the room is grown by half of."""
+    points = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (2.08, 2.0), (2.08, 0.0), (5.0, 0.0), (5.0, 4.0), (0.0, 4.0))
+    plan = collection(polygon("Living room", *points), box("Kitchen", 5.1, 0.0, 8.1, 4.0), y="down", drawn="inner")
+    living, kitchen = read(plan).scene.rooms
+    assert (living.width, living.depth, kitchen.x - living.x) == (5.1, 4.1, 5.1)
+    assert living.outline is not None and len(living.outline) == 8
+    stub = [x for x, z in living.outline if z == pytest.approx(2.0)]
+    assert len(stub) == 2 and all(abs(x - 2.09) <= 0.002 for x in stub)
