@@ -1,7 +1,8 @@
 """A drawing of shapes on layers, as CAD programmes and SVG keep it -> a plan: what a shape is, its layer's or its own name tells.
 
 Closed shapes on layers of rooms are rooms, named by the text inside them; shapes on layers of doors, windows and openings are openings,
-as long as their longer side. Without rooms they are looked for between the walls. Other layers are passed over, and told.
+as long as their longer side. Without rooms they are looked for between the walls; without those between loose lines of rooms. Other
+layers are passed over, and told.
 
 Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, walls_alone.
 """
@@ -113,6 +114,9 @@ def plan_of_shapes(
     sorted_shapes = list(zip(shapes, sorts, strict=True))
     rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
     outlines = [((*one.points, one.points[0]) if one.closed else one.points, one.closed) for one, sort in sorted_shapes if sort == "wall"]
+    are_drawn = bool(rooms)
+    if not rooms and not outlines:
+        outlines = [(one.points, False) for one, sort in sorted_shapes if sort == "room"]
     solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
     doors = _swinging(swings, faces, solid)
@@ -144,7 +148,7 @@ def plan_of_shapes(
     return DrawnPlan(
         tuple(rooms), (*doors, *openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
-        faces=tuple(pair for points, closed in outlines if closed or thick for pair in pairwise(points)),
+        faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
 
 

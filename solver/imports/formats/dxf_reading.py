@@ -38,6 +38,10 @@ DEEPEST: Final = 8
 
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
+FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
+"""Areas: of walls they are taken as outlines."""
+MULTI: Final = "MLINE"
+"""Several lines beside one another, as walls are drawn."""
 CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
 WIDTHS: Final = {"LWPOLYLINE": "const_width", "POLYLINE": "default_start_width"}
 """What says how thick a line is drawn."""
@@ -190,8 +194,15 @@ def _opened(space: Any) -> Iterator[_Entity]:
             for part in reversed(parts):
                 own = () if part.dxf.layer == "0" else (part.dxf.layer,)
                 ahead.append((part, (*inner, *own), number, depth + 1))
+        elif kind == MULTI and sort_within(names):
+            parts = list(islice(one.virtual_entities(), MOST_ENTITIES))
+            made += len(parts)
+            if made > MOST_ENTITIES:
+                raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
+            ahead += [(part, names, number, depth) for part in reversed(parts)]
         else:
-            yield _Entity(one, names[0], sort_within(names), f"{kind} {number} on layer {names[0]}")
+            sort = sort_within(tuple(name.lower().replace("hatch", "") for name in names) if kind in FILLED else names)
+            yield _Entity(one, names[0], sort, f"{kind} {number} on layer {names[0]}")
 
 
 def _plan(space: Any, metres: float | None) -> DrawnPlan:
@@ -210,6 +221,8 @@ def _plan(space: Any, metres: float | None) -> DrawnPlan:
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
             width = abs(one.dxf.get(WIDTHS[kind], 0.0)) if kind in WIDTHS else 0.0
             shapes.append(DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width))
+        elif kind in FILLED and sort == "wall":
+            shapes += [DrawnShape(layer, points, True, where, sort) for points in _filled(one) if len(points) > 2]
         elif kind == "LINE":
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "MTEXT"):
@@ -219,6 +232,14 @@ def _plan(space: Any, metres: float | None) -> DrawnPlan:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
     return plan_of_shapes([shape for shape in shapes if shape.points], texts, swings, lambda _: metres, unread)
+
+
+def _filled(one: Any) -> Iterator[tuple[Spot, ...]]:
+    """Yields the outlines of an area, the last point left out where it is the first again."""
+    path = import_module("ezdxf.path")
+    outlines = (each.flattening(math.inf, CHORDS) for each in path.from_hatch(one)) if one.dxftype() == "HATCH" else (one.wcs_vertices(),)
+    for points in map(_spots, outlines):
+        yield points[:-1] if len(points) > 3 and points[0] == points[-1] else points
 
 
 def _spots(points: Iterable[Any]) -> tuple[Spot, ...]:

@@ -1,0 +1,118 @@
+"""DXF that draws walls as areas or multiple lines, and rooms or walls as loose lines: each gives the home that outlines would."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from io import StringIO
+from typing import Any
+
+import ezdxf.filemanagement as files
+import pytest
+
+from solver.imported import PlanImport
+from tests.imports.plans import read
+
+Box = tuple[float, float, float, float]
+WALLS: tuple[Box, ...] = (
+    (0, 0, 8200, 100), (0, 3000, 8200, 3100), (0, 100, 100, 3000), (8100, 100, 8200, 3000), (4050, 100, 4150, 1000),
+    (4050, 1900, 4150, 3000),
+)  # fmt: skip
+"""Around two rooms of 3.95 x 2.9 m, with a gap for a door between; mm."""
+
+
+def corners(box: Box) -> list[tuple[float, float]]:
+    x0, y0, x1, y1 = box
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def plan() -> Any:
+    made: Any = files.new()
+    made.header["$INSUNITS"] = 4
+    made.modelspace().add_line((4100, 1000), (4100, 1900), dxfattribs={"layer": "DOORS"})
+    return made
+
+
+def read_of(made: Any) -> PlanImport:
+    text = StringIO()
+    made.write(text)
+    return read(text.getvalue().encode(), "plan.dxf")
+
+
+def hatches(space: Any, layer: str = "WALLS") -> None:
+    for wall in WALLS:
+        space.add_hatch(dxfattribs={"layer": layer}).paths.add_polyline_path(corners(wall), is_closed=True)
+
+
+def one_hatch_of_edges(space: Any) -> None:
+    paths = space.add_hatch(dxfattribs={"layer": "WALLS"}).paths
+    for wall in WALLS:
+        spots, edges = corners(wall), paths.add_edge_path()
+        for a, b in zip(spots, [*spots[1:], *spots[:1]], strict=True):
+            edges.add_line(a, b)
+
+
+def solids(space: Any) -> None:
+    for wall in WALLS:
+        a, b, c, d = corners(wall)
+        space.add_solid([a, b, d, c], dxfattribs={"layer": "WALLS"})
+
+
+def loose(space: Any, layer: str, *boxes: Box) -> None:
+    for box in boxes:
+        spots = corners(box)
+        for a, b in zip(spots, [*spots[1:], *spots[:1]], strict=True):
+            space.add_line(a, b, dxfattribs={"layer": layer})
+
+
+def with_outlines(space: Any) -> None:
+    hatches(space)
+    loose(space, "WALLS", *WALLS)
+
+
+DRAWN: dict[str, Callable[[Any], None]] = {
+    "hatches": hatches,
+    "hatches on a layer of hatches": lambda space: hatches(space, "A-WALL-HATCH"),
+    "one hatch of edges": one_hatch_of_edges,
+    "solids": solids,
+    "hatches in their outlines": with_outlines,
+    "loose lines of rooms": lambda space: loose(space, "ROOMS", (100, 100, 4050, 3000), (4150, 100, 8100, 3000)),
+}
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_two_rooms_and_their_door_are_read(name: str) -> None:
+    made = plan()
+    DRAWN[name](made.modelspace())
+    answer = read_of(made)
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.05, 3.0)] * 2
+    assert answer.scene.wall_thickness == 0.1 and list(answer.unread) == []
+    assert [len(room.openings) for room in answer.scene.rooms] == [1, 1]
+
+
+def test_walls_of_multiple_lines_are_read() -> None:
+    made = plan()
+    style = {"layer": "WALLS", "scale_factor": 100, "justification": 1}
+    made.modelspace().add_mline([(50, 50), (8150, 50), (8150, 3050), (50, 3050)], close=True, dxfattribs=style)
+    made.modelspace().add_mline([(4100, 50), (4100, 3050)], dxfattribs=style)
+    rooms = read_of(made).scene.rooms
+    assert len(rooms) == 2 and all(room.width == pytest.approx(4.05, abs=0.02) for room in rooms)
+
+
+def test_rooms_whose_lines_are_shared_lie_along_them() -> None:
+    made = plan()
+    loose(made.modelspace(), "ROOMS", (100, 0, 8100, 3000))
+    made.modelspace().add_line((4100, 0), (4100, 3000), dxfattribs={"layer": "ROOMS"})
+    first, second = read_of(made).scene.rooms
+    assert (first.width, second.width, second.x) == (4.0, 4.0, 4.0)
+    assert first.openings[0].connects_to == second.id
+
+
+def test_loose_lines_of_walls_tell_how_thick_outer_walls_are_around_drawn_rooms() -> None:
+    made = plan()
+    inner = (200, 200, 4050, 3000), (4150, 200, 8000, 3000)
+    for box in inner:
+        made.modelspace().add_lwpolyline(corners(box), close=True, dxfattribs={"layer": "ROOMS"})
+    loose(made.modelspace(), "WALLS", *inner, (0, 0, 8200, 3200))
+    scene = read_of(made).scene
+    assert scene.wall_thickness == 0.1
+    assert [room.wall_thickness for room in scene.rooms] == [(0.2, None, 0.2, 0.2), (0.2, 0.2, 0.2, None)]
