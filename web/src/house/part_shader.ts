@@ -2,7 +2,8 @@
  * The materials that all parts share. A part's size, colour and finish are its instance's: the vertex shader makes the
  * solid of its size (rounding and taper are metres, never stretched) and lays the pattern on in metres.
  */
-import { MeshDepthMaterial, NoBlending, NormalBlending, RGBADepthPacking, type WebGLProgramParametersWithUniforms } from "three";
+import { NoBlending, NormalBlending, type ShaderMaterial, type WebGLProgramParametersWithUniforms } from "three";
+import { castingMaterial } from "./casting";
 import { sharedMaterial } from "./shared_materials";
 import { evenly, lightAtCorners, litMaterial, type LitMaterial } from "./lit";
 import { LAMPLIGHT, LAMP_UNIFORMS, lampUniforms, litByLamps } from "./lamps";
@@ -103,18 +104,12 @@ if (vFinish.y + vFinish.z > 0.0) {
 #endif
 }`;
 
-function shapeVertices(shader: WebGLProgramParametersWithUniforms): void {
-  shader.vertexShader = shader.vertexShader
-    .replace("#include <common>", `#include <common>\n${SHAPE}`)
-    .replace("#include <begin_vertex>", "vec3 transformed = partPoint();");
-}
-
 function paint(shader: WebGLProgramParametersWithUniforms): void {
-  shapeVertices(shader);
   Object.assign(shader.uniforms, lampUniforms, { patterns: patternUniform });
   shader.uniforms.patternSpans = { value: patternSpans };
   shader.vertexShader = shader.vertexShader
-    .replace(SHAPE, SHAPE + WEAVE + handedOn())
+    .replace("#include <common>", `#include <common>\n${SHAPE}${WEAVE}${handedOn()}`)
+    .replace("#include <begin_vertex>", "vec3 transformed = partPoint();")
     .replace("#include <beginnormal_vertex>", "vec3 objectNormal = partNormal();")
     .replace("#include <project_vertex>", TO_PIXELS);
   shader.fragmentShader = shader.fragmentShader
@@ -134,17 +129,10 @@ function lit(clear: boolean): LitMaterial {
   return material;
 }
 
-function shadow(): MeshDepthMaterial {
-  const material = new MeshDepthMaterial({ depthPacking: RGBADepthPacking });
-  material.onBeforeCompile = shapeVertices;
-  material.customProgramCacheKey = () => "part shadow";
-  return material;
-}
-
 interface PartMaterials {
   readonly solid: LitMaterial;
   readonly clear: LitMaterial;
-  readonly shadow: MeshDepthMaterial;
+  readonly shadow: ShaderMaterial;
 }
 
 /** The materials of all parts, made once for the life of the page. */
@@ -152,6 +140,6 @@ export function partMaterials(): PartMaterials {
   return {
     solid: sharedMaterial("part", () => lit(false)),
     clear: sharedMaterial("clear part", () => lit(true)),
-    shadow: sharedMaterial("part shadow", shadow),
+    shadow: castingMaterial("part shadow", "partPoint()", SHAPE),
   };
 }

@@ -1,6 +1,7 @@
 /** Draws walls cut at a height: one mesh for all that is solid, one for the glass. */
 import { Group, Mesh } from "three";
 import { clipBelow } from "./boxes";
+import { castingMaterial } from "./casting";
 import { mergeQuads, quadsOf, type ColoredQuad } from "./quad_mesh";
 import type { Room } from "../contract";
 import { finishOf, outerPiecesOf, type Finish, type OuterPanel } from "./finishes";
@@ -50,8 +51,7 @@ export class Walls {
     const stone = this.#panels.flatMap((panel) => facesOf({ ...panel, ...ends }, heightAt(cut, panel.outward, panel.elevation))
       .map((face) => this.#colored(face, panel)));
     const solid = new Mesh(mergeQuads([...stone, ...this.#boxes(cut, ["railing", "frame", "threshold"])]), faceMaterial("wall"));
-    solid.castShadow = true;
-    solid.receiveShadow = true;
+    Object.assign(solid, { castShadow: true, receiveShadow: true, customDepthMaterial: castingMaterial("wall shadow") });
     const panes = new Mesh(mergeQuads(this.#boxes(cut, ["glass"]).map((quad) => ({ ...quad, roughness: PANE_ROUGHNESS }))), faceMaterial("glass", GLASS));
     return new Group().add(solid, panes);
   }
