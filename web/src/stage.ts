@@ -155,7 +155,7 @@ export class Stage {
     return timed("house built", () => {
       this.#house?.dispose();
       const house = (this.#house = new House(scene, this.#book, this.#shownAssets));
-      this.#viewport.add(house.root, house.bounds, house.outline);
+      this.#viewport.add(house.root, house.bounds, house.outline, house.top);
       house.cutAt(this.#looking.cut);
       house.showSolids(!this.#isPlan);
       return house;

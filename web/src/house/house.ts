@@ -138,6 +138,11 @@ export class House {
     return Math.max(0, ...[...this.#storeys.values()].map(({ elevation, height }) => elevation + height));
   }
 
+  /** How high walls and bodies reach above the ground [m]. */
+  get top(): number {
+    return Math.max(this.wallTop, ...this.#bodies.map(({ y, height }) => y + height));
+  }
+
   /** Every body, where it is drawn now. */
   get bodies(): readonly PlacedBody[] {
     return this.#bodies;

@@ -20,8 +20,6 @@ const FULL = 0.7;
 const [DUSK, DARK] = [0.85, 0.35];
 /** Across the sun's rays, from side to side and from low to high: a house is seen from up there longer than deep. */
 const SHADOW_PIXELS = [2048, 1024] as const;
-/** So high above the ground trees, and storeys above others, cast shadows [m]. */
-const TALLEST = 8;
 /** How far beyond the floors things stand or overhang [m]. */
 const MARGIN = 0.5;
 /** Under the floors: a house stands a little above its ground [m]. */
@@ -58,17 +56,23 @@ function groundGeometry(): BufferGeometry {
   return geometry;
 }
 
+/** Black is black, however bright the rest is shown: no pixel works that out. */
+function groundShade(): ShadowMaterial {
+  const material = new ShadowMaterial({ opacity: 0.22, depthWrite: false, toneMapped: false });
+  material.onBeforeCompile = (shader) => { shader.fragmentShader = shader.fragmentShader.replace("#include <colorspace_fragment>", ""); };
+  return material;
+}
+
 /** How a house and its trees lie before the sun, which looks at the house's middle: across its rays. */
-function seenBySun({ min, max }: Box3, centre: Vector3, sun: Vector3): Box3 {
+function seenBySun({ min, max }: Box3, top: number, centre: Vector3, sun: Vector3): Box3 {
   const away = new Matrix4().lookAt(sun, new Vector3(), new Vector3(0, 1, 0)).invert();
-  const top = Math.max(max.y, min.y + TALLEST);
-  const corners = [min.x, max.x].flatMap((x) => [min.y, top].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
+  const corners = [min.x, max.x].flatMap((x) => [min.y + GROUND, top].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
   return new Box3().setFromPoints(corners.map((corner) => corner.sub(centre).applyMatrix4(away))).expandByScalar(MARGIN);
 }
 
 /** The ground on which a house and its trees lie, and where their shadows fall. */
-function shadedBy(bounds: Box3, sun: Vector3): Box3 {
-  const shadow = sun.clone().multiplyScalar(-(TALLEST - GROUND) / sun.y);
+function shadedBy(bounds: Box3, top: number, sun: Vector3): Box3 {
+  const shadow = sun.clone().multiplyScalar((bounds.min.y + GROUND - top) / sun.y);
   const house = bounds.clone().expandByScalar(MARGIN);
   return house.union(house.clone().translate(shadow));
 }
@@ -83,10 +87,10 @@ export class Daylight {
   lamps = 0;
   readonly #side = new DirectionalLight("#d5e3ff", HIGH.side);
   #direction = sunAt(FIRST_HOUR);
-  #bounds: Box3 | null = null;
+  #lit: readonly [bounds: Box3, top: number] | null = null;
   readonly #grass = new Mesh(groundGeometry(), new MeshLambertMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
   /** As large as shadows reach: every pixel of it costs. */
-  readonly #shadows = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), new ShadowMaterial({ opacity: 0.22, depthWrite: false }));
+  readonly #shadows = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), groundShade());
   readonly #ground = new Group().add(this.#grass, this.#shadows);
 
   constructor() {
@@ -116,7 +120,7 @@ export class Daylight {
     this.#side.intensity = LOW.side + (HIGH.side - LOW.side) * share;
     this.sky.lerpColors(LOW.seen, HIGH.seen, share);
     this.lamps = Math.max(0, Math.min(1, (DUSK - share) / (DUSK - DARK)));
-    if (this.#bounds) this.around(this.#bounds);
+    if (this.#lit) this.around(...this.#lit);
   }
 
   /** Shows the ground, or light alone. */
@@ -130,20 +134,20 @@ export class Daylight {
     this.#shadows.visible = !isGrass;
   }
 
-  /** Lights a house and lays the ground around it. */
-  around(bounds: Box3): void {
-    this.#bounds = bounds;
+  /** Lights a house and lays the ground around it, as far as shadows of what reaches up to `top` fall [m]. */
+  around(bounds: Box3, top: number): void {
+    this.#lit = [bounds, top];
     const centre = bounds.getCenter(new Vector3());
     const radius = bounds.getSize(new Vector3()).length() / 2 + 1;
     this.#sun.target.position.copy(centre);
     this.#sun.position.copy(centre).addScaledVector(this.#direction, radius * 2);
     const camera = this.#sun.shadow.camera;
-    const seen = seenBySun(bounds, centre, this.#direction);
+    const seen = seenBySun(bounds, top, centre, this.#direction);
     Object.assign(camera, { left: seen.min.x, right: seen.max.x, top: seen.max.y, bottom: seen.min.y, near: radius * 0.5, far: radius * 3.5 });
     camera.updateProjectionMatrix();
     this.#grass.position.set(centre.x, bounds.min.y + GROUND, centre.z);
     this.#grass.scale.setScalar(radius);
-    const shaded = shadedBy(bounds, this.#direction);
+    const shaded = shadedBy(bounds, top, this.#direction);
     shaded.getCenter(this.#shadows.position).setY(bounds.min.y + GROUND);
     shaded.getSize(this.#shadows.scale).setY(1);
   }

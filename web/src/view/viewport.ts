@@ -131,13 +131,13 @@ export class Viewport {
     this.castShadows();
   }
 
-  /** Shows something new, of which presets show these points; the shadows are cast anew. */
-  add(root: Object3D, bounds: Box3, outline: readonly Vector[]): void {
+  /** Shows something new, of which presets show these points, and which reaches up to `top` [m]; the shadows are cast anew. */
+  add(root: Object3D, bounds: Box3, outline: readonly Vector[], top: number): void {
     this.#scene.add(root);
     this.#bounds = bounds;
     this.#outline = outline;
     this.#controls.maxDistance = FARTHEST * bounds.getSize(new Vector3()).length();
-    this.daylight.around(bounds);
+    this.daylight.around(bounds, top);
     [this.#new, this.#isEmpty] = [true, false];
     this.castShadows();
   }
