@@ -23,6 +23,16 @@ export function shadedOnce(chunk: string): string {
   return chunk.replace(SOFT, "shadow = texture( shadowMap, shadowCoord.xyz );");
 }
 
+/** How bright a colour is shown, by powers. */
+const BY_POWERS = "pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 )";
+/** By roots, which a processor draws sooner than powers: nowhere 0.4 of 255 off. */
+const BY_ROOTS = "0.585122381 * sqrt( value.rgb ) + 0.783140355 * sqrt( sqrt( value.rgb ) ) - 0.368262736 * sqrt( sqrt( sqrt( value.rgb ) ) )";
+
+/** The shader's part for colours with roots in place of powers. */
+export function shownByRoots(chunk: string): string {
+  return chunk.replace(BY_POWERS, BY_ROOTS);
+}
+
 function made(isFine: boolean): WebGLRenderer {
   const renderer = new WebGLRenderer({ alpha: true, antialias: isFine, powerPreference: "low-power" });
   renderer.shadowMap.type = PCFShadowMap;
@@ -36,6 +46,7 @@ export function rendererForMachine(): WebGLRenderer {
     lightPlainly();
     makeCoarsely();
     ShaderChunk.shadowmap_pars_fragment = shadedOnce(ShaderChunk.shadowmap_pars_fragment);
+    ShaderChunk.colorspace_pars_fragment = shownByRoots(ShaderChunk.colorspace_pars_fragment);
     return plain;
   }
   plain.dispose();
