@@ -59,6 +59,18 @@ def test_a_frame_elsewhere_shows_the_home_and_the_page_itself_stays_out(visit: V
     assert [said for said in visit.console if "frame-ancestors" not in said and "422" not in said] == []
 
 
+@pytest.mark.own_page
+def test_a_frame_says_which_words_of_its_address_are_known_to_none(visit: Visit) -> None:
+    page = visit.page
+    page.goto(f"{visit.address}embed#sead=4&program.bedrooms=2")
+    expect(page.locator("#embed_said")).to_contain_text("sead: is not known; seed?")
+    page.goto(f"{visit.address}embed#seed=4&width=12&depth=9&view=above")
+    expect(page.locator("#embed_said")).to_contain_text("view: is not known; allowed: corner, plan, top, walk", ignore_case=True)
+    page.goto(f"{visit.address}embed#seed=4&width=12&depth=9&view=top")
+    expect(page.locator("#embed_said")).to_be_empty()
+    expect(page.locator("#camera_top")).to_have_attribute("aria-pressed", "true")
+
+
 def look_at_frames(visit: Visit) -> None:
     """Looks at a page with both frames."""
     page = visit.page

@@ -97,6 +97,13 @@ export function requestFromQuery(query: string): HouseRequest {
   return withoutGaps(request);
 }
 
+/** The words of a query that no request has, as they are. */
+export function unreadIn(query: string): Readonly<Record<string, string>> {
+  const read = [...NUMBERS, ...SWITCHES, ...TEXTS, ...MAPPINGS, "outline"].flatMap((name) => [name, camelCase(name)]);
+  const isRead = (word: string): boolean => read.includes(word) || MAPPINGS.some((name) => [name, camelCase(name)].some((start) => word.startsWith(`${start}.`)));
+  return Object.fromEntries([...new URLSearchParams(query)].filter(([word]) => !isRead(word)));
+}
+
 /** Leaves out what says nothing: no value, or one that is the service's own default for good. */
 export function withoutGaps(request: HouseRequest): HouseRequest {
   const kept = Object.entries(request).filter(([name, value]) => value !== undefined && UNSAID[name] !== value);

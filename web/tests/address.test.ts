@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { drawing, randomRequest } from "./random_requests";
-import { anotherSeed, DEFAULTS, FIRST, numberOrText, queryFromRequest, requestFromQuery } from "../src/address";
+import { anotherSeed, DEFAULTS, FIRST, numberOrText, queryFromRequest, requestFromQuery, unreadIn } from "../src/address";
 
 describe("the address", () => {
   it("when bare asks for the defaults, spine and outdoor on", () => {
@@ -50,8 +50,11 @@ describe("the address", () => {
     expect(requestFromQuery("?outline=0,0+9,wide").outline).toBe("0,0 9,wide");
   });
 
-  it("ignores what it does not know", () => {
+  it("ignores what it does not know, and tells it apart for who asks", () => {
     expect(requestFromQuery("?colour=red&__proto__=x")).toEqual(FIRST);
+    expect(JSON.stringify(unreadIn("?colour=red&__proto__=x&seed=4&force_types.3=kitchen&forceTypes.4=office&minRoomSize=3&programs.x=1"))).toBe(
+      '{"colour":"red","__proto__":"x","programs.x":"1"}');
+    expect(unreadIn(queryFromRequest({ ...DEFAULTS, ...FIRST, outline: "L", style: "japandi", access: "wheelchair", force_types: { 3: "kitchen" } }))).toEqual({});
   });
 });
 

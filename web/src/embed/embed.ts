@@ -1,16 +1,19 @@
 /** A home in a frame of somebody else's page: looked at and walked through, never changed, and nothing of it is kept. */
-import { requestFromQuery } from "../address";
+import { requestFromQuery, unreadIn } from "../address";
 import type { Scene } from "../contract";
 import { carriedTo } from "../memory/carrying";
 import { catalog, generate, readFile, ServiceProblem } from "../service";
 import { Stage } from "../stage";
 import { refusalWords } from "../panel/field_words";
 import { say, sayDocument } from "../words/language";
-import { framedIn, pageOf, type Framed } from "./embed_address";
+import { framedIn, pageOf, VIEWS, type Framed } from "./embed_address";
 
 function within<T extends HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
+
+/** As the service would say it, which has no views. */
+const NO_VIEW = new ServiceProblem("A field is wrong", "", { fields: [{ field: "view", problem: "is not known", allowed: VIEWS.join(", ") }] });
 
 class Frame {
   readonly #stage = new Stage(within("stage"));
@@ -38,6 +41,7 @@ class Frame {
     within<HTMLAnchorElement>("whole").href = pageOf(framed);
     this.#stage.host.ariaBusy = "true";
     try {
+      if (framed.view === null) throw NO_VIEW;
       const [{ scene, issues }] = await Promise.all([this.#made(framed, signal), this.#known]);
       if (signal.aborted) return;
       this.#said.textContent = "";
@@ -51,7 +55,7 @@ class Frame {
   }
 
   async #made({ query, changes }: Framed, signal: AbortSignal) {
-    const made = await generate(requestFromQuery(query), signal);
+    const made = await generate({ ...requestFromQuery(query), ...unreadIn(query) }, signal); // what no request has, the service says
     if (changes === null) return made;
     const content = JSON.stringify(await carriedTo(changes, made.scene as Scene));
     return readFile({ name: say("The link"), content }, signal);

@@ -1,21 +1,22 @@
 /** The address of a home in a frame: all of it stands behind the `#`, which no server is told. Pure. */
 import type { PresetName } from "../view/cameras";
 
-/** What a frame shows: the query of the home, the changes that a link carries, and how one looks first. */
+/** What a frame shows: the query of the home, the changes that a link carries, and how one looks first, null where that is no way to. */
 export interface Framed {
   readonly query: string;
   readonly changes: string | null;
-  readonly view: PresetName | "walk";
+  readonly view: PresetName | "walk" | null;
 }
 
-const VIEWS = ["corner", "plan", "top", "walk"] as const;
+export const VIEWS = ["corner", "plan", "top", "walk"] as const;
 const VIEW = "view";
 const CHANGES = "changes";
 
 /** Reads a fragment such as `#seed=7&program=family&view=walk`. */
 export function framedIn(fragment: string): Framed {
   const said = new URLSearchParams(fragment.replace(/^#?\??/, ""));
-  const view = VIEWS.find((one) => one === said.get(VIEW)) ?? "corner";
+  const wished = said.get(VIEW) ?? "corner";
+  const view = VIEWS.find((one) => one === wished) ?? null;
   const changes = said.get(CHANGES);
   said.delete(VIEW);
   said.delete(CHANGES);
