@@ -84,4 +84,9 @@ def test_its_numbers_are_explained_and_it_leaves_the_middle_of_the_house_free(vi
         found.evaluate(BOX) for found in (panel.get_by_role("button", name="Close"), panel, page.locator(".stage").first)
     )
     assert around["top"] <= close["top"] and close["bottom"] <= around["bottom"], "Close is seen without scrolling"
+    words = panel.locator("> div").evaluate(BOX)
+    assert words["bottom"] <= close["top"], "Close lies over no words"
+    panel.locator(".ways li").last.scroll_into_view_if_needed()
+    last = panel.locator(".ways li").last.evaluate(BOX)
+    assert last["bottom"] <= words["bottom"] + 1, "the last way can be read wholly"
     assert around["left"] > (stage["left"] + stage["right"]) / 2

@@ -63,7 +63,10 @@ export class WhyPanel {
     cost.className = "hint";
     cost.textContent = COST;
     const hasNumbers = answer.holds.length > 0 || answer.ways.some((way) => way.cost !== null);
-    return [heading, ...notes, ...(hasNumbers ? [cost] : []), ...(answer.holds.length > 0 ? [list] : []), ...ways, close];
+    const words = document.createElement("div");
+    words.tabIndex = 0; // scrolled by keys, too
+    words.append(heading, ...notes, ...(hasNumbers ? [cost] : []), ...(answer.holds.length > 0 ? [list] : []), ...ways);
+    return [words, close];
   }
 
   /** How else it could stand, and what that would have cost; each can be taken. */
