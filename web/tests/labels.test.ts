@@ -34,6 +34,13 @@ describe("a layout beside what lies over the canvas", () => {
     expect([below, beside]).toEqual([{ x: 60, y: 90 }, { x: 300, y: 30 }]);
     expect(layOut([wish(60, 30, 1)], [{ ...bar, height: 400 }])).toEqual([null]);
   });
+
+  it("takes what is shown in any case further than others, clear of all that lies there", () => {
+    const wall = { ...bar, y: 30, height: 90 };
+    expect(layOut([wish(60, 30, 1)], [wall])).toEqual([null]);
+    const [place] = layOut([{ ...wish(60, 30, 1), stays: true }], [wall]);
+    expect(Math.abs((place?.y ?? 30) - 30)).toBeGreaterThanOrEqual(45 + 10);
+  });
 });
 
 describe("what corners enclose", () => {

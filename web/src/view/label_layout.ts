@@ -8,6 +8,8 @@ export interface LabelWish {
   readonly height: number;
   /** The more important is placed first. */
   readonly importance: number;
+  /** It is shown in any case: it goes further, where it must. */
+  readonly stays?: boolean;
 }
 
 export interface LabelPlace {
@@ -16,7 +18,7 @@ export interface LabelPlace {
 }
 
 /** What labels keep clear of: a rectangle around its centre [CSS pixels]. */
-export type Kept = Omit<LabelWish, "importance">;
+export type Kept = Omit<LabelWish, "importance" | "stays">;
 
 /** How large what corners in turn enclose is. */
 export function areaWithin(corners: readonly LabelPlace[]): number {
@@ -30,6 +32,7 @@ export function areaWithin(corners: readonly LabelPlace[]): number {
 const GAP = 3;
 /** Tried in turn, in label heights. */
 const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2, 2.5];
+const FURTHER = [-2.5, 3, -3, 3.5, -3.5, 4, -4];
 
 function covers(a: LabelWish, y: number, b: Kept): boolean {
   return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - b.y) < (a.height + b.height) / 2 + GAP;
@@ -49,7 +52,7 @@ export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = [])
   for (const i of order) {
     const wish = wishes[i];
     if (!wish) continue;
-    const ys = NUDGES.map((nudge) => wish.y + nudge * (wish.height + GAP));
+    const ys = [...NUDGES, ...(wish.stays ? FURTHER : [])].map((nudge) => wish.y + nudge * (wish.height + GAP));
     const y = ys.find((tried) => !taken.some((other) => covers(wish, tried, other)));
     if (y === undefined) continue;
     taken.push({ ...wish, y });

@@ -146,7 +146,7 @@ export class Labels {
     const shown = new Set<LabelElement>();
     for (const wish of asked) {
       const at = places.get(wish);
-      const place = at ?? (wish.keepsDot || wish.label === this.#tip || wish.label === this.#chosen ? wish : null);
+      const place = at ?? (wish.keepsDot || wish.stays ? wish : null);
       wish.label.element.classList.toggle("crowded-out", !at && wish.keepsDot === true);
       if (!place) continue;
       moveTo(wish.label, place.x, place.y);
@@ -178,7 +178,8 @@ export class Labels {
   }
 
   #askedChosen(): Asked[] {
-    return this.#chosen && this.#chosen.id !== this.#pointed ? this.#askedAt([this.#chosen], TIP_LIFT, RANK.chosen) : [];
+    const asked = this.#chosen && this.#chosen.id !== this.#pointed ? this.#askedAt([this.#chosen], TIP_LIFT, RANK.chosen) : [];
+    return asked.map((wish) => ({ ...wish, stays: true }));
   }
 
   /** The pieces' names: all of them, or to who walks those of the room walked in; large and near before small and far. */
@@ -206,6 +207,6 @@ export class Labels {
     const body = this.#pointed === null ? undefined : this.#bodies.get(this.#pointed);
     const at = body ? this.#overBody(body) : null;
     const { width, height } = this.#tip;
-    return at ? [{ label: this.#tip, x: at.x, y: at.y - TIP_LIFT, width, height, importance: RANK.tip }] : [];
+    return at ? [{ label: this.#tip, x: at.x, y: at.y - TIP_LIFT, width, height, importance: RANK.tip, stays: true }] : [];
   }
 }
