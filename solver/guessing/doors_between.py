@@ -42,6 +42,17 @@ def doors_between(rooms: Sequence[Room]) -> Iterator[tuple[int, int, Opening]]:
             yield k, behind, opening
 
 
+def joined_rooms(room: int, joints: Sequence[tuple[int, int, Opening]]) -> set[int]:
+    """Returns the rooms to which one comes from a room through doors, by their places in the list."""
+    found, ahead = {room}, [room]
+    while ahead:
+        here = ahead.pop()
+        new = {b if a == here else a for a, b, _ in joints if here in (a, b)} - found
+        found |= new
+        ahead += sorted(new)
+    return found
+
+
 def _behind(rooms: Sequence[Room], place: int, opening: Opening) -> int | None:
     """Returns the room indoors whose floor is right behind an opening of one room; None where there is none, or it says no wall."""
     found = None if rooms[place].outdoor else _centre(rooms[place], opening)

@@ -5,13 +5,12 @@ Comes in: a Scene whose rooms have their types. Goes out: the Scene with a main 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
 from catalogs import Catalogs
 from solver.guessed import ChosenEntrance
-from solver.guessing.doors_between import doors_between
+from solver.guessing.doors_between import doors_between, joined_rooms
 from solver.scene import EXTERIOR, Opening, Room, Scene
 
 NOT_COME_IN_BY: Final = 100
@@ -39,9 +38,9 @@ def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntran
     )
     if not outside:
         return scene, None
-    entries, reached = [outside[0][1:]], _dwelling(outside[0][1], joints)
+    entries, reached = [outside[0][1:]], joined_rooms(outside[0][1], joints)
     for _, k, j in outside[1:]:
-        own = set() if k in reached else _dwelling(k, joints)
+        own = set() if k in reached else joined_rooms(k, joints)
         if len(own) > 1 and scene.rooms[k].level == scene.rooms[entries[0][0]].level:
             entries.append((k, j))
             reached |= own
@@ -54,17 +53,6 @@ def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntran
     words = f"{door.id} of {first.id} ({first.type}) was taken as the main entrance: {others}"
     words += "".join(f"; and {one.id} of {room.id} ({room.type}), of rooms that no door joins to these" for room, one in more)
     return replace(scene, rooms=tuple(rooms)), ChosenEntrance(door.id, first.id, words)
-
-
-def _dwelling(room: int, joints: Sequence[tuple[int, int, Opening]]) -> set[int]:
-    """Returns the rooms to which one comes from a room through doors, by their places in the list."""
-    found, ahead = {room}, [room]
-    while ahead:
-        here = ahead.pop()
-        new = {b if a == here else a for a, b, _ in joints if here in (a, b)} - found
-        found |= new
-        ahead += sorted(new)
-    return found
 
 
 def _rank(room: Room, opening: Opening, catalogs: Catalogs) -> tuple[int, bool, int, float]:

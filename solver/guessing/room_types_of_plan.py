@@ -11,10 +11,12 @@ from dataclasses import replace
 from catalogs import Catalogs
 from catalogs.room_names import RoomMeaning, room_names_of
 from solver.guessed import RoomGuess
+from solver.guessing.doors_between import doors_between, joined_rooms
 from solver.guessing.room_marks import RoomMarks, marks_of
+from solver.guessing.room_numbers import SEVERAL
 from solver.guessing.suiting import Suiting
 from solver.guessing.types_in_home import TypesInHome
-from solver.scene import Room, Scene, robot_width_of
+from solver.scene import EXTERIOR, Room, Scene, robot_width_of
 
 
 def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None = None) -> tuple[RoomGuess, ...]:
@@ -28,6 +30,35 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
     Returns:
         A guess for each such room; rooms that are called by what we have no type for keep that, and shafts are of none.
     """
+    homes = [scene] if program is not None else _dwellings(scene)
+    guesses = {guess.room: guess for home in homes for guess in _guessed(home, catalogs, program)}
+    return tuple(guesses[room.id] for room in scene.rooms if room.id in guesses)
+
+
+def _dwellings(scene: Scene) -> list[Scene]:
+    """Returns the dwellings of a storey that no door joins: of several rooms each, one of which leads outside; the rest is the first's."""
+    joints = list(doors_between(scene.rooms))
+    inner = {opening.id for _, _, opening in joints}
+    outside = [
+        k for k, room in enumerate(scene.rooms)
+        if not room.outdoor and any(one.kind == "door" and one.connects_to == EXTERIOR and one.id not in inner for one in room.openings)
+    ]  # fmt: skip
+    found: list[set[int]] = []
+    for k in outside:
+        own = set() if any(k in one for one in found) else joined_rooms(k, joints)
+        indoors = sum(not scene.rooms[j].outdoor for j in own)
+        if indoors >= SEVERAL and scene.rooms[k].level == scene.rooms[outside[0]].level:
+            found.append(own)
+    if len(found) < 2:
+        return [scene]
+    others = set[int]().union(*found[1:])
+    rooms = [tuple(room for k, room in enumerate(scene.rooms) if k not in others)]
+    rooms += [tuple(room for k, room in enumerate(scene.rooms) if k in own) for own in found[1:]]
+    return [replace(scene, rooms=own) for own in rooms]
+
+
+def _guessed(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None) -> tuple[RoomGuess, ...]:
+    """Guesses the types of the rooms of one dwelling."""
     names, found = room_names_of(catalogs), dict[str, RoomGuess]()
     marks = marks_of(scene.rooms)
     fixed: dict[int, str] = {}

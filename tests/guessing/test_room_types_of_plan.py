@@ -291,3 +291,21 @@ def test_a_door_to_a_yard_leads_outside_and_one_without_a_wall_nowhere() -> None
     ):
         first, _ = marks_of((Room("a", width=4, depth=3, openings=openings), other))
         assert (first.ways, first.front) == ((), "main" if openings[0].main_entrance else "door")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_each_of_two_dwellings_that_no_door_joins_is_guessed_as_if_it_were_alone(seed: int) -> None:
+    """Two flats of other programmes, side by side; upstairs there is a room more, which is the first one's."""
+
+    def named(plan: Scene, prefix: str, x: float) -> tuple[Room, ...]:
+        def to(one: Opening) -> Opening:
+            inside = one.connects_to not in (None, EXTERIOR)
+            return replace(one, id=prefix + one.id, connects_to=prefix + str(one.connects_to) if inside else one.connects_to)
+
+        return tuple(replace(room, id=prefix + room.id, x=room.x + x, openings=tuple(map(to, room.openings))) for room in plan.rooms)
+
+    first, second = (as_plan(generate(Request(program=name, seed=seed)).scene) for name in ("one_bed", "family"))
+    attic = Room("attic", type="room", level=1, width=4.0, depth=4.0)
+    both = Scene(wall_thickness=0.1, rooms=(*named(first, "a_", 0.0), *named(second, "b_", 30.0), attic))
+    alone = types(replace(first, rooms=(*named(first, "a_", 0.0), attic))) | types(replace(second, rooms=named(second, "b_", 30.0)))
+    assert types(both) == alone
