@@ -75,6 +75,8 @@ def test_a_dropped_yaml_file_is_shown(visit: Visit) -> None:
     assert visit.page.url == visit.address
     expect(visit.page.get_by_role("button", name="Copy link")).to_be_disabled()
     expect(visit.page.locator("#said")).to_contain_text("No link holds this home: save it under Saved homes")
+    words, plan = (visit.page.locator(where).bounding_box() for where in ("#said", "#plan"))
+    assert words and plan and plan["y"] - words["y"] - words["height"] >= 8, "the line beneath does not touch the words"
     furniture = [room["furniture"] for room in scene["rooms"]]
     decorated = visit.after(visit.page.get_by_role("button", name="Decorate current plan").click)["scene"]
     assert [room["furniture"] for room in decorated["rooms"]] == furniture
