@@ -178,22 +178,58 @@ static Span<u8> components_at(const WalkGrid& grid, i64& k, bool& any) {
   return within;
 }
 
+// Adds rows of which one must hold where somebody can come in by a door that blocks cover; false where they do not tell all.
+static bool uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& door) {
+  const i64 grow = grid.state->width - 1;
+  for (i64 k = 0; k < grid.state->blocks; k++) {
+    const NumberedRect& block = grid.blocks[k];
+    bool apart = false, whole = true;
+    for (i64 axis = 0; axis < 2; axis++) {
+      apart |= block.low[axis] > door.high[axis] || block.high[axis] < door.low[axis];
+      whole &= block.low[axis] <= door.low[axis] && block.high[axis] >= door.high[axis];
+    }
+    if (apart || block.number < 0) continue;
+    if (!whole) return false;  // it leaves an end free already, which others cover
+    const Part& part = work.parts[block.number];
+    for (i64 axis = 0; axis < 2; axis++) {
+      const i64 v = part.variable[axis], offset = part.offset[axis];
+      add_wide(work, found, {axis, ORIGIN, v, floor_div(door.low[axis] + grow + 2, 2) - offset});
+      add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - floor_div(door.high[axis] - grow - 1, 2)});
+    }
+  }
+  return true;
+}
+
+// Adds what uncovers the first that is covered of what must be come to; false where nothing is, or the rows do not tell all.
+static bool uncover_first(const Room& room, const Work& work, List<i64>& found, const WalkGrid& grid) {
+  bool any;
+  for (i64 k = 0; k < grid.state->targets;) {
+    const i64 first = k;
+    components_at(grid, k, any);
+    if (any) continue;
+    bool told = k <= room.doors.size;  // sides move with their pieces
+    for (i64 one = first; told && one < k; one++) told = uncover(work, found, grid, grid.targets[one]);
+    if (!told) found.add(UNTOLD);
+    return told;
+  }
+  return false;
+}
+
 // Finds the components that are parted from the others by the fewest links: `best`, or those at something that is not reached. False where
-// no link tells what is wrong: something is covered, or all is reached and too little floor is free.
+// no link tells what is wrong: all is reached, and too little floor is free.
 static bool part_by_fewest(const WalkGrid& grid, const Links& links, Span<u8>& best) {
   i64 fewest = count_parting(links, best);
-  bool told = true, reached = true, any;
+  bool reached = true, any;
   for (i64 k = 0; k < grid.state->targets;) {
     const Span<u8> within = components_at(grid, k, any);
-    told = told && any;
-    if (!any || within[grid.state->entered]) continue;
+    if (within[grid.state->entered]) continue;
     reached = false;
     const i64 count = count_parting(links, within);
     if (count >= fewest) continue;
     best = within;
     fewest = count;
   }
-  return told && !reached;
+  return !reached;
 }
 
 Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, bool all) {
@@ -202,6 +238,7 @@ Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, b
     found.add(UNTOLD);
     return found.all();
   }
+  if (all && uncover_first(room, work, found, grid)) return found.all();
   const Links links = find_links(grid, all);
   Span<u8> within = zeroes<u8>(links.touched.columns);
   within[grid.state->entered] = 1;
