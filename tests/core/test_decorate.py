@@ -17,8 +17,8 @@ from tests.core.test_native_decorate import answer, request
 from tests.decorations.random_rooms import furnished, random_decorating, random_settings, settings_named
 
 KNOWN = load_catalogs()
-GOLDEN = "2aeab41f091c1e541b5af40e8594967c2f173c2a65ad6e007bab0c734f119857"
-"""Of 300 random rooms, half of them decorated at random, recorded when baskets no longer stood on refrigerators."""
+GOLDEN = "48dbb3331b79810df1083e8a1e3e1f7c6a8e42efa3d5f50a63028fab1d1a1fbd"
+"""Of 300 random rooms, half of them decorated at random, recorded when one first walked through garage doors."""
 
 
 def test_random_rooms_are_decorated_as_they_always_were() -> None:
