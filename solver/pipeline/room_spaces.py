@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Final
 
 from catalogs import Catalogs
 from solver.answers import Issue
@@ -17,9 +16,6 @@ from solver.pieces import Doorway, Space, Walked
 from solver.repair import RepairSettings, RoomProblem, Walls
 from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
 from solver.streams import Stream
-
-WIDEST: Final = 1.2
-"""A passage that is wider, m, is an open side of its room (docs/scene.md, blocks_door)."""
 
 
 def spaces_in(scene: Scene) -> Callable[[Room], Space]:
@@ -58,10 +54,8 @@ def as_walked_in(scene: Scene) -> Callable[[RoomProblem], RoomProblem]:
 
 
 def room_problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: RepairSettings) -> RoomProblem:
-    """Returns a room as it is to be repaired; `errors` are its own. Before its open sides things may stay where they were sent."""
+    """Returns a room as it is to be repaired; `errors` are its own."""
     space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
-    open_sides = {one.id for other in scene.rooms for one in other.openings if one.kind == "passage" and one.width > WIDEST}
-    space = replace(space, zones=tuple(zone for zone in space.zones if zone.cause not in open_sides))
     lines = bounds_of(room)
     edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
     return RoomProblem(room, space, Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges)), settings, tuple(errors))

@@ -13,8 +13,6 @@ from solver.validator.world import DOOR_KINDS, Hole, PlacedRoom, World
 
 DOOR_DEPTH: Final = exact(0.9)
 """A door's square is as deep as the door is wide, at most this."""
-WIDEST: Final = exact(1.2)
-"""A wider passage is an open side of its room: one goes through wherever it is free."""
 WINDOW_DEPTH: Final = exact(0.5)
 WINDOW_MARGIN: Final = exact(0.1)
 """What tall pieces leave free before a window, and beside it."""
@@ -30,18 +28,13 @@ class Square(NamedTuple):
 def squares(world: World, place: PlacedRoom) -> Iterator[Square]:
     """Returns the door squares in a room: of its own doors, and of those that only the other room lists."""
     for hole in place.holes:
-        if _keeps_free(hole):
+        if hole.opening.kind in DOOR_KINDS:
             yield Square(hole, hole.edge.strip(hole.edge.start, hole.edge.end, _square_depth(hole)))
     own = {opening.id for opening in place.room.openings}
     for other, hole in world.leading_to.get(place.room.id, ()):
-        if other is not place and hole.opening.id not in own and _keeps_free(hole):
+        if other is not place and hole.opening.id not in own and hole.opening.kind in DOOR_KINDS:
             box = hole.edge.strip(hole.edge.start, hole.edge.end, 0, outwards=_square_depth(hole))
             yield Square(hole, box.moved(other.x - place.x, other.z - place.z))
-
-
-def _keeps_free(hole: Hole) -> bool:
-    kind = hole.opening.kind
-    return kind in DOOR_KINDS and (kind != "passage" or hole.edge.end - hole.edge.start <= WIDEST)
 
 
 def _square_depth(hole: Hole) -> int:

@@ -99,14 +99,3 @@ def test_the_house_is_checked_once_and_then_only_where_it_changed(monkeypatch: p
     assert judged.count(("back_1", "overlap")) == 1, "nothing in it changes"
     assert judged.count(("room_0", "overlap")) > 1
     assert errors(fixed.scene) == []
-
-
-def test_what_stands_in_an_open_side_stays_where_another_piece_is_moved() -> None:
-    """Between two rooms there is a passage of 2 m; a table stands in a half of it, and beside it a chest reaches into the wall."""
-    side = Opening("side", "passage", "east", 1.0, 2.0, connects_to="back_1")
-    table, chest = body("table_1", 5.2, 0.5, (1.4, 0.8, 0.7)), body("chest_1", 2.0, 1.7, (0.6, 0.8, 0.8))
-    hall = Room("room_0", 0, "room", 0, 0.0, 0.0, 6.0, 2.0, openings=(FRONT, side), furniture=(table, chest))
-    back = Room("back_1", 1, "room", 0, 6.0, 0.0, 3.0, 2.0, openings=(replace(side, wall="west", connects_to="room_0"),))
-    fixed = fix(Scene(rooms=(hall, back)))
-    assert [move.id for move in fixed.moves] == [chest.id]
-    assert errors(fixed.scene) == []

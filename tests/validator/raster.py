@@ -148,8 +148,7 @@ def _keep_free(room: Room, opening: Opening, shape: tuple[int, int]) -> Mask:
     side, line, start, end = at_wall(room, opening)
     if opening.kind == "window":
         return zone(side, line, (start - 2, end + 2), 10, shape)
-    is_open_side = opening.kind == "passage" and end - start > 24
-    depth = min(end - start, 18) if opening.kind in ("door", "passage") and not is_open_side else 0
+    depth = min(end - start, 18) if opening.kind in ("door", "passage") else 0
     return zone(side, line, (start, end), depth, shape)
 
 

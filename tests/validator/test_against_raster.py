@@ -59,7 +59,7 @@ def openings(draw: st.DrawFn, room: str, size: tuple[float, float], edges: list[
             edge = draw(st.integers(0, len(edges) - 1))
             place, length = {"edge": edge}, edges[edge]
         kind = draw(st.sampled_from(["door", "passage", "garage_door", "window"]))
-        width = min(draw(st.sampled_from([0.4, 0.6, 0.8, 1.2, 1.6])), length)
+        width = min(draw(st.sampled_from([0.4, 0.6, 0.8, 1.2])), length)
         position = draw(tenths(width / 2 - 0.05, length - width / 2)) if length > width + 0.2 else length / 2
         half_on_raster = round(width * 20) % 2 == 0
         position = round(position * 20) / 20 if half_on_raster else position

@@ -180,11 +180,9 @@ def test_the_wall_of_an_outline_is_the_piece_before_it() -> None:
 
 # --- blocks_door -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("wall", WALLS)
-@pytest.mark.parametrize(
-    ("kind", "width", "deep"),
-    [(kind, *sizes) for kind in ("door", "passage") for sizes in ((0.8, 0.8), (0.9, 0.9), (1.2, 0.9))] + [("door", 1.6, 0.9)],
-)
-def test_a_door_keeps_its_square_free(wall: str, kind: str, width: float, deep: float) -> None:
+@pytest.mark.parametrize(("width", "deep"), [(0.8, 0.8), (0.9, 0.9), (1.6, 0.9)])
+@pytest.mark.parametrize("kind", ["door", "passage"])
+def test_a_door_keeps_its_square_free(wall: str, width: float, deep: float, kind: str) -> None:
     door = opening(wall, 2.0, width=width, kind=kind)
 
     def told(position: float, distance: float) -> list[float]:
@@ -197,17 +195,6 @@ def test_a_door_keeps_its_square_free(wall: str, kind: str, width: float, deep: 
     assert told(2.0 - width / 2 - 0.499, 0.6) == [0.001]
     assert told(2.0 + width / 2 + 0.5, 0.6) == []
     assert told(2.0 + width / 2 + 0.499, 0.6) == [0.001]
-
-
-def test_the_open_side_of_a_room_has_no_square_but_is_gone_through() -> None:
-    """A passage of more than 1.2 m, in which a crate stands: 60 cm beside it are enough, less is not."""
-    for left, shut in ((0.6, False), (0.599, True)):
-        side = opening("south", 2.0, width=2.0, kind="passage", connects_to="room_1")
-        front = opening("north", id="front", connects_to="EXTERIOR", main_entrance=True)
-        crate = piece(3.0 - (2.0 - left) / 2, 3.4, 2.0 - left, 1.0)
-        home = scene(room(crate, openings=(front, side)), room(id="room_1", z=4.0))
-        assert issues(home, "blocks_door") == []
-        assert [issue.room for issue in issues(home, "unreachable")] == ["room_1"] * shut
 
 
 def test_a_garage_door_and_a_window_have_no_square() -> None:
