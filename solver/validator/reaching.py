@@ -22,14 +22,10 @@ LEAST_FLOOR: Final = LEAST_FLOOR_MM2 * (PER_METRE // 1000) ** 2
 
 
 def unreachable(case: RuleCase) -> Iterator[Finding]:
-    """The robot's square cannot come to the room, or to a piece's use side. In a room it cannot come to, pieces go unsaid.
-
-    A room whose walls alone leave too little floor is a warning: nothing that stands there could change it.
-    """
+    """The robot's square cannot come to the room, or to a piece's use side. In a room it cannot come to, pieces go unsaid."""
     world, walk, place = case.world, case.walk, case.room
     if walk.floor(place) < LEAST_FLOOR:
-        is_small = walk.empty_floor(place) < LEAST_FLOOR
-        yield Finding((), world.robot, _room_message(world, walk, place, is_small), "warning" if is_small else None)
+        yield Finding((), world.robot, _room_message(world, walk, place))
         return
     for number, use in used_pieces(place, case.kinds):
         missed = missed_sides(walk, place, number, use)
@@ -54,11 +50,9 @@ def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[
     return missed if use.need == "all" or len(missed) == len(use.sides) else ()
 
 
-def _room_message(world: World, walk: Walk, place: PlacedRoom, is_small: bool) -> str:
+def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
     wide = f"a square of {words(world.robot)}"
     ways = ", ".join(dict.fromkeys(hole.opening.id for hole in walk.entrances))
-    if is_small:
-        return f"{place.room.id} is too small to walk in: empty, too, it has less than 0.25 m2 where {wide} can stand"
     if walk.floor(place, only_entered=False) < LEAST_FLOOR:
         return f"{place.room.id} has less than 0.25 m2 where {wide} can stand"
     if walk.entrances and not walk.comes_in:

@@ -25,7 +25,7 @@ MOST: Final = 400
 """How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
 _WALLS_OF: Final = [frozenset(wall for i, wall in enumerate(WALLS) if bits >> i & 1) for bits in range(1 << len(WALLS))]
 """The walls that the bits of a number mean."""
-_AREAS: Final = Struct("<6Q")
+_AREAS: Final = Struct("<4Q")
 _TAIL: Final = Struct("<3q")
 
 
@@ -34,8 +34,8 @@ class Walk:
     """The walk of one storey: who lives there, and what of its free floor one can come to.
 
     `entrances` are the ways in that were tried; none where the largest free floor stood in for them. `comes_in`: there is floor that
-    one can come to. `tiles`, `cells`: into how many the floor was cut. `areas`: of each room the free centres that can be come to, all,
-    and all of the empty room, in square lattice steps. `sides`: of each room a byte a body. `rows`: the storey as the core reads it.
+    one can come to. `tiles`, `cells`: into how many the floor was cut. `areas`: of each room the free centres that can be come to, and all,
+    in square lattice steps. `sides`: of each room a byte a body. `rows`: the storey as the core reads it.
     """
 
     places: tuple[PlacedRoom, ...]
@@ -43,18 +43,14 @@ class Walk:
     comes_in: bool
     tiles: int
     cells: int
-    areas: Mapping[str, tuple[int, int, int]]
+    areas: Mapping[str, tuple[int, int]]
     sides: Mapping[str, bytes]
     rows: bytes
 
     def floor(self, place: PlacedRoom, only_entered: bool = True) -> int:
         """Returns the area of a room's free centres: those that can be come to, or all."""
-        entered, free, _ = self.areas[place.room.id]
+        entered, free = self.areas[place.room.id]
         return entered if only_entered else free
-
-    def empty_floor(self, place: PlacedRoom) -> int:
-        """Returns the area of a room's free centres, were nothing in it."""
-        return self.areas[place.room.id][2]
 
     def touched(self, place: PlacedRoom, number: int) -> frozenset[str]:
         """Returns which walls the sides of a piece look to that the square can come to touch, its centre within their extent."""
@@ -83,9 +79,8 @@ def walk_of(world: World, placed: Sequence[tuple[PlacedRoom, bytes]]) -> Walk:
     told = ask("walk_storey", rows)
     at = _AREAS.size * len(places)
     areas, sides = {}, {}
-    for place, halves in zip(places, _AREAS.iter_unpack(told[:at]), strict=True):
-        entered, free, empty = (high << 64 | low for high, low in zip(halves[::2], halves[1::2], strict=True))
-        areas[place.room.id] = (entered, free, empty)
+    for place, (high, low, free_high, free_low) in zip(places, _AREAS.iter_unpack(told[:at]), strict=True):
+        areas[place.room.id] = (high << 64 | low, free_high << 64 | free_low)
     for place in places:
         end = at + place.count_bodies()
         sides[place.room.id] = told[at:end]

@@ -272,11 +272,6 @@ class House:
         corners_in = self.reached[:-1, :-1] & self.reached[1:, :-1] & self.reached[:-1, 1:] & self.reached[1:, 1:]
         return float((corners_in & self.centres[room][:-1, :-1]).sum()) * STEP**2
 
-    def empty_area(self, room: str) -> float:
-        """The area of the centres that are clear of a room's walls, with all doors walled up and nothing in it, m2."""
-        centres = self.centres[room]
-        return float((centres[:-1, :-1] & centres[1:, :-1] & centres[:-1, 1:] & centres[1:, 1:]).sum()) * STEP**2
-
     def touches(self, room: Room, body: Thing, side: str) -> bool:
         """Whether the square touches a side of the unrotated piece: front, back, left or right."""
         turns = {"front": 0, "right": 90, "back": 180, "left": 270}[side]

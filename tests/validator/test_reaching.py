@@ -140,18 +140,6 @@ def test_a_room_needs_a_quarter_square_metre_of_free_centres(side: float, reache
     assert all("0.25 m2" in issue.message and issue.amount == 0.6 for issue in told)
 
 
-def test_a_room_too_small_even_empty_is_a_warning_and_one_too_full_an_error() -> None:
-    """A toilet of 0.9 x 1.8 m, walls of 10 cm: 0.2 x 1.1 m for the middle of 60 cm; of 40 cm 0.52 m2, but for the pan."""
-    pan = piece(0.45, 0.4, 0.4, 0.7, id="pan", name="toilet", rotation=180)
-    closet = room(pan, width=0.9, depth=1.8, openings=(opening("south", 0.45, width=0.7, connects_to="EXTERIOR"),))
-    small = issues(scene(closet, wall_thickness=0.1), "unreachable")
-    assert [(one.severity, one.ids) for one in small] == [("warning", ())]
-    assert issues(scene(replace(closet, furniture=()), wall_thickness=0.1), "unreachable") == small
-    assert [one.severity for one in issues(scene(closet, wall_thickness=0.1, request={"robot_width": 0.4}), "unreachable")] == ["error"]
-    full = issues(scene(room(piece(2.0, 2.0, 3.4, 3.4))), "unreachable")
-    assert [(one.severity, one.ids) for one in full] == [("error", ())]
-
-
 def test_the_way_in_is_the_main_entrance_then_any_outside_door_then_the_largest_patch() -> None:
     def split(**doors: Any) -> Scene:
         wall = piece(1.5, 2.0, 0.2, 4.0, id="wall")

@@ -147,7 +147,6 @@ WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& pl
   WalkedRoom found;
   for (const Rect& own : clear_centres(storey, placed)) {
     const Rect box = moved(own, placed.x, placed.z);
-    found.empty.add_product(box.width(), box.depth());
     look_at(walk, box, [&](const Grid& tile, const CellWindow& at) {
       for (i32 i = at.x0; i < at.x1; i++) {
         i64 entered = 0, any = 0;

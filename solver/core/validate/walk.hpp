@@ -37,11 +37,10 @@ struct Walk {
 Storey read_storey(Reader& reader);
 Walk walk_of(const Storey& storey);
 
-// The area of a room's free centres: those that can be come to, all, and all of the empty room. What lies in doorways does not count.
+// The area of a room's free centres: those that can be come to, and all. What lies in doorways does not count.
 struct WalkedRoom {
   Area entered;
   Area any;
-  Area empty;
 };
 WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& placed);
 
