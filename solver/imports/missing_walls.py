@@ -6,7 +6,7 @@ Comes in: rooms' edges, walls, openings, mm. Goes out: `Joined` passages; corner
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes
@@ -26,19 +26,8 @@ AlongWall = tuple[int, int]
 
 def passages(rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], found: Sequence[Joined], notes: PlanNotes) -> list[Joined]:
     """Returns passages where two rooms meet and no wall is drawn between them; none where the file draws no walls at all."""
-    made: list[Joined] = []
-    for edge, other, (low, high) in unwalled(rooms, walls, found):
-        walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
-        made.append(Joined(_drawn(edge, low, high), low, high, walls_of, None, None))
-        notes.change("join", f"passage_{len(made) - 1}", (high - low) / 1000, "no wall is drawn between two rooms: a passage")
-    return made
-
-
-def unwalled(
-    rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], found: Sequence[Joined] = ()
-) -> Iterator[tuple[PlanEdge, PlanEdge, AlongWall]]:
-    """Yields the edges of two rooms that meet, and from where to where neither a wall nor an opening of those found is drawn."""
     edges = [edge for room in rooms for edge in room] if walls else []
+    made: list[Joined] = []
     for edge in (one for one in edges if one.out > 0):
         for other in edges:
             if (other.axis, other.out) != (edge.axis, -edge.out) or other.room == edge.room:
@@ -53,7 +42,10 @@ def unwalled(
             ]
             for low, high in _left(span, sorted(part for part in taken if part)):
                 if high - low >= NARROWEST:
-                    yield edge, other, (low, high)
+                    walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
+                    made.append(Joined(_drawn(edge, low, high), low, high, walls_of, None, None))
+                    notes.change("join", f"passage_{len(made) - 1}", (high - low) / 1000, "no wall is drawn between two rooms: a passage")
+    return made
 
 
 def _drawn(edge: PlanEdge, low: int, high: int) -> DrawnOpening:

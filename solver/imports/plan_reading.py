@@ -26,7 +26,6 @@ from solver.imports.in_millimetres import in_millimetres, of_one_level
 from solver.imports.joining import PlacedDrawing, joined
 from solver.imports.line_growing import grown, usual_gap
 from solver.imports.missing_walls import passages, without_niches
-from solver.imports.open_borders import with_borders_moved
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import straightened, tell_of
@@ -176,8 +175,6 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
     """Returns rooms along wall lines, and the scene's thickness of walls, mm; outer walls of another say so."""
     levels, depths = [room.drawn.level for room in rooms], WallDepths((*plan.walls, *plan.solid), plan.faces)
     made, thickness = _lines_of(plan, rooms, depths, notes)
-    corners = with_borders_moved(made, plan, (thickness + 1) // 2, notes)
-    made = [replace(room, corners=own) for room, own in zip(made, corners, strict=True)]
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
     own = outer_thicknesses(depths, edges, levels, thickness)
     return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness
