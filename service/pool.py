@@ -188,10 +188,15 @@ def end_with_parent() -> None:
 
 
 def _each(part: Sequence[Any]) -> list[Any]:
+    try:
+        return _made(part)
+    except KeyboardInterrupt:
+        os._exit(1)
+
+
+def _made(part: Sequence[Any]) -> list[Any]:
     _Work.under_way = True
     try:
         return [_Work.make(job) for job in part]
-    except KeyboardInterrupt:
-        os._exit(1)
     finally:
-        _Work.under_way = False
+        _Work.under_way = False  # an interrupt at this very line is an error of the job to the pool, which would wait for ever

@@ -287,6 +287,26 @@ def test_what_an_ended_process_was_at_is_done_again(tmp_path: Path, by: signal.S
     assert list(spread(partial(ends_once, tmp_path, by), range(20), 2, nothing, 2)) == [job * job for job in range(20)]
 
 
+def test_an_interrupt_at_the_end_of_a_job_ends_its_process() -> None:
+    code = (
+        "from service import pool\n"
+        "class Told(type):\n"
+        "    def __setattr__(cls, name, value):\n"
+        "        if value is False:\n"
+        "            raise KeyboardInterrupt\n"
+        "        super().__setattr__(name, value)\n"
+        "class Work(metaclass=Told):\n"
+        "    make = staticmethod(abs)\n"
+        "pool._Work = Work\n"
+        "try:\n"
+        "    pool._each([-1])\n"
+        "except KeyboardInterrupt:\n"
+        "    print('taken for an error of the job')\n"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=GUARD_S)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (1, "", "")
+
+
 def test_a_shard_is_made_without_pandas_and_what_needs_it_later_finds_it(tmp_path: Path) -> None:
     code = (
         "import sys\n"
