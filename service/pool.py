@@ -72,6 +72,8 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
                 if lost > MOST_LOST:
                     problem = "the processes ended again and again before anything was done, as for want of memory"
                     raise FieldError("--workers", problem, "fewer processes; what is done is kept") from None
+                for process in list(pool._processes.values()):  # one that was just being started, the pool does not end, but waits for
+                    process.terminate()
                 pools.close()
                 pool = _opened(pools, workers, make, start)
                 pending = deque((part, future if _is_done(future) else None) for part, future in pending)
