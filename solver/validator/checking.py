@@ -35,7 +35,7 @@ ROOM_WORK: Final = 150
 
 @dataclass(frozen=True)
 class _Judged:
-    """A room as it was checked, and its issues by rule."""
+    """A room as it was checked, and its issues by those rules that it breaks."""
 
     case: RuleCase
     issues: Mapping[str, tuple[Issue, ...]]
@@ -121,16 +121,18 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
                 demand(ROOM_WORK + FINDING_WORK * case.findings)
             judged[place.room.id] = _judge(case, known.get(place.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)
-    found = (issue for one in rooms for rule in CHECKS for issue in one.issues[rule])
+    found = (issue for one in rooms if one.issues for rule in CHECKS for issue in one.issues.get(rule, ()))
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)
 
 
 def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
     """Judges a room; of what is known already of the same room nothing that still holds is checked again."""
+    if known is None:
+        return _Judged(case, issues_of(case.due(CHECKS), case))
     open_again = set[str]()
-    if known and known.case.walk is not case.walk:
+    if known.case.walk is not case.walk:
         open_again.add("unreachable")
-    if known and known.case.world.scene.certificate is not case.world.scene.certificate:
+    if known.case.world.scene.certificate is not case.world.scene.certificate:
         open_again.add(_OF_THE_CERTIFICATE)
-    kept = {rule: found for rule, found in known.issues.items() if rule not in open_again} if known else {}
-    return _Judged(case, {rule: kept[rule] if rule in kept else issues_of(rule, case) for rule in CHECKS})
+    kept = {rule: found for rule, found in known.issues.items() if rule not in open_again}
+    return _Judged(case, {**kept, **issues_of(open_again, case)})

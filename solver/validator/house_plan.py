@@ -5,6 +5,7 @@ Comes in: a house's rooms and holes. Goes out: findings. May import: scene. Bodi
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
 
 from solver.demanded import demand
@@ -12,7 +13,7 @@ from solver.scene import EXTERIOR, Opening
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import ExactBox, words
 from solver.validator.walk import DEEPEST_WALL
-from solver.validator.world import OPPOSITE, PAIR_WORK, Hole, HouseWall, PlacedRoom, World
+from solver.validator.world import LINE_OF, OPPOSITE, PAIR_WORK, Hole, HouseWall, PlacedRoom, World
 
 
 def rooms_overlap(case: RuleCase) -> Iterator[Finding]:
@@ -75,7 +76,7 @@ def _shared(one: Sequence[ExactBox], other: Sequence[ExactBox], wall: int) -> tu
 
 def _leaves_its_wall(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
     side, line, start, end = hole.edge
-    over = _uncovered(start, end, [(one.start, one.end) for one in place.edges if (one.side, one.line) == (side, line)])
+    over = _uncovered(start, end, [one[2:] for one in place.edges if one.line == line and one.side == side])
     return (over, f"reaches {words(over)} beyond its wall") if over > 0 else None
 
 
@@ -134,8 +135,9 @@ def _beyond(world: World, place: PlacedRoom, hole: Hole) -> list[HouseWall]:
     line = cut.line + (place.z if cut.runs_east else place.x)
     low, high = (line - DEEPEST_WALL, line) if cut.side in ("north", "west") else (line, line + DEEPEST_WALL)
     walls = world.walls.get((place.room.level, OPPOSITE[cut.side]), ())
-    demand(PAIR_WORK * len(walls))
-    return [wall for wall in walls if low <= wall.line <= high and wall.start < end and start < wall.end and wall.place is not place]
+    first, last = bisect_left(walls, low, key=LINE_OF), bisect_right(walls, high, key=LINE_OF)
+    demand(PAIR_WORK * (last - first))
+    return [wall for wall in walls[first:last] if wall.start < end and start < wall.end and wall.place is not place]
 
 
 def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:

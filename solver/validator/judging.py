@@ -5,7 +5,7 @@ Comes in: a room, and what the core found in it. Goes out: to each rule the rows
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from struct import Struct
@@ -60,6 +60,10 @@ class RuleCase:
     def findings(self) -> int:
         """How often the core finds rules broken; not all of it where that is more than the call may have put into words."""
         return len(self._found) // _FINDING.size
+
+    def due(self, rules: Iterable[str]) -> Iterable[str]:
+        """Returns the rules that the room may break: without those that the core judges, where it finds nothing."""
+        return rules if self.findings else [rule for rule in rules if rule not in JUDGED]
 
     @cached_property
     def told(self) -> Mapping[str, Sequence[Told]]:

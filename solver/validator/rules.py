@@ -5,7 +5,7 @@ Comes in: a room to be judged. Goes out: issues. May import: scene.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
 from solver.answers import Issue
@@ -14,7 +14,7 @@ from solver.scene_bodies import home_of
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
 from solver.validator.house_plan import opening_wrong, rooms_overlap
-from solver.validator.judging import JUDGED, Finding, RuleCase
+from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
@@ -56,11 +56,10 @@ CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__nam
 """How every rule is checked in one room: by the function of its name."""
 
 
-def issues_of(rule: str, case: RuleCase) -> tuple[Issue, ...]:
-    """Lists what breaks one rule in one room."""
-    if not case.findings and rule in JUDGED:
-        return ()
-    return tuple([_issue(rule, case.room.room.id, found) for found in CHECKS[rule](case)])
+def issues_of(rules: Iterable[str], case: RuleCase) -> dict[str, tuple[Issue, ...]]:
+    """Lists what breaks rules in one room, by those of them that something breaks."""
+    found = ((rule, tuple([_issue(rule, case.room.room.id, one) for one in CHECKS[rule](case)])) for rule in rules)
+    return {rule: issues for rule, issues in found if issues}
 
 
 def homeless(scene: Scene) -> Iterator[Issue]:

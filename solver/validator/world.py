@@ -5,9 +5,10 @@ Comes in: a scene. Goes out: a `World`. May import: scene.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import itemgetter
 from typing import Final, NamedTuple, TypeAlias
 
 from solver.body_rows import (
@@ -32,6 +33,7 @@ KindKey: TypeAlias = BodyKey | Look
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
+_TURNS_TO: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
 FLAT: Final = exact(0.02)
 """Rugs and mats: what is no higher is not a body (docs/scene.md)."""
@@ -68,10 +70,10 @@ class PlacedRoom:
     holes: tuple[Hole, ...]
     people: tuple[Dynamic, ...]
 
-    @property
-    def edges(self) -> Iterator[WallEdge]:
+    @cached_property
+    def edges(self) -> Sequence[WallEdge]:
         """The pieces of its wall line."""
-        return (edge for edge in self.outline.edges if edge is not None)
+        return [edge for edge in self.outline.edges if edge is not None]
 
     @cached_property
     def pieces(self) -> Sequence[tuple[KindKey, float]]:
@@ -103,6 +105,10 @@ class HouseWall(NamedTuple):
     place: PlacedRoom
 
 
+LINE_OF: Final = itemgetter(0)
+"""The line of a `HouseWall`."""
+
+
 @dataclass(frozen=True)
 class World:
     """A whole scene. `half_wall` is half a wall's thickness, `robot` the side of the square that walks."""
@@ -119,12 +125,13 @@ class World:
 
     @cached_property
     def walls(self) -> Mapping[tuple[int, str], Sequence[HouseWall]]:
-        """The wall lines by the storey and the wall that they are."""
+        """The wall lines by the storey and the wall that they are, by where they lie."""
         found: dict[tuple[int, str], list[HouseWall]] = {}
         for place in self.places:
             for edge in place.edges:
-                line, start, end = edge.moved(place.x, place.z)[1:]
-                found.setdefault((place.room.level, edge.side), []).append(HouseWall(line, start, end, place))
+                found.setdefault((place.room.level, edge.side), []).append(HouseWall(*edge.moved(place.x, place.z)[1:], place))
+        for walls in found.values():
+            walls.sort(key=LINE_OF)
         return found
 
     @cached_property
@@ -191,7 +198,7 @@ def turns_of(rotation: float) -> int:
 
 def side_of(rotation: float, name: str) -> str:
     """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) of a body looks in the room."""
-    return SIDES[(turns_of(rotation) + {"front": 0, "right": 1, "back": 2, "left": 3}[name]) % 4]
+    return SIDES[(turns_of(rotation) + _TURNS_TO[name]) % 4]
 
 
 def _hole(opening: Opening, outline: Outline) -> Hole | None:
