@@ -224,6 +224,7 @@ static bool part_by_fewest(const WalkGrid& grid, const Links& links, Span<u8>& b
     const Span<u8> within = components_at(grid, k, any);
     if (within[grid.state->entered]) continue;
     reached = false;
+    if (!any) continue;  // covered: no link leads to it
     const i64 count = count_parting(links, within);
     if (count >= fewest) continue;
     best = within;
