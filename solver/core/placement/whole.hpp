@@ -34,7 +34,7 @@ struct WholeRoom {
 //   walk: whether doors and use sides must be joined.
 WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk);
 
-// The same, walked in, with the widest ways between its doors that do not cost it its furniture; each width may cost the budget.
+// The same, walked in, with the widest ways between its doors that are worth what they cost; each width may cost the budget.
 // `spent`: the work of all widths is added there.
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent);
 
