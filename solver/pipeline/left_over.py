@@ -13,7 +13,7 @@ from functools import cached_property
 from solver.answers import Conflict, Issue
 from solver.pipeline.judged_again import judged_again
 from solver.placement import Budget
-from solver.repair import Repair, RepairSettings, all_bodies, seated_along, without
+from solver.repair import RepairSettings, all_bodies, seated_along, without
 from solver.scene import Room, Scene
 from solver.scene_bodies import people_in
 from solver.validator import Checked
@@ -70,21 +70,26 @@ class _LeftOver:
         if issue.rule == "unreachable" and here:
             words = f"not found: out of reach as long as other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
-        return Conflict(issue.ids, self._why(issue), _leaving(self.house, issue, self.budget))
+        return Conflict(
+            issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in issue.ids if self._is_due_to(one, issue))
+        )
 
     def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
         """Returns the conflicts about a body that leaves its own room and shuts a way in this one."""
         if issue.rule != "unreachable":
             return ()
         outside = {label for other in self.house.errors if other.rule == "out_of_bounds" for label in other.ids}
-        tried = {
-            label: _house_without(self.house, label, self.budget)
-            for conflict in self.conflicts
-            for label in conflict.ids
-            if label in outside
-        }
-        shuts = {label for label, trial in tried.items() if trial and not _is_left(trial, issue)}
+        members = dict.fromkeys(label for conflict in self.conflicts for label in conflict.ids)
+        shuts = {label for label in members if label in outside and self._is_due_to(label, issue)}
         return [conflict for conflict in self.conflicts if shuts.intersection(conflict.ids)]
+
+    def _is_due_to(self, label: str, issue: Issue) -> bool:
+        """Tells whether an error ends where a body is left out."""
+        if label not in self._left_without:
+            trial = _house_without(self.house, label, self.budget)
+            self._left_without[label] = None if trial is None else frozenset((other.rule, other.ids) for other in trial.errors)
+        left = self._left_without[label]
+        return left is not None and (issue.rule, issue.ids) not in left
 
     def _why(self, issue: Issue) -> str:
         if issue.ids and self._locked.issuperset(issue.ids):
@@ -92,6 +97,11 @@ class _LeftOver:
         if issue.rule == "unreachable" and issue.ids:
             return f"not found: it can stand, but no way was found to reach it: {issue.message}"
         return f"not found: no repair for this: {issue.message}"
+
+    @cached_property
+    def _left_without(self) -> dict[str, frozenset[tuple[str, tuple[str, ...]]] | None]:
+        """The rules, and whose they are, of the errors without each body that was tried; None where the budget was spent."""
+        return {}
 
     @cached_property
     def _explained(self) -> frozenset[str]:
@@ -124,16 +134,6 @@ def _has_no_way_in(scene: Scene, name: str | None) -> bool:
     """Tells whether no opening of a room, or of another into it, lets anybody in."""
     leading = {label for room in scene.rooms for one in room.openings if one.kind in WAYS_IN for label in (room.id, one.connects_to)}
     return name is not None and len(scene.rooms) > 1 and name not in leading
-
-
-def _leaving(house: Checked, issue: Issue, budget: Budget) -> tuple[Repair, ...]:
-    """Returns which of an issue's bodies ends it by being left out."""
-    helps = (label for label in issue.ids if (trial := _house_without(house, label, budget)) and not _is_left(trial, issue))
-    return tuple({"action": "leave_out", "id": label} for label in helps)
-
-
-def _is_left(house: Checked, issue: Issue) -> bool:
-    return any((other.rule, other.ids) == (issue.rule, issue.ids) for other in house.errors)
 
 
 def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None:

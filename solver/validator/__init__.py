@@ -10,7 +10,8 @@ from solver.validator.accessibility import access_of
 from solver.validator.alone import RoomAlone, room_alone
 from solver.validator.checking import Checked, check, validate
 from solver.validator.floor import floors
+from solver.validator.judging import FINDING_WORK
 from solver.validator.metrics import metrics
 from solver.validator.rules import RULES
 
-__all__ = ["RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]
+__all__ = ["FINDING_WORK", "RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]

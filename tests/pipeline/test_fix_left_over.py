@@ -6,10 +6,14 @@ from dataclasses import replace
 
 import pytest
 
+from catalogs import load_catalogs
 from solver import Scene, fix
+from solver.demanded import demanding_at_most
+from solver.pipeline.left_over import LEAVING_WORK, unexplained
+from solver.repair import RepairSettings
 from solver.scene import Dynamic, Opening, Room
-from solver.validator import Checked
-from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces
+from solver.validator import Checked, check
+from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of
 from tests.sweeps import seeds
 from tests.told_forms import is_told
 
@@ -115,3 +119,21 @@ def test_who_stands_in_the_way_of_all_is_named_and_may_be_left_out() -> None:
     fixed = fix(standing)
     assert [conflict.ids for conflict in fixed.conflicts] == [("one",)]
     assert errors(fix(standing, on_conflict="remove").scene) == []
+
+
+def test_each_body_of_a_heap_is_tried_once_not_once_for_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What is wrong counts each time: forty bodies upon one another are never more than may be judged."""
+    house = check(room_of(*(body(f"box_{k}", 2.0, 2.0, (0.5, 0.5, 0.5)) for k in range(40))), load_catalogs())
+    judged: list[Scene] = []
+    after = Checked.after
+
+    def noted(self: Checked, scene: Scene) -> Checked:
+        judged.append(scene)
+        return after(self, scene)
+
+    monkeypatch.setattr(Checked, "after", noted)
+    with demanding_at_most(1.2 * LEAVING_WORK):
+        told = unexplained(house, (), RepairSettings(load_catalogs()))
+    assert len(told) == len(house.errors) == 40 * 39 / 2
+    assert 10 < len(judged) < 40
+    assert told[0].repairs == ({"action": "leave_out", "id": "room_0/box_0"}, {"action": "leave_out", "id": "room_0/box_1"})
