@@ -18,7 +18,7 @@ from solver.repair import RoomProblem, holders, pieces_as_sent, without, written
 from solver.scene import Room
 
 ROUNDS = 3
-"""Times a room that cannot be repaired whole is repaired again, until nothing changes any more."""
+"""Times a room that cannot be repaired whole is repaired again, until nothing changes any more; as long as fewer are left out, more."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +65,8 @@ def repair_room(problem: RoomProblem) -> RoomRepair:
     asked = without(problem.room, misplaced) if misplaced and problem.settings.remove else problem.room
     trial = replace(problem, room=asked)
     pieces, arrangement = _placed(trial, () if problem.settings.remove else misplaced)
-    unplaced = tuple(label for label, _ in arrangement.left_out)
     room = written_back(trial, arrangement.placed)
-    found = RoomRepair(problem, room, asked, pieces, unplaced, misplaced)
+    found = RoomRepair(problem, room, asked, pieces, _labels_left_out(arrangement), misplaced)
     return found if found.whole or problem.settings.remove else until_nothing_changes(found)
 
 
@@ -79,17 +78,20 @@ def unchanged(problem: RoomProblem) -> RoomRepair:
 def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
     """Returns a repair as a further repair would leave it: repeated until nothing changes, or else the room as sent.
 
-    Where the call's work is spent, it stays as it is.
+    Where the call's work is spent, it stays as the best of them.
     """
-    settled = replace(repair.problem, room=repair.room, settings=replace(repair.problem.settings, previous={}))
-    for _ in range(ROUNDS):
+    settled, best = replace(repair.problem, room=repair.room, settings=replace(repair.problem.settings, previous={})), repair
+    rounds = ROUNDS
+    while rounds:
         if is_call_spent():
-            return repair
+            return best
         _, arrangement = _placed(settled, repair.misplaced)
-        room = written_back(settled, arrangement.placed)
-        if room == settled.room:
-            return replace(repair, room=room, unplaced=repair.unplaced if arrangement.left_out else ())
-        settled = replace(settled, room=room)
+        last = replace(repair, room=written_back(settled, arrangement.placed), unplaced=_labels_left_out(arrangement))
+        if last.room == settled.room:
+            return last
+        is_better = len(last.unplaced) < len(best.unplaced) and (last.unplaced != () or is_repaired(settled, arrangement))
+        best, rounds = (last, ROUNDS) if is_better else (best, rounds - 1)
+        settled = replace(settled, room=last.room)
     return replace(repair, room=repair.asked)
 
 
@@ -125,6 +127,10 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
 def is_repaired(problem: RoomProblem, arrangement: Arrangement) -> bool:
     """Tells whether all pieces of a room stand and can be used, or at least stand where nobody can walk in it anyway."""
     return is_whole(arrangement) or not (arrangement.left_out or _is_walked_in(problem))
+
+
+def _labels_left_out(arrangement: Arrangement) -> tuple[str, ...]:
+    return tuple(label for label, _ in arrangement.left_out)
 
 
 def _is_walked_in(problem: RoomProblem) -> bool:
