@@ -9,12 +9,13 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 
 from solver.answers import Issue
+from solver.demanded import demand
 from solver.scene import Scene
 from solver.scene_bodies import home_of
 from solver.validator.crossing import shapes_cross
 from solver.validator.floating import floating
 from solver.validator.house_plan import opening_wrong, rooms_overlap
-from solver.validator.judging import Finding, RuleCase
+from solver.validator.judging import FINDING_WORK, JUDGED, Finding, RuleCase
 from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
 from solver.validator.reaching import unreachable
@@ -57,9 +58,16 @@ CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__nam
 
 
 def issues_of(rules: Iterable[str], case: RuleCase) -> dict[str, tuple[Issue, ...]]:
-    """Lists what breaks rules in one room, by those of them that something breaks."""
-    found = ((rule, tuple([_issue(rule, case.room.room.id, one) for one in CHECKS[rule](case)])) for rule in rules)
+    """Lists what breaks rules in one room, by those of them that something breaks; what the core found was counted before."""
+    found = ((rule, tuple([_issue(rule, case.room.room.id, one) for one in _found(rule, case)])) for rule in rules)
     return {rule: issues for rule, issues in found if issues}
+
+
+def _found(rule: str, case: RuleCase) -> Iterator[Finding]:
+    for one in CHECKS[rule](case):
+        if rule not in JUDGED:
+            demand(FINDING_WORK)
+        yield one
 
 
 def homeless(scene: Scene) -> Iterator[Issue]:

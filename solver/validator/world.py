@@ -137,19 +137,18 @@ class World:
     @cached_property
     def beside(self) -> Mapping[int, Sequence[PlacedRoom]]:
         """By the `id` of each room those listed after it on its storey that share some of its extent from west to east."""
-        found: dict[int, list[tuple[int, PlacedRoom]]] = {}
-        open_: dict[int, list[tuple[int, int, PlacedRoom]]] = {}
+        found: dict[int, list[int]] = {}
+        open_: dict[int, list[tuple[int, int]]] = {}
         spans = [(place.outline.bounds.x0 + place.x, place.outline.bounds.x1 + place.x) for place in self.places]
         for number in sorted(range(len(spans)), key=lambda number: spans[number]):
-            place, (west, east) = self.places[number], spans[number]
-            level = place.room.level
+            (west, east), level = spans[number], self.places[number].room.level
             still = [one for one in open_.get(level, ()) if one[0] > west]
             demand(PAIR_WORK * len(still))
-            for _, other_number, other in still:
-                first, later = sorted(((number, place), (other_number, other)), key=lambda one: one[0])
-                found.setdefault(id(first[1]), []).append(later)
-            open_[level] = [*still, (east, number, place)]
-        return {key: [place for _, place in sorted(later, key=lambda one: one[0])] for key, later in found.items()}
+            for _, other in still:
+                first, later = (number, other) if number < other else (other, number)
+                found.setdefault(first, []).append(later)
+            open_[level] = [*still, (east, number)]
+        return {id(self.places[first]): [self.places[number] for number in sorted(later)] for first, later in found.items()}
 
     @cached_property
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:
