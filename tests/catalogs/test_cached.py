@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 from unittest import mock
 
@@ -14,12 +14,13 @@ from catalogs.schema import Catalogs
 
 
 @pytest.fixture(autouse=True)
-def fresh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """A cache folder of its own, and nothing known yet."""
+def fresh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A cache folder of its own, and nothing known yet.
+
+    Other tests go on with the catalogs that they had: what is kept by them is looked up by comparing them, at length where they are others.
+    """
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    cached._ours.cache_clear()
-    yield
-    cached._ours.cache_clear()
+    monkeypatch.setattr(cached, "_ours", lru_cache(maxsize=1)(cached._ours.__wrapped__))
 
 
 def loaded() -> Catalogs:
