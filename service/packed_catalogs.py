@@ -14,41 +14,50 @@ from typing import Final, cast
 from catalogs import Catalogs
 from solver.core import load_core
 
-
-def packed(catalogs: Catalogs) -> bytes:
-    """Packs catalogs for the way to a worker."""
-    return pickle.dumps(catalogs, pickle.HIGHEST_PROTOCOL)
-
-
 KNOWN: Final[dict[str, Catalogs]] = {}
-"""The last catalogs that were sent to this process, by their mark."""
+"""The last catalogs that this process packed or was sent, by their mark."""
+
+KEPT: Final = 8
+"""How many of them."""
 
 YOUNG: Final = 50_000
 """Objects made, beyond those gone, until cycles are looked for: a home holds some ten thousand and makes no cycle."""
 
 
+def packed(catalogs: Catalogs) -> bytes:
+    """Packs catalogs for the way to a worker."""
+    content = pickle.dumps(catalogs, pickle.HIGHEST_PROTOCOL)
+    _keep(mark_of(content), catalogs)
+    return content
+
+
+@lru_cache(maxsize=KEPT)
 def mark_of(catalogs: bytes) -> str:
     """Returns a mark of packed catalogs: it is sent in their place, as they are large beside a request."""
     return sha256(catalogs).hexdigest()
 
 
-@lru_cache(maxsize=1)
 def unpacked(catalogs: bytes) -> Catalogs:
-    """Unpacks catalogs; those of the last call are kept."""
-    found = cast(Catalogs, pickle.loads(catalogs))
-    KNOWN.clear()
-    KNOWN[mark_of(catalogs)] = found
-    return found
+    """Unpacks catalogs; where this process packed or unpacked them of late, the very same.
+
+    What is worked out from catalogs is kept by them: it is found at once for the same ones, and by comparing all they hold for equal ones.
+    """
+    mark = mark_of(catalogs)
+    if mark not in KNOWN:
+        _keep(mark, cast(Catalogs, pickle.loads(catalogs)))
+    return KNOWN[mark]
+
+
+def _keep(mark: str, catalogs: Catalogs) -> None:
+    KNOWN.pop(mark, None)
+    KNOWN[mark] = catalogs
+    if len(KNOWN) > KEPT:
+        del KNOWN[next(iter(KNOWN))]
 
 
 def warm(catalogs: bytes) -> None:
     """Does nothing but load what calls need; the collector of cycles leaves that alone from then on."""
     unpacked(catalogs)
-    ready()
-
-
-def ready() -> None:
-    """Loads the core; the collector of cycles leaves all that is loaded alone from then on."""
     load_core()
     gc.collect()
     gc.freeze()

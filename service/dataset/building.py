@@ -11,11 +11,11 @@ from time import process_time
 from typing import NamedTuple
 
 from service.dataset.card import write_card
-from service.dataset.dataset_plan import DatasetPlan, Shard, known_catalogs
+from service.dataset.dataset_plan import DatasetPlan, Shard
 from service.dataset.manifest import claim, is_done, records_of, sweep, widened, write_manifest
 from service.dataset.shards import make_shard, record_path
 from service.dataset.varied_requests import OURS
-from service.packed_catalogs import ready
+from service.packed_catalogs import warm
 from service.pool import spread
 from service.progress import progress
 from service.standard_streams import say
@@ -67,7 +67,7 @@ def build(plan: DatasetPlan, seeds: tuple[int, int], workers: int, address: str 
 def _made(plan: DatasetPlan, todo: Sequence[Shard], workers: int, address: str | None) -> Iterator[tuple[Document, float]]:
     make = partial(_shard, plan)
     if address is None:
-        made = spread(make, todo, min(workers, len(todo)), partial(_warm, plan.catalogs[OURS]))
+        made = spread(make, todo, min(workers, len(todo)), partial(warm, plan.catalogs[OURS]))
     else:
         from service.dataset.on_ray import on_cluster  # noqa: PLC0415 - an extra
 
@@ -76,11 +76,6 @@ def _made(plan: DatasetPlan, todo: Sequence[Shard], workers: int, address: str |
         if isinstance(done, ComposeError):
             raise done
         yield done
-
-
-def _warm(catalogs: bytes) -> None:
-    known_catalogs(catalogs)
-    ready()
 
 
 def _shard(plan: DatasetPlan, shard: Shard) -> tuple[Document, float] | ComposeError:

@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs, load_catalogs
 from service.dataset.varied_requests import OURS, VariedRequest
-from service.packed_catalogs import packed
+from service.packed_catalogs import packed, unpacked
 from solver import generate
 from solver.answers import Issue
 from solver.errors import ComposeError, FieldError
@@ -113,7 +112,7 @@ class DatasetPlan:
     def home(self, seed: int) -> MadeHome:
         """Makes a seed's home; one that cannot be made says why, and is kept."""
         document, catalog = self.requests.drawn(seed)
-        return made_home(document, catalog, known_catalogs(self.catalogs[catalog]))
+        return made_home(document, catalog, unpacked(self.catalogs[catalog]))
 
 
 def made_home(document: Mapping[str, Any], catalog: str, catalogs: Catalogs) -> MadeHome:
@@ -144,15 +143,6 @@ def again(row: Mapping[str, Any], catalogs: Catalogs) -> tuple[Any, str, Catalog
 def request_text(request: Request) -> str:
     """Returns a request with its seed as one line of JSON."""
     return FORMATS[JSON].dump(write_request(request)).strip()
-
-
-@lru_cache(maxsize=8)
-def known_catalogs(content: bytes) -> Catalogs:
-    """Unpacks catalogs once in a process."""
-    import pickle  # noqa: PLC0415
-
-    catalogs: Catalogs = pickle.loads(content)
-    return catalogs
 
 
 def packed_all(catalogs: Mapping[str, Catalogs]) -> dict[str, bytes]:

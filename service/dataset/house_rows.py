@@ -11,7 +11,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 from typing import Any, Final
 
-from service.dataset.dataset_plan import JSON, DatasetPlan, MadeHome, known_catalogs, request_text
+from service.dataset.dataset_plan import JSON, DatasetPlan, MadeHome, request_text
+from service.packed_catalogs import unpacked
 from solver.exchange import FORMATS
 from solver.exports import packed
 from solver.pipeline.export import export_each
@@ -77,7 +78,7 @@ def members_of(plan: DatasetPlan, home: MadeHome) -> Iterator[tuple[tarfile.TarI
         return
     if JSON in plan.formats:
         yield _member(f"{home.request.seed}.{JSON}", home.text)
-    catalogs = known_catalogs(plan.catalogs[home.catalog])
+    catalogs = unpacked(plan.catalogs[home.catalog])
     written = export_each(home.scene, plan.exported, catalogs, home.issues, "light")
     for format, files in written.items():
         name, _, content = packed(files, format, "")

@@ -23,9 +23,10 @@ from typing import Final
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from service.dataset.dataset_plan import DatasetPlan, MadeHome, Shard, known_catalogs, split_of
+from service.dataset.dataset_plan import DatasetPlan, MadeHome, Shard, split_of
 from service.dataset.house_rows import house_row, members_of
 from service.dataset.table_schemas import SCHEMAS
+from service.packed_catalogs import unpacked
 from solver.errors import FieldError, system_words
 from solver.exports.table_rows import Row, rows_of
 from solver.plain import Document
@@ -104,7 +105,7 @@ class _ShardFiles:
         row = house_row(self.plan, home, split)
         tables = {"houses": [tuple(map(row.get, SCHEMAS["houses"].names))]}
         if home.scene is not None:
-            catalogs = known_catalogs(self.plan.catalogs[home.catalog])
+            catalogs = unpacked(self.plan.catalogs[home.catalog])
             tables |= rows_of(home.scene, catalogs)
             if self.plan.exported:
                 archive = self._archive(split)

@@ -23,7 +23,7 @@ from starlette.types import Message
 from catalogs import load_catalogs
 from service import calls, workers
 from service.app import ComposeApp
-from service.packed_catalogs import mark_of, packed, unpacked
+from service.packed_catalogs import KNOWN, mark_of, packed
 from service.refusals import Busy, TooLong
 from service.server import listening
 from service.service_settings import Settings
@@ -361,9 +361,9 @@ def job(body: bytes) -> Job:
 def test_catalogs_are_sent_by_their_mark_to_a_process_that_knows_them() -> None:
     ours = packed(load_catalogs())
     marked = replace(job(b'{"scene": {"rooms": []}}'), catalogs=mark_of(ours))
-    assert isinstance(do(replace(marked, catalogs="0" * 64)), UnknownCatalogs)
-    unpacked.cache_clear()
-    assert isinstance(do(job(b"{}")), Response)
+    KNOWN.clear()
+    assert isinstance(do(marked), UnknownCatalogs)
+    assert isinstance(do(replace(marked, catalogs=ours)), Response)
     assert isinstance(do(marked), Response)
 
 
