@@ -60,6 +60,21 @@ def test_a_property_with_a_slip_of_the_pen_is_said_to_be_left_out() -> None:
     assert answer.unread == ({"place": "features[1].properties", "reason": "no property is called 'hieght'; height?"},)
 
 
+def test_ids_names_and_levels_are_taken_as_maps_write_them() -> None:
+    """Numbers for ids, in the properties or beside them; names by language; storeys in quotes, the lower one the one that is taken."""
+    kitchen = {**box("", 0, 0, 4, 3, level="-1"), "id": 7}
+    kitchen["properties"]["name"] = {"en": "Kitchen", "de": "Küche"}
+    cellar = box("Living room", 4, 0, 9, 3, level="-1", id=0)
+    upper = {**box("Office", 0, 0, 4, 3, level="0"), "id": True}
+    upper["properties"]["id"] = "own"
+    answer = read(collection(kitchen, cellar, upper, unit="m"))
+    assert [(room.type, room.level) for room in answer.scene.rooms] == [("kitchen", -1), ("living_room", -1)]
+    assert [one["place"] for one in answer.unread] == ["level 0"]
+    door = {**line("door", (1, 0), (1.9, 0)), "id": 12}
+    assert opening(read(collection(*TWO, door, unit="m")).scene.rooms[0], "12").kind == "door"
+    assert read(collection(upper, unit="m")).scene.rooms[0].type == "office"
+
+
 def test_y_points_up_unless_it_is_said_to_point_down() -> None:
     door = line("door", (1, 0), (1.9, 0))
     up, down = (opening(read(collection(*TWO, door, y=way)).scene.rooms[0], "door_0") for way in ("up", "down"))

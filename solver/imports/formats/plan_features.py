@@ -7,6 +7,7 @@ docs/plans.md tells all of it.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
@@ -38,6 +39,8 @@ A_DEGREE: Final = (111_320.0, 110_574.0)
 """How long a degree is at the equator, to the east and to the north, m."""
 FEW_DEGREES: Final = 0.005
 """No plan is so small in any unit, but one in degrees."""
+WHOLE: Final = re.compile(r"-?\d{1,3}")
+"""A storey's number in letters."""
 KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
 OWN: Final = ("kind", "name", "type", "id", "level")
@@ -105,11 +108,12 @@ def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tup
     """Yields what each feature says of itself, its geometry, its place; those of several geometries as often as they have."""
     for number, feature in enumerate(a_list(document.get("features"), "features")):
         where = f"features[{number}]"
-        said = an_object(an_object(feature, where).get("properties") or {}, f"{where}.properties")
-        if "geometry" in feature and feature["geometry"] is None:
+        outer = an_object(feature, where)
+        said = _told({"id": outer.get("id"), **an_object(outer.get("properties") or {}, f"{where}.properties")})
+        if "geometry" in outer and outer["geometry"] is None:
             unread.append(Unread(where, "it has no geometry"))
             continue
-        shape = an_object(feature.get("geometry"), f"{where}.geometry")
+        shape = an_object(outer.get("geometry"), f"{where}.geometry")
         form = MANY.get(shape["type"]) if isinstance(shape.get("type"), str) else None
         if form is None:
             yield said, shape, where
@@ -119,6 +123,18 @@ def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tup
         for at, part in enumerate(parts):
             own = {**said, "id": f"{said['id']}_{at}"} if at and isinstance(said.get("id"), str) else said
             yield own, {"type": form, "coordinates": part}, where
+
+
+def _told(said: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Returns what a feature says of itself in our words: maps number their features and storeys, and name rooms by language."""
+    made = dict(said)
+    if isinstance(made["id"], int | float) and not isinstance(made["id"], bool):
+        made["id"] = str(made["id"])
+    if isinstance(made.get("name"), Mapping):
+        made["name"] = next((word for word in made["name"].values() if word), None)
+    if isinstance(made.get("level"), str) and WHOLE.fullmatch(made["level"]):
+        made["level"] = int(made["level"])
+    return made
 
 
 def _from_degrees(plan: DrawnPlan) -> DrawnPlan:
