@@ -138,7 +138,7 @@ def plan_of_shapes(
         ]  # fmt: skip
     else:
         found, thick, told = rooms_between(
-            [points for points, _ in outlines], [*doors, *openings], length or told_by_doors([*doors, *openings])
+            [points for points, _ in outlines], [*doors, *openings], told_by_doors([*doors, *openings], length)
         )
         rooms = [replace(room, label=_label(room.points, texts)) for room in found]
     left = Counter(one.names for one, sort in zip(shapes, sorts, strict=True) if sort is None)

@@ -71,21 +71,34 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
 
 def _corrected(metres: float, words: str, door: float | None, notes: PlanNotes) -> float:
     """Returns the length of the unit that a file says, m; where no door is so wide, of the one in which doors are as wide as doors."""
-    others = [] if door is None or POSSIBLE_DOORS[0] <= door * metres <= POSSIBLE_DOORS[1] else _within(door, DOOR_WIDTHS)
-    if len(others) == 1 and door is not None:
+    other = None if door is None or _may_be(door * metres) else _one_within(door)
+    if other is not None and door is not None:
         said = f"the file says a unit of {metres:.5g} m, but doors' median width would be {door * metres:.3g} m"
-        notes.guess("plan", "unit", others[0], f"{said}; it is {door * UNITS[others[0]]:.2f} m in {others[0]}")
-        return UNITS[others[0]]
+        notes.guess("plan", "unit", other, f"{said}; it is {door * UNITS[other]:.2f} m in {other}")
+        return UNITS[other]
     if words:
         notes.guess("plan", "unit", f"{metres:.5g}", words)
     return metres
 
 
-def told_by_doors(openings: Sequence[DrawnOpening]) -> float | None:
-    """Returns the length of the unit in which doors are as wide as doors, m; None where no one is."""
+def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> float | None:
+    """Returns the length of the unit, m: what is said, but where no door is so wide the one in which doors are as wide as doors."""
     doors = [math.dist(one.start, one.end) for one in openings if one.kind == "door"]
-    found = _within(median(doors), DOOR_WIDTHS) if doors else []
-    return UNITS[found[0]] if len(found) == 1 else None
+    if not doors or (said is not None and _may_be(median(doors) * said)):
+        return said
+    found = _one_within(median(doors))
+    return said if found is None else UNITS[found]
+
+
+def _may_be(door: float) -> bool:
+    """Tells whether doors' median width may be so many metres."""
+    return POSSIBLE_DOORS[0] <= door <= POSSIBLE_DOORS[1]
+
+
+def _one_within(door: float) -> str | None:
+    """Returns the one unit in which a door is as wide as doors, None where there is none or more."""
+    found = _within(door, DOOR_WIDTHS)
+    return found[0] if len(found) == 1 else None
 
 
 def _within(size: float, limits: tuple[float, float]) -> list[str]:

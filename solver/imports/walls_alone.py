@@ -30,7 +30,7 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     walls = [one for one in plan.walls if one.thickness > 0 and math.dist(one.start, one.end) > 0]
     if plan.rooms or not walls:
         return plan
-    unit = metres or plan.metres or told_by_doors(plan.openings)
+    unit = metres or told_by_doors(plan.openings, plan.metres)
     rooms: list[DrawnRoom] = []
     unread = list(plan.unread)
     for level in sorted({one.level for one in walls}):

@@ -116,3 +116,28 @@ def test_loose_lines_of_walls_tell_how_thick_outer_walls_are_around_drawn_rooms(
     scene = read_of(made).scene
     assert scene.wall_thickness == 0.1
     assert [room.wall_thickness for room in scene.rooms] == [(0.2, None, 0.2, 0.2), (0.2, 0.2, 0.2, None)]
+
+
+def in_one_layer_of_openings(space: Any, by: float) -> None:
+    """Walls as loose lines, the door as a leaf with its arc on a layer that holds all openings."""
+    loose(space, "A-WALL", *((x0 * by, y0 * by, x1 * by, y1 * by) for x0, y0, x1, y1 in WALLS))
+    leaf = {"layer": "A-OPENING"}
+    space.add_line((4100 * by, 1000 * by), (5000 * by, 1000 * by), dxfattribs=leaf)
+    space.add_arc((4100 * by, 1000 * by), 900 * by, 0, 90, dxfattribs=leaf)
+
+
+def test_an_arc_among_openings_is_the_way_of_a_doors_leaf() -> None:
+    made: Any = files.new()
+    made.header["$INSUNITS"] = 4
+    in_one_layer_of_openings(made.modelspace(), 1.0)
+    first, second = read_of(made).scene.rooms
+    assert [(one.kind, one.width, one.connects_to, one.hinge) for one in first.openings] == [("door", 0.9, second.id, "end")]
+
+
+def test_rooms_are_looked_for_in_the_unit_that_doors_tell_where_the_file_says_a_wrong_one() -> None:
+    made: Any = files.new()
+    made.header["$INSUNITS"] = 4
+    in_one_layer_of_openings(made.modelspace(), 1 / 25.4)
+    answer = read_of(made)
+    assert [(guess["what"], guess["taken"]) for guess in answer.guesses if guess["what"] == "unit"] == [("unit", "in")]
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.05, 3.0)] * 2

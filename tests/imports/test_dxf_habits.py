@@ -40,7 +40,20 @@ def binary(made: Any) -> bytes:
     return stream.getvalue()
 
 
+def with_surfaces() -> Any:
+    """The two rooms with a roof and a ground, which are POLYLINEs too, on the rooms' own layer."""
+    made = drawing()
+    space = made.modelspace()
+    ground, roof = space.add_polymesh((2, 2), dxfattribs={"layer": "Räume"}), space.add_polyface(dxfattribs={"layer": "Räume"})
+    for row in range(2):
+        for column in range(2):
+            ground.set_mesh_vertex((row, column), (9.0 * row, 9.0 * column, 0.0))
+    roof.append_face([(0, 0, 3), (8, 0, 3), (8, 3, 3)])
+    return made
+
+
 FILES = {
+    "with surfaces": lambda: text_of(with_surfaces()).encode(),
     "utf-8": lambda: text_of(drawing()).encode(),
     "binary": lambda: binary(drawing()),
     "binary of R12": lambda: binary(drawing("R12", scale=1000.0)),

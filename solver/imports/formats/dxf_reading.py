@@ -36,6 +36,8 @@ DEEPEST: Final = 8
 """Blocks within blocks."""
 
 
+SWUNG: Final = ("door", "passage")
+"""What a leaf's arc is drawn as: some layers hold all openings."""
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
@@ -43,6 +45,8 @@ FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
 MULTI: Final = "MLINE"
 """Several lines beside one another, as walls are drawn."""
 CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
+MESHES: Final = frozenset({"Polyface", "Polymesh"})
+"""Kinds of POLYLINE that are surfaces."""
 WIDTHS: Final = {"LWPOLYLINE": "const_width", "POLYLINE": "default_start_width"}
 """What says how thick a line is drawn."""
 SHUT: Final = 1e-4
@@ -213,10 +217,10 @@ def _plan(space: Any, metres: float | None) -> DrawnPlan:
     passed: Counter[tuple[str, str]] = Counter()
     for one, layer, sort, where in _opened(space):
         kind = one.dxftype()
-        if kind == "ARC" and sort == "door":
+        if kind == "ARC" and sort in SWUNG:
             hinge, first, last = _spots((one.ocs().to_wcs(one.dxf.center), one.start_point, one.end_point))
             swings.append(DrawnSwing(hinge, (first, last), where))
-        elif kind in CURVED and (sort is not None or "POLYLINE" in kind):
+        elif kind in CURVED and (sort is not None or "POLYLINE" in kind) and type(one).__name__ not in MESHES:
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
             width = abs(one.dxf.get(WIDTHS[kind], 0.0)) if kind in WIDTHS else 0.0
