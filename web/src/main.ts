@@ -91,9 +91,8 @@ class Page {
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#reading.onChoose = (id, adds) => this.#chooseInText(id, adds);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
-    this.#issues.onChoose = (id) => this.#goTo(id);
+    this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
-    this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onFailure = (reason) => this.#asking.notice.show(reason);
     new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), (reason) => this.#asking.notice.show(reason));
@@ -270,17 +269,21 @@ class Page {
     }
   }
 
-  /** Furnishes a room anew, in turn with the edits: none made before or meanwhile is lost. */
-  #reroll(room: string): void {
-    void this.#asking.run(say("Furnishing the room anew"), async (signal) => {
+  /** Makes something of the home that is shown, as a step in turn with the edits: none made before or meanwhile is lost. */
+  #inTurn(said: string, make: (scene: Scene, signal: AbortSignal) => Promise<GenerateAnswer>): void {
+    void this.#asking.run(said, async (signal) => {
       await this.#workbench.editor.inTurn(async () => {
         const before = this.#home.settled?.scene;
         if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing } = await reroll(before, [room], signal);
+        const { scene, issues, timing_ms: timing } = await make(before, signal);
         this.#home.show({ scene, issues, conflicts: [], timing }, "step");
       });
       await this.#reads;
     });
+  }
+
+  #reroll(room: string): void {
+    this.#inTurn(say("Furnishing the room anew"), (scene, signal) => reroll(scene, [room], signal));
   }
 
   /** Shows a room as it was chosen among others, unless the home has changed since. */
@@ -302,16 +305,12 @@ class Page {
     });
   }
 
-  /** Furnishes the rooms that stand empty, in turn with the edits. */
+  /** Furnishes the rooms that stand empty, and says what they were taken for. */
   #furnish(): void {
-    void this.#asking.run(say("Furnishing empty rooms"), async (signal) => {
-      await this.#workbench.editor.inTurn(async () => {
-        const before = this.#home.settled;
-        if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing } = await furnish(before.scene, [], signal);
-        this.#home.show({ scene, issues, conflicts: [], timing }, "step");
-      });
-      await this.#reads;
+    this.#inTurn(say("Furnishing empty rooms"), async (scene, signal) => {
+      const made = await furnish(scene, [], signal);
+      this.#imported.guessed(made, scene);
+      return made;
     });
   }
 
@@ -321,6 +320,7 @@ class Page {
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { ...(await report(drawn, [], signal)), scene: drawn, timing_ms: 0, guesses: [], entrance: null };
       this.#drawing.close();
       this.#home.show({ scene: made.scene, issues: made.issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
+      this.#imported.show(null);
       this.#imported.guessed(made, drawn);
       await this.#reads;
     });

@@ -178,20 +178,53 @@ describe("the notice", () => {
 describe("a file that was read", () => {
   const answer = (more: object) => ({ scene: scene([]), format: "svg", changes: [], guesses: [], unread: [], issues: [], understood_as: {}, ...more });
 
-  it("is told of by what was guessed, left out and changed, as text", () => {
+  const told = (list: HTMLElement): (string | null)[] => [...list.querySelectorAll("h3, li")].map((one) => one.textContent);
+
+  function reported(): { host: HTMLElement; list: HTMLElement; report: ImportReport } {
     document.body.innerHTML = "<details hidden><div></div></details>";
     const [host, list] = [document.querySelector("details"), document.querySelector("div")] as [HTMLElement, HTMLElement];
-    const report = new ImportReport(host, list);
+    return { host, list, report: new ImportReport(host, list) };
+  }
+
+  it("is told of by what was guessed, left out and changed, as text", () => {
+    const { host, list, report } = reported();
     report.show(answer({
       changes: [{ step: "straighten", of: "a", amount: 0.01, message: "was moved" }],
       unread: [{ place: "objects[2]", reason: "<b>is unknown</b>" }],
     }));
     expect(host.hidden).toBe(false);
-    expect([...list.querySelectorAll("h3, li")].map((one) => one.textContent)).toEqual(["Left out (1)", "objects[2]: <b>is unknown</b>", "Changed (1)", "a: was moved"]);
+    expect(told(list)).toEqual(["Left out (1)", "objects[2]: <b>is unknown</b>", "Changed (1)", "a: was moved"]);
     report.show(answer({}));
     expect(host.hidden).toBe(true);
     report.show(null);
     expect(list.children).toHaveLength(0);
+  });
+
+  it("calls the plan so, and what was left out of a room as things are called", () => {
+    const { list, report } = reported();
+    report.show(answer({
+      scene: scene([room("a", [0, 0, 4, 4])]),
+      guesses: [{ of: "plan", what: "wall thickness", taken: "0.1", message: "the file does not say how thick walls are" }],
+      unread: [{ place: "a/table_2", reason: "cannot stand" }],
+    }));
+    expect(told(list)).toEqual(["Guessed (1)", "Plan, wall thickness: 0.1; the file does not say how thick walls are", "Left out (1)", "Table 2: cannot stand"]);
+  });
+
+  it("says what a plan's rooms were taken for once they are furnished, before the rest of its file", () => {
+    const { host, list, report } = reported();
+    const plan = scene([room("a", [0, 0, 4, 4], { type: "room" }), room("b", [4, 0, 4, 4], { type: "room" })]);
+    const kitchen = { guesses: [{ room: "a", type: "kitchen", by: "form" as const, sent: "room", instead: null, message: "" }], entrance: null };
+    const unsaid = { what: "type", taken: "room", message: "the file does not say what it is" };
+    report.show(answer({ scene: plan, guesses: [{ of: "a", ...unsaid }, { of: "b", ...unsaid }], unread: [{ place: "objects[2]", reason: "is unknown" }] }));
+    report.guessed(kitchen, plan);
+    const second = "B, type: room; the file does not say what it is";
+    expect(told(list)).toEqual(["Guessed (2)", "Room 1: Kitchen, told by its form", second, "Left out (1)", "objects[2]: is unknown"]);
+    report.guessed({ guesses: [], entrance: null }, plan);
+    expect(told(list)).toHaveLength(5);
+    report.show(null); // another home
+    expect(host.hidden).toBe(true);
+    report.guessed(kitchen, plan);
+    expect(told(list)).toEqual(["Guessed (1)", "Room 1: Kitchen, told by its form"]);
   });
 });
 

@@ -2,7 +2,7 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { DEFAULTS } from "../src/address";
 import { fieldWords } from "../src/panel/field_words";
-import { brokenOf, countsOf, totalMs, unfurnishedOf } from "../src/panel/status";
+import { brokenOf, countsOf, totalMs, unfurnishedOf, unfurnishedWords } from "../src/panel/status";
 import type { Issue } from "../src/contract";
 import { generate, problemFrom, ServiceProblem, view } from "../src/service";
 import { opening, piece, room, scene } from "./rooms";
@@ -86,6 +86,13 @@ describe("the status", () => {
     const home = scene(rooms, { certificate: { rooms: { c: { proven: true } } } });
     expect([...unfurnishedOf(home)]).toEqual(["a"]);
     expect(brokenOf([lacks("a"), other, lacks("b"), lacks("c")], home)).toEqual([other, lacks("b"), lacks("c")]);
+  });
+
+  it("offers to furnish a plan whose rooms lack nothing, since none has a known type", () => {
+    const rooms = [room("a", [0, 0, 4, 4], { type: "room" }), room("b", [0, 4, 4, 4], { type: "room" })];
+    expect(unfurnishedWords([], scene(rooms))).toBe("Not furnished yet");
+    expect(unfurnishedWords([], scene(rooms, { certificate: { rooms: { a: { proven: true } } } }))).toBe("");
+    expect(unfurnishedWords([], scene([]))).toBe("");
   });
 
   it("takes the total time, or sums the stages", () => {

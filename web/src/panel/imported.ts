@@ -5,13 +5,17 @@ import { roomNames } from "./room";
 import { capital, say, sayDecimals } from "../words/language";
 import { tell, tellPlainly, tellSentence } from "../words/telling";
 
-/** The list's parts, those with nothing to say left out. */
-export function importLines({ scene, changes, guesses, unread }: ImportAnswer): { readonly title: string; readonly lines: readonly string[] }[] {
+/** What was said of a file; a plan that was drawn has nothing of it. */
+type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread">;
+
+/** The list's parts, those with nothing to say left out; `first` of what was guessed, more than the file did. */
+export function importLines({ scene, changes, guesses, unread }: Read, first: readonly string[] = []): { readonly title: string; readonly lines: readonly string[] }[] {
   const known = new Set(scene.rooms.flatMap((room) => [room, ...room.furniture, ...room.decorations, ...room.openings].map(({ id }) => id)));
-  const called = (of: string): string => (known.has(of) ? tellSentence(of, scene) : tellPlainly(of));
+  const isOfScene = (of: string): boolean => known.has(of) || known.has(of.split("/")[0] ?? ""); // what was left out of a room is in none
+  const called = (of: string): string => (of === "plan" ? say("Plan") : isOfScene(of) ? tellSentence(of, scene) : tellPlainly(of));
   const told = (words: string): string => tell(words, scene);
   const parts = [
-    { title: say("Guessed"), lines: guesses.map(({ of, what, taken, message }) => `${called(of)}, ${told(what)}: ${sayDecimals(told(taken))}; ${told(message)}`) },
+    { title: say("Guessed"), lines: [...first, ...guesses.map(({ of, what, taken, message }) => `${called(of)}, ${told(what)}: ${sayDecimals(told(taken))}; ${told(message)}`)] },
     { title: say("Left out"), lines: unread.map(({ place, reason }) => `${called(place)}: ${told(reason)}`) },
     { title: say("Changed"), lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? tellSentence(message, scene) : `${called(of)}: ${told(message)}`)) },
   ];
@@ -32,17 +36,23 @@ export function guessLines({ guesses, entrance }: Pick<FurnishAnswer, "guesses" 
 }
 
 export class ImportReport {
+  #read: ImportAnswer | null = null;
+
   constructor(readonly host: HTMLElement, readonly list: HTMLElement) {}
 
   /** Shows what there is to say of a file; null: nothing was read. */
   show(answer: ImportAnswer | null): void {
+    this.#read = answer;
     this.#list(say("What the file became"), answer ? importLines(answer) : []);
   }
 
-  /** Shows what was guessed of a plan that was furnished. */
+  /** Shows what was guessed of a plan that was furnished, before what was said of its file. */
   guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance">, plan: Scene): void {
     const lines = guessLines(answer, plan);
-    this.#list(say("What the plan became"), lines.length > 0 ? [{ title: say("Guessed"), lines }] : []);
+    if (lines.length === 0) return;
+    const known = new Set(answer.guesses.map(({ room }) => room));
+    const { guesses, ...read } = this.#read ?? { scene: plan, changes: [], guesses: [], unread: [] };
+    this.#list(say("What the plan became"), importLines({ ...read, guesses: guesses.filter(({ of, what }) => what !== "type" || !known.has(of)) }, lines));
   }
 
   #list(words: string, parts: ReturnType<typeof importLines>): void {

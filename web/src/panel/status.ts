@@ -23,11 +23,11 @@ export function brokenOf(issues: readonly Issue[], scene: Scene): readonly Issue
   return issues.filter(({ rule, room }) => rule !== "missing_required" || !unfurnished.has(room ?? ""));
 }
 
-/** How many rooms lack what they need, since they are not furnished yet, in words; empty where there is none. */
-function unfurnishedWords(issues: readonly Issue[], scene: Scene): string {
+/** How many rooms lack what they need, since they are not furnished yet, in words; empty where there is none. Rooms of no known type need nothing, until all are empty. */
+export function unfurnishedWords(issues: readonly Issue[], scene: Scene): string {
+  if (scene.rooms.length > 0 && unfurnishedOf(scene).size === scene.rooms.length) return say("Not furnished yet");
   const broken = new Set(brokenOf(issues, scene));
   const count = new Set(issues.filter((issue) => !broken.has(issue)).map(({ room }) => room)).size;
-  if (count > 0 && scene.rooms.every(({ furniture }) => furniture.length === 0)) return say("Not furnished yet");
   if (count === 1) return say("1 room not furnished yet");
   return count > 0 ? say("{count} rooms not furnished yet", { count }) : "";
 }
