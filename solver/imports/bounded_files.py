@@ -32,6 +32,11 @@ WIDE: Final = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"<\0": "utf-16-le"
 DECLARED: Final = re.compile(r"\A\s*<\?xml[^>]*\?>")
 
 
+def said(error: Exception) -> str:
+    """Returns what a library says of what it cannot read, on one line and without the point at its end; its sort, where it says nothing."""
+    return f"{' '.join(str(error).split()).rstrip('.') or type(error).__name__:.100}"
+
+
 def unpacked(content: bytes) -> bytes:
     """Returns a file without what is around it: a compressed one as it was before, one of wide characters as UTF-8.
 
@@ -42,7 +47,7 @@ def unpacked(content: bytes) -> bytes:
         try:
             content = GzipFile(fileobj=BytesIO(content)).read(MOST_BYTES + 1)
         except (zlib.error, EOFError, OSError) as error:
-            raise SyntaxFault(f"a compressed file that cannot be read: {error}") from None
+            raise SyntaxFault(f"a compressed file that cannot be read: {said(error)}") from None
         if len(content) > MOST_BYTES:
             raise SyntaxFault(f"what is compressed in it is larger than {MOST_BYTES >> 20} MB")
     if content[:2] not in WIDE:
@@ -68,7 +73,7 @@ def member_of(archive: bytes, name: str) -> bytes | None:
             with opened.open(name) as file:
                 content = file.read(MOST_BYTES + 1)
     except (BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, NotImplementedError) as error:
-        raise SyntaxFault(f"a zip archive that cannot be read: {error}") from None
+        raise SyntaxFault(f"a zip archive that cannot be read: {said(error)}") from None
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"{name} in it is larger than {MOST_BYTES >> 20} MB")
     return content

@@ -175,7 +175,7 @@ def test_broken_files_are_refused_by_name_and_the_house_stays(visit: Visit) -> N
     notice = visit.page.get_by_role("alert")
     for name, (text, words) in BROKEN.items():
         visit.page.evaluate(DROP, [name, text])
-        expect(notice).to_contain_text(f"{name} holds no scene that can be read")
+        expect(notice).to_contain_text(f"{name} cannot be read")
         expect(notice).to_contain_text(words)
         notice.get_by_role("button", name="Close").click()
     assert visit.page.evaluate("compose.scene") == shown

@@ -111,3 +111,9 @@ def test_what_is_never_looked_at_does_not_keep_a_plan_from_being_read() -> None:
     assert [one.kind for room in answer.scene.rooms for one in room.openings] == ["door"]
     with pytest.raises(FieldError, match="cannot be read"):
         read(spoilt.replace("I-FURN", "A-DOOR").encode(), "plan.dxf")
+
+
+def test_what_is_no_drawing_is_refused_in_one_line_without_the_name_of_a_class() -> None:
+    with pytest.raises(FieldError) as refused:
+        read(b"0\nSECTION\nrubbish\n", "plan.dxf")
+    assert refused.value.problem == 'DXF that cannot be read: Invalid group code "rubbish " at line 3'

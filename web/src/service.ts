@@ -194,7 +194,7 @@ export async function readFile({ name, content }: GivenFile, signal: AbortSignal
     return await ask("import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
-    throw new ServiceProblem(say("{name} holds no scene that can be read", { name }), reason.detail, reason);
+    throw new ServiceProblem(say("{name} cannot be read", { name }), reason.detail, reason);
   }
 }
 

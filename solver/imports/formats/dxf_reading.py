@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple
 
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
-from solver.imports.bounded_files import MOST_BYTES
+from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
 from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, is_passed, plan_of_shapes, sort_within
 
@@ -81,7 +81,7 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         return _plan(space, metres or METRES.get(drawing.header.get("$INSUNITS", 0)))
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
-        raise SyntaxFault(f"DXF that cannot be read: {type(error).__name__} {error!s:.100}") from None
+        raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
 
 
 def _drawing(content: bytes) -> Any:

@@ -16,7 +16,7 @@ from typing import Any, Final
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
-from solver.imports.bounded_files import MOST_BYTES
+from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,
@@ -83,7 +83,7 @@ def read_ifc(content: bytes) -> DrawnPlan:
     except FieldError:
         raise
     except (RuntimeError, ValueError, AttributeError, TypeError, IndexError, KeyError, ifcopenshell.Error) as error:
-        raise SyntaxFault(f"IFC that cannot be read: {type(error).__name__} {error!s:.100}") from None
+        raise SyntaxFault(f"IFC that cannot be read: {said(error)}") from None
 
 
 class _ReadBuilding:
