@@ -167,13 +167,20 @@ def test_the_tools_are_one_row_of_a_laptop_and_nothing_is_said_of_the_home_befor
     page.set_viewport_size(before)
 
 
-def test_names_are_no_wider_than_their_rooms(visit: Visit) -> None:
+def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Visit) -> None:
     before = visit.page.viewport_size
     visit.page.set_viewport_size({"width": 1440, "height": 900})
     visit.open("")
     board = DrawingBoard(visit).open("Change this plan")
     assert board.page.locator(".sheet .room-name").count() == 13
     assert board.page.evaluate(WIDE_NAMES) == []
+    visit.page.set_viewport_size({"width": 390, "height": 844})
+    assert board.page.locator(".sheet .room-name").count() == 13
+    assert board.page.evaluate(WIDE_NAMES) == []
+    box = board.page.locator("#drawing").bounding_box()
+    assert box == {"x": 0, "y": 0, "width": 390, "height": 844}
+    for tool in ("choose", "furnish", "close"):
+        expect(board.page.locator(f".drawing-tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
     assert before
     visit.page.set_viewport_size(before)
 

@@ -104,6 +104,7 @@ class Page {
     this.#rooms.onOthers = (id) => { if (this.#home.settled) void this.#others.show(this.#home.settled.scene, id); };
     this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
+    this.#files.onPicture = (file) => this.#drawing.openPicture(file);
     this.#files.onFailure = (reason, again) => this.#asking.notice.show(reason, again);
     this.#files.onSaved = () => this.#asking.notice.hide();
     this.#asking.notice.inWords = (problem) => this.#controls.inWords(problem.fields);
@@ -132,7 +133,6 @@ class Page {
     }
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => this.#restyle({ decorate: true }));
-    element("save_instead").addEventListener("click", () => element("download_json").click());
     element("reset").addEventListener("click", () => this.#submit(FIRST));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));

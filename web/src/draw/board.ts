@@ -103,7 +103,7 @@ export class Board {
     }
     this.#learn().catch((reason: unknown) => this.words.failed(reason));
     this.#use(scene ? "choose" : "room");
-    this.#sheet.fit(this.#plan.draft);
+    this.#fit();
     this.#redraw();
     this.#sheet.svg.focus();
   }
@@ -135,7 +135,7 @@ export class Board {
       { name: "new", words: "4 × 3 m room", sign: "4 × 3 m", keys: "N", act: () => this.#addRoom() },
       { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.#plan.undo() },
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.#plan.redo() },
-      { name: "fit", words: "Fit all in view", sign: "Fit", keys: "F", act: () => this.#sheet.fit(this.#plan.draft) },
+      { name: "fit", words: "Fit all in view", sign: "Fit", keys: "F", act: () => this.#fit() },
       { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.words.furnish(atOrigin(this.scene)) },
       { name: "show", words: "Show in 3D as it is", sign: "Show", act: () => this.words.show(atOrigin(this.scene)) },
       { name: "close", words: "Close the drawing", sign: "✕", act: () => this.close() },
@@ -212,7 +212,7 @@ export class Board {
     chooser.type = "file";
     chooser.accept = "image/*";
     chooser.setAttribute("aria-label", say("A picture to trace"));
-    chooser.addEventListener("change", () => void this.#lay(chooser.files?.[0]));
+    chooser.addEventListener("change", () => void this.lay(chooser.files?.[0]));
     if (!this.#picture.picture) return group(say("Picture beneath"), chooser, hint(say("A scan or photograph of a plan, to draw over.")));
     const fade = document.createElement("input");
     Object.assign(fade, { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity) });
@@ -229,14 +229,21 @@ export class Board {
       ...(drawn > 0 ? [scale] : []), row(button(say("Remove the picture"), () => { this.#picture.remove(); this.#redraw(); })));
   }
 
-  async #lay(file: File | undefined): Promise<void> {
+  /** Lays a picture beneath the plan. */
+  async lay(file: File | undefined): Promise<void> {
     if (!file) return;
     try {
       await this.#picture.lay(file);
+      this.#say(say("The picture lies beneath. Measure a length that you know, then draw the rooms over it."));
+      if (this.#plan.draft.rooms.length === 0) this.#fit();
     } catch (reason) {
       this.#say((reason as Error).message);
     }
     this.#redraw();
+  }
+
+  #fit(): void {
+    this.#sheet.fit(this.#plan.draft, this.#picture.picture);
   }
 
   /** A room beside the chosen one, or east of all. */
@@ -249,7 +256,7 @@ export class Board {
     const count = draft.rooms.length;
     if (beside) this.#pencil.draw(at(boxOf(beside.corners).x1, boxOf(beside.corners).z0), "room");
     if (this.#plan.draft.rooms.length === count) this.#pencil.draw(at(all.x, Number.isFinite(all.z) ? all.z : 0), "room");
-    if (count === 0) this.#sheet.fit(this.#plan.draft);
+    if (count === 0) this.#fit();
   }
 
   #key(event: KeyboardEvent): void {
@@ -273,7 +280,7 @@ export class Board {
   #act(event: KeyboardEvent): (() => void) | null {
     const keys: Readonly<Record<string, () => void>> = {
       v: () => this.#use("choose"), b: () => this.#use("room"), u: () => this.#use("add"), x: () => this.#use("cut"), d: () => this.#use("door"),
-      w: () => this.#use("window"), p: () => this.#use("passage"), g: () => this.#use("garage_door"), n: () => this.#addRoom(), f: () => this.#sheet.fit(this.#plan.draft),
+      w: () => this.#use("window"), p: () => this.#use("passage"), g: () => this.#use("garage_door"), n: () => this.#addRoom(), f: () => this.#fit(),
       Delete: () => this.#remove(), Backspace: () => this.#remove(), Escape: () => this.#escape(),
       ArrowUp: () => this.#nudge(0, -1, event), ArrowDown: () => this.#nudge(0, 1, event), ArrowLeft: () => this.#nudge(-1, 0, event), ArrowRight: () => this.#nudge(1, 0, event),
     };

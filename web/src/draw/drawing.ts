@@ -25,6 +25,12 @@ export class Drawing {
     }, this.failed);
   }
 
+  /** Lays a picture beneath what is drawn: on an empty sheet, where the board is not open. */
+  openPicture(file: File): void {
+    if (this.#board?.isOpen !== true) this.open(null);
+    void this.#load().then((board) => board.lay(file), () => undefined); // that it cannot be loaded is said already
+  }
+
   close(): void {
     this.#board?.close();
   }

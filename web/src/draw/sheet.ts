@@ -9,14 +9,14 @@ const SVG = "http://www.w3.org/2000/svg";
 /** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
 const WALL = 100;
 const METRE = 1000;
-/** How much of the sheet a pixel shows: the nearest and the farthest [mm]. */
+/** How much of the sheet a pixel shows: the nearest, and the farthest where one zooms [mm]. */
 const NEAREST = 1;
 const FARTHEST = 120;
 const MARGIN = 1.25;
-/** How large names of rooms are written [pixels], and how wide a letter is for its size. */
+/** How large names of rooms are written [pixels], the least and the most, and how wide a letter is for its size. */
 const SMALLEST = 7;
 const LARGEST = 13;
-const LETTER = 0.72;
+const LETTER = 0.77;
 /** What is seen of a sheet on which nothing is drawn [mm]. */
 const EMPTY_SHEET: Corners = [{ x: 0, z: 0 }, { x: 10 * METRE, z: 7 * METRE }];
 
@@ -79,11 +79,14 @@ export class Sheet {
   /** The point in the middle, and how much a pixel shows [mm]. */
   #middle: Point = { x: 5 * METRE, z: 4 * METRE };
   #perPixel = 16;
-  #drawn: (() => void) | null = null;
+  #shown: { readonly draft: Draft; readonly marks: Marks } | null = null;
+  /** All is in view, and stays so whatever the window's size, until the sheet is moved. */
+  #isFitted = false;
 
   constructor(host: HTMLElement) {
     host.prepend(this.svg);
     new ResizeObserver(() => this.again()).observe(this.svg);
+    window.addEventListener("resize", () => this.#resized()); // a row of tools more is no reason to move what is being drawn
   }
 
   /** How many millimetres a pixel shows. */
@@ -105,6 +108,7 @@ export class Sheet {
 
   /** Moves the sheet so that a point of the plan is under a point of the window. */
   pull(point: Point, under: { readonly clientX: number; readonly clientY: number }): void {
+    this.#isFitted = false;
     const now = this.at(under);
     this.#middle = { x: this.#middle.x + point.x - now.x, z: this.#middle.z + point.z - now.z };
     this.again();
@@ -117,27 +121,32 @@ export class Sheet {
     this.pull(held, to);
   }
 
-  /** Shows a whole plan, or room for one. */
-  fit({ rooms }: Draft): void {
-    const { x0, z0, x1, z1 } = boxOf(rooms.length === 0 ? EMPTY_SHEET : rooms.flatMap(({ corners }) => corners));
+  #resized(): void {
+    if (this.#isFitted && this.#shown && this.svg.clientWidth > 0) this.fit(this.#shown.draft, this.#shown.marks.picture);
+  }
+
+  /** Shows a whole plan, or the picture to draw one over, or room for one. */
+  fit({ rooms }: Draft, picture: Picture | null): void {
+    const empty = picture ? [{ x: 0, z: 0 }, { x: picture.width * picture.scale, z: picture.height * picture.scale }] : EMPTY_SHEET;
+    const { x0, z0, x1, z1 } = boxOf(rooms.length === 0 ? empty : rooms.flatMap(({ corners }) => corners));
     const { width, height } = this.svg.getBoundingClientRect();
     this.#middle = { x: (x0 + x1) / 2, z: (z0 + z1) / 2 };
-    this.#perPixel = Math.max(NEAREST, Math.min(FARTHEST, (MARGIN * Math.max((x1 - x0) / Math.max(width, 1), (z1 - z0) / Math.max(height, 1)))));
+    this.#perPixel = Math.max(NEAREST, MARGIN * Math.max((x1 - x0) / Math.max(width, 1), (z1 - z0) / Math.max(height, 1)));
+    this.#isFitted = true;
+    this.again();
+  }
+
+  draw(draft: Draft, marks: Marks): void {
+    this.#shown = { draft, marks };
     this.again();
   }
 
   again(): void {
-    this.#drawn?.();
-  }
-
-  draw(draft: Draft, marks: Marks): void {
-    this.#drawn = () => {
-      const { width, height } = this.svg.getBoundingClientRect();
-      const [across, down] = [width * this.#perPixel, height * this.#perPixel];
-      this.svg.setAttribute("viewBox", `${this.#middle.x - across / 2} ${this.#middle.z - down / 2} ${Math.max(across, 1)} ${Math.max(down, 1)}`);
-      this.svg.replaceChildren(...this.#layers(draft, marks, across, down));
-    };
-    this.#drawn();
+    if (!this.#shown) return;
+    const { width, height } = this.svg.getBoundingClientRect();
+    const [across, down] = [width * this.#perPixel, height * this.#perPixel];
+    this.svg.setAttribute("viewBox", `${this.#middle.x - across / 2} ${this.#middle.z - down / 2} ${Math.max(across, 1)} ${Math.max(down, 1)}`);
+    this.svg.replaceChildren(...this.#layers(this.#shown.draft, this.#shown.marks, across, down));
   }
 
   #layers(draft: Draft, marks: Marks, across: number, down: number): Node[] {
@@ -222,10 +231,11 @@ export class Sheet {
   #name(room: DraftRoom, { names, areas }: Marks): SVGElement {
     const { x, z, width } = nameAt(room.corners);
     const fitting = width / (LETTER * names(room).length);
-    const size = Math.max(SMALLEST * this.#perPixel, Math.min(LARGEST * this.#perPixel, fitting));
+    const [smallest, largest] = [SMALLEST * this.#perPixel, LARGEST * this.#perPixel];
     const area = sayArea(areas.get(room.id) ?? 0);
-    return make("text", { class: "room-name", x, y: z, "font-size": size },
-      make("tspan", { x, dy: "-0.1em" }, names(room)), make("tspan", { class: "area", x, dy: "1.2em" }, area));
+    const isNamed = fitting >= smallest; // else it is read beside the sheet, where each room is listed
+    return make("text", { class: "room-name", x, y: z, "font-size": isNamed ? Math.min(largest, fitting) : smallest },
+      ...(isNamed ? [make("tspan", { x, dy: "-0.1em" }, names(room))] : []), make("tspan", { class: "area", x, dy: isNamed ? "1.2em" : 0 }, area));
   }
 
   /** The walls of the room that is chosen, to take hold of, with their lengths. */

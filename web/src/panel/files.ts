@@ -3,6 +3,9 @@ import type { Scene } from "../contract";
 import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
 import { tellPlainly } from "../words/telling";
 
+/** What a browser shows as a picture; a drawing, as of DXF, is called an image too. */
+const PICTURE = /^image\/(png|jpeg|gif|webp|avif|bmp)$/;
+
 export function fileName(scene: Scene, format: FileFormat): string {
   return `compose-${scene.seed}.${format}`;
 }
@@ -18,6 +21,8 @@ export function save(content: Blob, name: string): void {
 export class Files {
   /** Called with a file to be opened. */
   onOpen: (file: GivenFile) => void = () => undefined;
+  /** Called with a picture, such as a plan's scan: it holds no plan that is read, but may be drawn over. */
+  onPicture: (file: File) => void = () => undefined;
   /** Called with what went wrong, and how to do it again where that can help. */
   onFailure: (reason: unknown, again: (() => void) | null) => void = () => undefined;
   onSaved: () => void = () => undefined;
@@ -92,6 +97,7 @@ export class Files {
 
   async #open(file: File | undefined): Promise<void> {
     if (!file) return;
+    if (PICTURE.test(file.type)) return this.onPicture(file);
     try {
       this.onOpen({ name: file.name, content: await file.arrayBuffer() });
     } catch (reason) {
