@@ -69,6 +69,11 @@ def test_a_frame_says_which_words_of_its_address_are_known_to_none(visit: Visit)
     page.goto(f"{visit.address}embed#seed=4&width=12&depth=9&view=top")
     expect(page.locator("#embed_said")).to_be_empty()
     expect(page.locator("#camera_top")).to_have_attribute("aria-pressed", "true")
+    expect(page.locator("#stage > canvas")).to_be_visible()
+    page.goto(f"{visit.address}embed#seed=none")
+    expect(page.locator("#embed_said")).to_contain_text("seed: ")
+    expect(page.locator("#stage > canvas")).not_to_be_visible()
+    expect(page.get_by_role("link", name="Open in Compose")).to_be_visible()
 
 
 def look_at_frames(visit: Visit) -> None:

@@ -63,6 +63,7 @@ describe("a preset", () => {
     expect(Math.min(...ys)).toBeGreaterThan(52);
     expect(Math.max(...ys)).toBeLessThan(height - 60);
     expect(windowOf({ width: 1176, height: 845 }).beneath).toBe(0);
+    expect(windowOf({ width, height }, false).beneath, "in a frame elsewhere, which has none").toBe(0);
   });
 
   it("fills a phone's canvas with the plan's rooms, without the sheet round them", () => {

@@ -45,10 +45,13 @@ class Frame {
       const [{ scene, issues }] = await Promise.all([this.#made(framed, signal), this.#known]);
       if (signal.aborted) return;
       this.#said.textContent = "";
+      delete this.#stage.host.dataset.refused;
       this.#stage.show(scene, issues);
       this.#stage.look(framed.view);
     } catch (reason) {
-      if (!signal.aborted) this.#tell(reason);
+      if (signal.aborted) return;
+      this.#stage.host.dataset.refused = "true"; // nothing is shown of the home before: it is not what was asked for
+      this.#tell(reason);
     } finally {
       if (!signal.aborted) this.#stage.host.ariaBusy = "false";
     }

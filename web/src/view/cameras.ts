@@ -46,6 +46,7 @@ export interface Window {
   readonly covered?: number;
   readonly beneath?: number;
   readonly height?: number;
+  readonly isNarrow?: boolean;
 }
 
 /** So much of the canvas lies under its toolbar, and of a narrow one under the switch of views, which lies across its foot [CSS pixels]. */
@@ -61,10 +62,11 @@ const HANDLE = 26;
 /** No more than this share of the canvas is left round a sheet on any side. */
 const MOST_ROUND = 0.34;
 
-/** What a canvas of a size [CSS pixels] leaves free. */
-export function windowOf({ width, height }: { readonly width: number; readonly height: number }): Window {
+/** What a canvas of a size [CSS pixels] leaves free; `hasSwitch`: of views, at its foot. */
+export function windowOf({ width, height }: { readonly width: number; readonly height: number }, hasSwitch = true): Window {
   const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
-  return { aspect: width / height, covered: share(TOOLBAR), beneath: width < NARROW ? share(SWITCH) : 0, height };
+  const isNarrow = width < NARROW;
+  return { aspect: width / height, covered: share(TOOLBAR), beneath: isNarrow && hasSwitch ? share(SWITCH) : 0, height, isNarrow };
 }
 
 const MARGIN = 1.06;
@@ -120,10 +122,10 @@ function fitted(points: readonly Vector[], from: Vector, { fov }: Preset, aspect
 }
 
 /** As near as a preset comes from a direction: a sheet with its lengths round it, else with those of two sides, where they can be read, else the rooms alone. */
-function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, beneath = 0, height = 0 }: Window): Fitted {
+function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, beneath = 0, height = 0, isNarrow = false }: Window): Fitted {
   const fit = (free: Free): Fitted => fitted(points, from, preset, aspect, free);
   const plain: Free = { wider: MARGIN, top: covered, foot: beneath, west: 0, east: 0 };
-  if (!preset.isSheet || height === 0 || beneath > 0) return fit(plain);
+  if (!preset.isSheet || height === 0 || isNarrow) return fit(plain);
   const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
   const round = (aboveAndBelow: boolean, atSides: boolean): Fitted => {
     const [north, south] = aboveAndBelow ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];
