@@ -122,4 +122,23 @@ describe("another way to stand", () => {
     expect([at("den/tray_1")?.x, at("den/tray_1")?.z]).toEqual([expect.closeTo(3, 3), expect.closeTo(3.2, 3)]);
     expect(at("den/bed_1")).toBeUndefined();
   });
+
+  it("has what lies on a piece that becomes smaller within it, wherever it is turned, and sets down what has its own place", () => {
+    const way = (rotation: number) => [
+      { id: "den/table_1", kind: "small_table", x: 3, y: 0, z: 3, rotation, width: 0.8, depth: 0.45, height: 0.7, on: null },
+      { id: "den/tv_1", kind: "tv", x: 3.1, y: 0.7, z: 3, rotation, width: 0.4, depth: 0.2, height: 0.5, on: "den/table_1" },
+    ];
+    const before = house();
+    const [den] = before.rooms;
+    const table = den?.furniture.find(({ id }) => id === "den/table_1");
+    const corner = { ...before, rooms: before.rooms.map((one) => ({ ...one, decorations: one.decorations.map((body) => (body.parent === null ? body : { ...body, x: 2.7, z: 2.4, y: body.y + (table?.height ?? 0) - 0.8 })) })) };
+    for (const [rotation, x, z] of [[0, 3.35, 3.2], [90, 3.2, 2.65], [180, 2.65, 2.8], [270, 2.8, 3.35]] as const) {
+      const after = stoodSo(corner, way(rotation), []).rooms[0];
+      const at = (id: string) => [...(after?.furniture ?? []), ...(after?.decorations ?? [])].find((body) => body.id === id);
+      for (const id of ["den/tray_1", "den/cup_1"]) expect([at(id)?.x, at(id)?.z], `${id} ${rotation}`).toEqual([expect.closeTo(x, 3), expect.closeTo(z, 3)]);
+      expect([at("den/tray_1")?.y, at("den/cup_1")?.y]).toEqual([expect.closeTo(0.7, 3), expect.closeTo(0.73, 3)]);
+      expect(at("den/tv_1")).toMatchObject({ x: 3.1, z: 3, y: 0.7 });
+      expect(at("den/art_1")).toMatchObject({ z: 0.07, y: 1.5 });
+    }
+  });
 });

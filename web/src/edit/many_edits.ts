@@ -129,14 +129,32 @@ export function transferred(scene: Scene, id: string, roomId: string): Scene {
   return { ...scene, rooms, dynamic: (scene.dynamic ?? []).map((body: Dynamic) => (goes(body) ? { ...move(body), room: to.id } : body)) };
 }
 
-/** A piece with some of its keys changed, as its size or colour; what keeps to its place. */
-export function changedPiece(scene: Scene, id: string, change: Partial<Furniture>): Scene {
-  return { ...scene, rooms: scene.rooms.map((room) => ({ ...room, furniture: room.furniture.map((piece) => (piece.id === id ? { ...piece, ...change } : piece)) })) };
+/** Where a body lies on a piece that has another size: at the same share of its width, depth and height; what is above its top stays as far above. */
+function atShare<Of extends Body>(body: Of, from: Furniture, to: Furniture): Of {
+  const turn = ((from.rotation ?? 0) * Math.PI) / 180;
+  const [cos, sin, dx, dz] = [Math.cos(turn), Math.sin(turn), body.x - from.x, body.z - from.z];
+  const [across, along] = [((dx * cos - dz * sin) * to.width) / from.width, ((dx * sin + dz * cos) * to.depth) / from.depth];
+  const [above, high] = [body.y ?? 0, from.y ?? 0];
+  const y = above >= high + from.height ? above + to.height - from.height : high + ((above - high) * to.height) / from.height;
+  return { ...body, x: tidy(to.x + across * cos + along * sin), z: tidy(to.z - across * sin + along * cos), y: tidy(y) };
+}
+
+/** A piece with some of its keys changed, as its size or colour. Of another size, it has all that lies on it at the same share of it, but for those in `placed`. */
+export function changedPiece(scene: Scene, id: string, change: Partial<Furniture>, placed: ReadonlySet<string> = new Set()): Scene {
+  const piece = scene.rooms.flatMap(({ furniture }) => furniture).find((one) => one.id === id);
+  if (!piece) return scene;
+  const changed = { ...piece, ...change };
+  const isResized = changed.width !== piece.width || changed.depth !== piece.depth || changed.height !== piece.height;
+  const riders = isResized ? carriedBy(scene, id) : new Set<string>();
+  const place = <Of extends Body>(body: Of): Of => (riders.has(body.id) && !placed.has(body.id) ? atShare(body, piece, changed) : body);
+  const rooms = scene.rooms.map((room) => ({ ...room, furniture: room.furniture.map((one) => (one.id === id ? changed : place(one))), decorations: room.decorations.map(place) }));
+  return { ...scene, rooms, dynamic: (scene.dynamic ?? []).map(place) };
 }
 
 /** Pieces that stand in another way, each with all that it carries; and without those for whom there is no place then. */
 export function stoodSo(scene: Scene, moves: OtherWay["moves"], gone: readonly string[]): Scene {
   const left = gone.reduce((before, id) => without(before, id), scene);
   const carried = moves.reduce((before, { id, x, z, rotation }) => moved(before, id, { x, z, rotation }), left);
-  return moves.reduce((before, move) => changedPiece(before, move.id, move), carried);
+  const placed = new Set(moves.map(({ id }) => id));
+  return moves.reduce((before, move) => changedPiece(before, move.id, move, placed), carried);
 }
