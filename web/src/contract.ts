@@ -117,7 +117,7 @@ export interface Catalog {
   readonly shapes?: Named<readonly CatalogPart[]>;
   readonly assets?: Named<CatalogAsset>;
   readonly materials?: Named<Served.Material>;
-  readonly styles?: Named<{ readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
+  readonly styles?: Named<{ readonly palette?: Named<readonly string[]>; readonly materials?: Named<Partial<Served.Material>>; readonly walls?: Named<readonly Pick<Served.WallPaint, "type">[]> }>;
   readonly rooms?: Named<CatalogRoom>;
   readonly floorings?: Named<{ readonly color: string }>;
   readonly presets?: Named<Served.Preset>;

@@ -2,9 +2,9 @@
 import { beforeEach, describe, expect, it, vi } from "vitest";
 import type { Catalog } from "../src/contract";
 import { Favourites } from "../src/edit/favourites";
-import { roomsFor } from "../src/edit/adding";
+import { inStyle, roomsFor } from "../src/edit/adding";
 import { Palette } from "../src/edit/palette";
-import { room } from "./rooms";
+import { piece, room, scene } from "./rooms";
 
 const CATALOG = { furniture: { sofa: { category: "seating", size: [2, 0.9, 0.8] } }, decorations: {} } as unknown as Catalog;
 let host: HTMLElement;
@@ -78,6 +78,29 @@ describe("the palette", () => {
     press("[aria-label='Favourite: desk']");
     press("[data-category=favourites]");
     expect([shown(), said()]).toEqual([[], "No such kind."]);
+  });
+});
+
+describe("the colour of a new piece", () => {
+  const kind = { key: "armchair", name: "armchair", category: "seating", size: [0.8, 0.8, 0.9] as const, color: "#00ff00" };
+  const sofa = (color: string) => piece("sofa", { category: "seating", color });
+  const home = (style: string, ...colors: readonly string[]) => scene(colors.map((color, at) => room(`room_${at}`, [0, 0, 4, 4], { furniture: [sofa(color)] })), { style });
+  const palettes = (palette: Record<string, string[]>) => ({ furniture: {}, decorations: {}, styles: { calm: { palette } } }) as unknown as Catalog;
+
+  it("is what the room, else the home, has of the style's palette for it, else the first of that", () => {
+    const known = palettes({ seating: ["#111111", "#222222", "#333333"], lighting: ["#444444"] });
+    expect(inStyle(kind, home("calm", "#222222", "#333333"), known, "room_1").color).toBe("#333333");
+    expect(inStyle(kind, home("calm", "#222222", "#abcdef"), known, "room_1").color).toBe("#222222");
+    expect(inStyle(kind, home("calm", "#abcdef"), known).color).toBe("#111111");
+    const armchair = room("den", [0, 0, 4, 4], { furniture: [piece("armchair_1", { name: "armchair", category: "seating", color: "#333333" })] });
+    expect(inStyle(kind, scene([...home("calm", "#222222").rooms, armchair], { style: "calm" }), known).color).toBe("#333333");
+    expect(inStyle(kind, scene([...home("calm", "#222222").rooms, armchair], { style: "calm" }), known, "room_0").color).toBe("#222222");
+  });
+
+  it("is the kind's own where the style has none for it, or is not known", () => {
+    expect(inStyle(kind, home("calm", "#222222"), palettes({ armchair: [], seating: ["#222222"] })).color).toBe("#00ff00");
+    expect(inStyle(kind, home("toString", "#222222"), palettes({ seating: ["#222222"] })).color).toBe("#00ff00");
+    expect(inStyle(kind, null, null).color).toBe("#00ff00");
   });
 });
 

@@ -1,6 +1,6 @@
 /** New pieces: the palette, dragged into the house or put where they belong; and other arrangements of a room. */
 import type { Catalog, Scene } from "../contract";
-import { bodiesOf } from "../house/frame";
+import { bodiesOf, styleOf } from "../house/frame";
 import { roomHolding } from "../house/room_at";
 import { placesFor } from "../service";
 import type { Stage } from "../stage";
@@ -36,22 +36,36 @@ export function roomsFor({ key }: Pick<FurnitureKind, "key">, { rooms }: Pick<Sc
   return rooms.filter(({ type }) => suits(type)).sort((one, other) => size(other) - size(one)).map(({ id }) => id);
 }
 
+/** A kind in the colour that pieces like it have in a home: of its style's palette for it the one that the room has already, else others of its name, else any; else the first. */
+export function inStyle(kind: FurnitureKind, scene: Scene | null, catalog: Catalog | null, roomId?: string): FurnitureKind {
+  const style = scene && styleOf(scene);
+  const palettes = (style && catalog?.styles && Object.hasOwn(catalog.styles, style) && catalog.styles[style]?.palette) || {};
+  const named = [kind.key, kind.name, kind.category].find((name) => Object.hasOwn(palettes, name)) ?? "";
+  const palette = palettes[named] ?? [];
+  const alike = (scene?.rooms ?? []).flatMap(({ id, furniture }) => furniture
+    .filter(({ color, category }) => category === kind.category && palette.includes(color ?? ""))
+    .map(({ color, name }) => ({ color, rank: 2 * Number(id === roomId) + Number(name === kind.name) })));
+  const [nearest] = alike.sort((one, other) => other.rank - one.rank);
+  return { ...kind, color: nearest?.color ?? palette[0] ?? kind.color };
+}
+
 export class Adding {
   readonly #palette: Palette;
   readonly #places: Places;
   #isFilled = false;
+  #style: string | null = null;
   #catalog: Catalog | null = null;
 
   constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, hosts: { readonly palette: HTMLElement; readonly places: HTMLElement }, readonly say: AddingWords) {
     this.#palette = new Palette(hosts.palette, {
       favourites: new Favourites(),
-      portray: (kind, into) => stage.portrayKind(kind, into),
+      portray: (kind, into) => stage.portrayKind(inStyle(kind, home.scene, this.#catalog), into),
       over: (kind, at) => this.#preview(at && this.#wishedAt(kind, at)),
       drop: (kind, at) => this.#drop(kind, at),
     });
     this.#places = new Places(hosts.places, editor, (scene, room, kind, id) => placesFor(scene, room, kind, id, PLACES));
     this.#palette.onChoose = (kind) => this.#choose(kind);
-    home.on("shown", () => this.#places.shown(home.scene));
+    home.on("shown", (how) => { this.#places.shown(home.scene); if (how !== "live") this.#restyled(); });
     home.on("selected", (id) => { if (id !== null) this.#places.shown(home.scene); });
   }
 
@@ -74,10 +88,17 @@ export class Adding {
     return this.#places.hide();
   }
 
+  /** Pictures are of the style that is shown. */
+  #restyled(): void {
+    const style = this.home.scene && styleOf(this.home.scene);
+    if (style !== this.#style) this.#palette.portrayAnew();
+    this.#style = style;
+  }
+
   #choose(kind: FurnitureKind): void {
     const room = this.say.room() ?? this.#roomFor(kind) ?? this.home.scene?.rooms[0]?.id;
     this.#palette.open(false);
-    if (room !== undefined) this.#places.add(room, kind).catch((reason: unknown) => this.say.failed(reason));
+    if (room !== undefined) this.#places.add(room, inStyle(kind, this.home.scene, this.#catalog, room)).catch((reason: unknown) => this.say.failed(reason));
   }
 
   /** Where nothing is chosen: the room in view, unless the catalog has such a kind in rooms of other types alone. */
@@ -96,7 +117,7 @@ export class Adding {
     const under = document.elementFromPoint(at.x, at.y);
     const room = scene && spot && under === this.stage.viewport.canvas ? roomHolding(scene.rooms, storeys.chosen, spot.x, spot.z) : undefined;
     if (!scene || !spot || !room) return null;
-    const made = added(scene, room.id, kind);
+    const made = added(scene, room.id, inStyle(kind, scene, this.#catalog, room.id));
     return { id: made.id, room: room.id, scene: moved(made.scene, made.id, { x: spot.x - room.x, z: spot.z - room.z, rotation: 0 }) };
   }
 

@@ -215,6 +215,14 @@ export class Palette {
     });
   }
 
+  /** Has each picture drawn again once it is seen: kinds look otherwise. */
+  portrayAnew(): void {
+    for (const { picture } of this.#entries) {
+      this.#seen?.unobserve(picture);
+      this.#seen?.observe(picture);
+    }
+  }
+
   #portray(all: readonly IntersectionObserverEntry[]): void {
     for (const { target, isIntersecting } of all) {
       const entry = isIntersecting ? this.#entries.find(({ picture }) => picture === target) : undefined;

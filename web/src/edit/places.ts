@@ -38,7 +38,7 @@ export class Places {
       this.editor.add(room, kind);
       return;
     }
-    this.#offer = { room, before, pieces, at: 0 };
+    this.#offer = { room, before, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0 };
     this.#put(this.#offer);
   }
 
