@@ -201,31 +201,41 @@ def tally(seed: int, best: Placement, cpu_ms: float, catalogs: Catalogs, seconds
     return Tally(len(best.relations), own, max(own, sum(more)), word != "limit", len(best.unplaced), errors, cpu_ms)
 
 
-def report(tallies: Sequence[Tally]) -> str:
-    """Returns the figures of many rooms, a line each."""
+HEAD: Final = (
+    "| seeds | rooms | relations asked for | satisfiable | held | pieces left out | errors, unreachable | CPU ms a room, mean, median |"
+)
+
+
+def report(seeds: range, tallies: Sequence[Tally]) -> str:
+    """Returns the row of many rooms."""
     held, possible = sum(one.held for one in tallies), sum(one.possible for one in tallies)
     times = [one.cpu_ms for one in tallies]
-    return "\n".join(
-        (
-            f"rooms {len(tallies)}, of these closed by the oracle {sum(one.closed for one in tallies)}",
-            f"relations asked for {sum(one.asked for one in tallies)}, satisfiable {possible}, held {held} = {100 * held / possible:.1f} %",
-            f"pieces left out {sum(one.left_out for one in tallies)}, errors and unreachable {sum(one.errors for one in tallies)}",
-            f"CPU ms a room: mean {mean(times):.1f}, median {median(times):.1f}, most {max(times):.1f}",
-        )
+    cells = (
+        f"{seeds[0]}-{seeds[-1]}",
+        f"{len(tallies)}, {sum(one.closed for one in tallies)} closed by the oracle",
+        f"{sum(one.asked for one in tallies):,}",
+        f"{possible:,}",
+        f"{100 * held / possible:.1f} %",
+        str(sum(one.left_out for one in tallies)),
+        str(sum(one.errors for one in tallies)),
+        f"{mean(times):.1f}, {median(times):.1f}",
     )
+    return f"| {' | '.join(cells)} |"
 
 
 def main() -> None:
-    """Places many rooms and prints the figures."""
+    """Places many rooms and prints the figures, a row for each first seed."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--rooms", type=int, default=50)
-    parser.add_argument("--seed", type=int, default=1000)
+    parser.add_argument("--seed", type=int, nargs="+", default=[1000])
     chosen = parser.parse_args()
     catalogs = load_catalogs()
-    seeds = range(chosen.seed, chosen.seed + chosen.rooms)
     timed(0, catalogs)
-    placed = [timed(seed, catalogs) for seed in seeds]
-    print(report([tally(seed, *one, catalogs) for seed, one in zip(seeds, placed, strict=True)]))
+    print(HEAD, "|---" * (HEAD.count("|") - 1) + "|", sep="\n")
+    for first in chosen.seed:
+        seeds = range(first, first + chosen.rooms)
+        placed = [timed(seed, catalogs) for seed in seeds]
+        print(report(seeds, [tally(seed, *one, catalogs) for seed, one in zip(seeds, placed, strict=True)]), flush=True)
 
 
 if __name__ == "__main__":

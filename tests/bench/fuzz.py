@@ -156,10 +156,10 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     asked = parser.parse_args()
     total = fuzz(asked.first, asked.rooms, asked.oracle, asked.workers)
-    for word, count in total.counts.items():
-        print(f"{word:66} {count:8}")
-    print(f"{'CPU ms a room':66} {1000 * total.cpu / max(asked.rooms, 1):8.2f}")
-    print(f"{'wrong':66} {len(total.wrong):8}")
+    print("| what | figure |\n|---|---|")
+    for word, count in {**total.counts, "wrong": len(total.wrong)}.items():
+        print(f"| {word} | {count:,} |")
+    print(f"| CPU ms a room | {1000 * total.cpu / max(asked.rooms, 1):.2f} |")
     for fault in total.wrong[:40]:
         print(f"  {fault}")
     return int(bool(total.wrong))

@@ -57,15 +57,16 @@ def homes(seeds: int, workers: int) -> bool:
             counts[name].append((pieces, things))
     wrong = [what for one in found for what in one.wrong]
     good = not wrong
-    print(f"{'room type':16} {'rooms':>6} {'pieces':>7} {'decorations':>12} {'together':>9} {'least':>6}")
+    print("| room type | rooms | pieces | decorations | together (target) |\n|---|---|---|---|---|")
     for name, rooms in sorted(counts.items()):
         pieces, things = (statistics.median(values) for values in zip(*rooms, strict=True))
-        together = statistics.median(a + b for a, b in rooms)
-        good &= together >= LEAST.get(name, 0)
-        print(f"{name:16} {len(rooms):6} {pieces:7.1f} {things:12.1f} {together:9.1f} {LEAST.get(name, 0):6}")
+        together, least = statistics.median(a + b for a, b in rooms), LEAST.get(name, 0)
+        good &= together >= least
+        wanted = f" (>= {least})" if least else ""
+        print(f"| {name.replace('_', ' ')} | {len(rooms):,} | {pieces:g} | {things:g} | {together:g}{wanted} |")
     per_home = statistics.median(sum(things for _, _, things in one.rooms) for one in found)
     cpu = statistics.median(one.cpu_ms for one in found)
-    print(f"{seeds} homes, {per_home:.0f} decorations each, {cpu:.1f} ms CPU to decorate one, {len(wrong)} things wrong")
+    print(f"\n{seeds} homes, {per_home:.0f} decorations each, {cpu:.1f} ms CPU to decorate one, {len(wrong)} things wrong")
     for what in wrong[:20]:
         print(f"  {what}")
     return good

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import argparse
 import statistics
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 
@@ -16,31 +16,42 @@ from solver.scene import Room
 from tests.density import ruler
 from tests.density.rooms import EQUAL, KINDS, drawn, equal
 
+HEAD = "| type | m2 | floor covered, median (5-95 %) | pieces | slivers | tall or soft centred at a window | comfort | other |"
+
 
 def report(name: str, rooms: Sequence[Room]) -> str:
-    """Returns one line about the rooms of a type."""
+    """Returns the row of a type."""
     covers = sorted(ruler.cover(room) for room in rooms)
     counts = [ruler.slivers(room) for room in rooms]
-    parts = [
-        f"cover {statistics.median(covers):.2f} ({covers[len(covers) // 20]:.2f}-{covers[-1 - len(covers) // 20]:.2f})",
-        f"pieces {statistics.median(len(room.furniture) for room in rooms):.0f}",
-        f"slivers {100 * sum(n for n, _ in counts) / max(sum(k for _, k in counts), 1):.1f} %",
-        f"rooms with one {100 * statistics.fmean(n > 0 for n, _ in counts):.0f} %",
-        f"under windows {100 * statistics.fmean(bool(ruler.under_windows(room)) for room in rooms):.0f} %",
-    ]
     kept = [ruler.comfort(room) for room in rooms]
-    if any(total for _, total in kept):
-        parts.append(f"comfort {100 * sum(n for n, _ in kept) / sum(n for _, n in kept):.0f} %")
-    away = [ruler.turned_away(room) for room in rooms]
-    if any(total for _, total in away):
-        parts.append(f"armchairs away {sum(n for n, _ in away)}/{sum(n for _, n in away)}")
-    sights = [free for room in rooms if (free := ruler.sight_free(room)) is not None]
-    if sights:
-        parts.append(f"sight free {100 * statistics.fmean(sights):.0f} % of {len(sights)}")
-    legs = [found for room in rooms if (found := ruler.triangle(room)) is not None]
-    if legs:
-        parts.append(f"triangle {100 * statistics.fmean(ruler.works(found) for found in legs):.0f} %")
-    return f"{name:15} " + "  ".join(parts)
+    cells = [
+        name.replace("_", " "),
+        "-".join(f"{area:g}" for area in KINDS[name].dense),
+        f"{statistics.median(covers):.2f} ({covers[len(covers) // 20]:.2f}-{covers[-1 - len(covers) // 20]:.2f})",
+        f"{statistics.median(len(room.furniture) for room in rooms):.0f}",
+        _share(counts),
+        f"{100 * statistics.fmean(bool(ruler.under_windows(room)) for room in rooms):.0f} %",
+        _share(kept),
+        ", ".join(_others(rooms)),
+    ]
+    return f"| {' | '.join(cells)} |"
+
+
+def _share(counts: Iterable[tuple[int, int]]) -> str:
+    """Writes which share of all counts; nothing where there are none."""
+    pairs = list(counts)
+    held, of = sum(n for n, _ in pairs), sum(n for _, n in pairs)
+    return f"{100 * held / of:.0f} %" if of else ""
+
+
+def _others(rooms: Sequence[Room]) -> Iterator[str]:
+    """Yields what is measured in some types alone."""
+    if share := _share(ruler.turned_away(room) for room in rooms):
+        yield f"armchairs turned away {share}"
+    if share := _share((free, 1) for room in rooms if (free := ruler.sight_free(room)) is not None):
+        yield f"sight free {share}"
+    if share := _share((ruler.works(found), 1) for room in rooms if (found := ruler.triangle(room)) is not None):
+        yield f"working triangle {share}"
 
 
 def main() -> None:
@@ -50,6 +61,8 @@ def main() -> None:
     parser.add_argument("--equal", type=int, default=100)
     parser.add_argument("--types", nargs="*", default=list(KINDS))
     given = parser.parse_args()
+    if given.rooms:
+        print(HEAD, "|---" * (HEAD.count("|") - 1) + "|", sep="\n")
     with ProcessPoolExecutor(2) as pool:
         for name in given.types if given.rooms else ():
             print(report(name, list(pool.map(partial(drawn, name), range(given.rooms), chunksize=10))), flush=True)
