@@ -139,17 +139,14 @@ static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth, const 
   return true;
 }
 
-// Notes what a way that failed says of others, and whether the search is still exact.
+// Notes what a way that failed says of others.
 static void note_failure(const Engine& engine, i64 number, const SearchLimits& limits) {
   Counters& counters = *engine.tree.counters.data;
   const SearchResult& result = *engine.nodes.result.data;
   const bool impossible = result.turned_down == 0 && result.exhausted == 1;
   if (counters.incumbent < 0 && (limits.lapses < MANY || impossible)) refused(engine.tree, number, true);
   if (result.turned_down > 0) counters.doubted = 1;
-  if (result.exhausted == 0) {
-    counters.closed = 0;
-    counters.lapsed++;
-  }
+  counters.lapsed += result.exhausted == 0;
 }
 
 // Evaluates a way; pushes the grown state. False where there is no room to store it.
@@ -168,7 +165,9 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
   const i64 incumbent = counters.incumbent;
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
   const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen - rest : INFINITE;
-  if (!weigh(engine, trial, limits.qps, ceiling, walk)) {
+  const bool found = weigh(engine, trial, limits.qps, ceiling, walk);
+  if (engine.nodes.result->exhausted == 0) counters.closed = 0;  // what was found may cost less
+  if (!found) {
     note_failure(engine, number, limits);
     return true;
   }
