@@ -5,14 +5,16 @@ Comes in: a Room and requests for pieces. Goes out: Answered. May import: every 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
 
 from catalogs import Catalogs, load_catalogs
 from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
 from solver.pipeline.others import other_placements
-from solver.pipeline.place_task import PlaceTask, task_of
+from solver.pipeline.place_task import PlaceTask, task_of, without_wishes
 from solver.pipeline.rounds import Round, best_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
@@ -59,14 +61,10 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)
     known, setting = catalogs or load_catalogs(), (wall_thickness, robot_width, engine, height)
-    task = task_of(room, pieces, known, setting)
+    in_room = partial(task_of, room, catalogs=known, setting=setting)
+    task = in_room(pieces)
     timing.lap("furnish")
-    found = best_placement(task, task.pieces)
-    if found.arrangement.left_out and not is_call_spent():  # not all can stand: now it counts what matters most
-        listed = task_of(room, pieces, known, setting, as_sent=True)
-        other = best_placement(listed, listed.pieces)
-        if other.score[0] <= found.score[0]:
-            task, found = listed, other
+    task, found = _placed(in_room, task, pieces)
     best = settled(task, found)
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
@@ -74,6 +72,22 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     conflicts = _conflicts(task, best, found)
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
+
+
+def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest]) -> tuple[PlaceTask, Round]:
+    """Returns the best placement, and the task that it solves: where not all can stand, it counts what matters most, and then no wish."""
+    found = best_placement(task, task.pieces)
+    if found.arrangement.left_out and not is_call_spent():
+        listed = in_room(pieces, as_sent=True)
+        other = best_placement(listed, listed.pieces)
+        if other.score[0] <= found.score[0]:
+            task, found = listed, other
+    if found.score[0] and not is_call_spent():
+        bare = in_room([without_wishes(piece) for piece in pieces])
+        other = best_placement(bare, bare.pieces)
+        if not other.score[0]:
+            return replace(bare, requests=task.requests), replace(other, whole=False)
+    return task, found
 
 
 def _conflicts(task: PlaceTask, placement: Placement, found: Round) -> tuple[Conflict, ...]:
@@ -108,7 +122,7 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
     if members is None and feasible(space, pieces, budget):
         walk, members = True, minimal_conflict(space, pieces, missing.label, budget, True)
         if members is None:
-            words = f"{_sized(task, missing)} can stand with the others, but not where it and they can be reached"
+            words = f"not found: the search for a way to {_sized(task, missing)}, which can stand with the others, ended at its limit"
             return Conflict((missing.label,), words, (_leaving_out(missing.label),))
     if members is None:
         return Conflict((missing.label,), f"not found: the search for a place for {_sized(task, missing)} ended at its limit")

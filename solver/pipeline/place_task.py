@@ -145,6 +145,11 @@ def task_of(
     )  # fmt: skip
 
 
+def without_wishes(request: PieceRequest) -> PieceRequest:
+    """Returns the request with no relations but those that must hold."""
+    return replace(request, relations=tuple(spec for spec in request.relations if spec.required))
+
+
 def _bare(room: Room, space: Space, kinds: Mapping[str, Kind], names: Mapping[str, tuple[str, ...]]) -> FinishedRoom:
     bodies = {one.id: standing(one, space.clear, _heights(kinds[one.id])) for one in room.furniture}
     return FinishedRoom(scope_of(room, space), bodies, names)

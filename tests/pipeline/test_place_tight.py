@@ -1,0 +1,61 @@
+"""Lists that a room hardly holds: wishes leave nothing out that stands without them; none calls impossible what another answer shows."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from catalogs.schema import RelationSpec
+from solver import place
+from solver.requested import Answered, PieceRequest
+from solver.scene import Opening, Room
+
+Wishes = tuple[tuple[str, str], ...]
+TIGHT: dict[str, tuple[tuple[float, float], tuple[str, float], tuple[str, float], tuple[tuple[str, Wishes], ...]]] = {
+    "to eat and sleep": (
+        (4.1, 2.51), ("west", 0.59), ("east", 0.78),
+        (("filing_cabinet", (("opposite", "p5"), ("around", "p5"))), ("dining_table", (("opposite", "p0"),)),
+         ("dining_chair", (("in_front_of", "p3"),)), ("dining_chair", (("centred", ""), ("in_corner", ""))), ("floor_lamp", ()),
+         ("dining_chair", (("around", "p2"),)), ("bed", (("facing", "p7"),)), ("plant", (("in_front_of", "p1"),))),
+    ),
+    "to sleep": (
+        (2.23, 4.43), ("south", 0.77), ("east", 2.31),
+        (("coffee_table", (("far_from", "p4"), ("opposite", "p6"))), ("bookshelf", (("against_wall", ""),)),
+         ("tv_stand", (("far_from_door", ""), ("near", "p3"))), ("armchair", (("in_front_of", "p4"),)),
+         ("wardrobe", (("in_row", "p2"), ("near", "p5"), ("in_front_of", "p1"))), ("plant", ()), ("wardrobe", (("near", "p2"),)),
+         ("bed", (("facing", "p6"), ("near", "p0")))),
+    ),
+}  # fmt: skip
+
+
+@cache
+def answer(name: str, wishes: bool) -> Answered:
+    (width, depth), door, window, pieces = TIGHT[name]
+    openings = (
+        Opening("door", "door", *door, 0.8, 2.0, connects_to="EXTERIOR", main_entrance=True),
+        Opening("window", "window", *window, 1.2, 1.2, 0.9, "EXTERIOR"),
+    )
+    rules = [tuple(RelationSpec.model_validate({"type": what, **({"of": of} if of else {})}) for what, of in own) for _, own in pieces]
+    wanted = [PieceRequest(f"p{k}", kind, relations=rules[k] if wishes else ()) for k, (kind, _) in enumerate(pieces)]
+    return place(Room("den", width=width, depth=depth, openings=openings), wanted)
+
+
+def missing(name: str, wishes: bool) -> set[str]:
+    return {one.id for one in answer(name, wishes).best.unplaced}
+
+
+@pytest.mark.parametrize("name", TIGHT)
+def test_wishes_leave_nothing_out_where_all_stands_without_them(name: str) -> None:
+    assert missing(name, True) == set() or missing(name, False) != set()
+    assert [one for one in answer(name, True).best.issues if one.severity == "error"] == []
+    asked = sum(len(own) for _, own in TIGHT[name][3])
+    assert len(answer(name, True).best.relations) == asked  # all are judged, however the place was found
+
+
+@pytest.mark.parametrize("name", TIGHT)
+@pytest.mark.parametrize("wishes", [True, False])
+def test_what_stands_in_another_answer_is_called_impossible_in_none(name: str, wishes: bool) -> None:
+    for conflict in answer(name, wishes).conflicts:
+        stand = not missing(name, not wishes).intersection(conflict.ids)
+        assert conflict.message.startswith("not found: ") or not stand
