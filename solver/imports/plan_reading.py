@@ -84,7 +84,7 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "dxf": PlanReader(
         "DXF: layers of rooms, walls, doors, windows",
         lambda file: is_dxf(file.content),
-        lambda file: read_dxf(file.content, file.metres),
+        lambda file: read_dxf(file.content, file.metres, file.catalogs),
     ),
     "svg": PlanReader(
         "SVG: shapes called rooms, walls, doors, windows",

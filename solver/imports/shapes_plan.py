@@ -20,6 +20,7 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from catalogs.room_names import RoomNames
 from solver.geometry import bounds_of_points
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind, Spot, check_count
@@ -83,11 +84,19 @@ class DrawnSwing(NamedTuple):
 
 
 class DrawnText(NamedTuple):
-    """A text and where it stands."""
+    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room."""
 
     words: str
     x: float
     z: float
+    means: str = ""
+
+
+def text_at(words: str, spot: Spot, names: RoomNames) -> DrawnText:
+    """Returns a text as it is drawn at a point, looked up among the names of rooms."""
+    said = " ".join(line.strip() for line in words.splitlines() if line.strip()[:1].isalpha())
+    meaning = names.meaning(said) if said and names.is_plain(said) else None
+    return DrawnText(said, *spot, meaning.key if meaning else "")
 
 
 def plan_of_shapes(
@@ -141,6 +150,7 @@ def plan_of_shapes(
             [points for points, _ in outlines], [*doors, *openings], told_by_doors([*doors, *openings], length)
         )
         rooms = [replace(room, label=_label(room.points, texts)) for room in found]
+    told += [one for room in rooms for one in _other_names(room, texts)]
     left = Counter(one.names for one, sort in zip(shapes, sorts, strict=True) if sort is None)
     told += [
         Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings") for name, count in sorted(left.items())
@@ -160,7 +170,7 @@ def _turned(
         return shapes, texts, swings
     return (
         [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in shapes],
-        [DrawnText(one.words, *turned_by((one.x, one.z), turn)) for one in texts],
+        [DrawnText(one.words, *turned_by((one.x, one.z), turn), one.means) for one in texts],
         [one._replace(hinge=turned_by(one.hinge, turn), ends=(turned_by(one.ends[0], turn), turned_by(one.ends[1], turn)))
          for one in swings],
     )  # fmt: skip
@@ -227,11 +237,23 @@ def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
 
 
 def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
-    """Returns the first text in a room that is no number: its lines that are none."""
+    """Returns the first text in a room that plainly names one, else the first that is no number."""
+    return min(_texts_in(points, texts), key=lambda one: not one.means, default=DrawnText("", 0.0, 0.0)).words
+
+
+def _texts_in(points: Sequence[Spot], texts: Sequence[DrawnText]) -> list[DrawnText]:
+    """Returns the texts in a room that are no numbers."""
     x0, z0, x1, z1 = bounds_of_points(points)
-    near = (text for text in texts if x0 <= text.x <= x1 and z0 <= text.z <= z1)
-    said = ((" ".join(line.strip() for line in text.words.splitlines() if line.strip()[:1].isalpha()), text) for text in near)
-    return next((words for words, text in said if words and _holds(points, text.x, text.z)), "")
+    near = [one for one in texts if one.words and x0 <= one.x <= x1 and z0 <= one.z <= z1]
+    return [one for one in near if _holds(points, one.x, one.z)]
+
+
+def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread]:
+    """Yields what else is named in a room that is called by a text in it: a dining room, to which no wall is drawn."""
+    inside = _texts_in(room.points, texts)
+    known = {one.means for one in inside if one.words == room.label}
+    for words in dict.fromkeys(one.words for one in inside if known and one.means and one.means not in known):
+        yield Unread(f"text {words!r:.60}", f"names a room, but no wall is drawn between it and {room.label!r:.60}")
 
 
 def _holds(points: Sequence[Spot], x: float, z: float) -> bool:

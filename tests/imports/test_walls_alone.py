@@ -121,3 +121,13 @@ def test_without_a_unit_or_doors_walls_are_left_out_with_what_to_say() -> None:
     with pytest.raises(FieldError, match="are none in this file"):
         drawn(OUTER, "")
     assert len(read(SVG.format("", OUTER).encode(), "walls.svg", unit="cm").scene.rooms) == 1
+
+
+def test_a_room_of_several_names_is_called_by_one_that_names_a_room_and_the_others_are_told() -> None:
+    lines = ((0, 0, 8, 0), (8, 0, 8, 5), (8, 5, 0, 5), (0, 5, 0, 0))
+    walls = "".join(f"<line class='wall' x1='{a}' y1='{b}' x2='{c}' y2='{d}'/>" for a, b, c, d in lines)
+    names = ("See note 4", 1), ("Kitchen", 2), ("Cuisine", 3), ("3.5 m", 4), ("Dining room", 5)
+    texts = "".join(f"<text x='{x}' y='2'>{words}</text>" for words, x in names)
+    answer = read(SVG.format("data-unit='m'", walls + texts).encode(), "plan.svg")
+    assert [(room.type, room.extra["name"]) for room in answer.scene.rooms] == [("kitchen", "Kitchen")]
+    assert [one["place"] for one in answer.unread] == ["text 'Dining room'"]

@@ -14,11 +14,13 @@ from io import StringIO
 from itertools import islice, pairwise
 from typing import Any, Final, NamedTuple
 
+from catalogs import Catalogs, load_catalogs
+from catalogs.room_names import RoomNames, room_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
-from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, is_passed, plan_of_shapes, sort_within
+from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, is_passed, plan_of_shapes, sort_within, text_at
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
 """What `$INSUNITS` says."""
@@ -61,8 +63,13 @@ def is_dxf(content: bytes) -> bool:
     return lines == [b"0", b"SECTION"] or content.startswith((b"999", BINARY))
 
 
-def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
-    """Reads the model space of a drawing; `metres` is the length of its unit, where the caller says it.
+def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
+    """Reads the model space of a drawing.
+
+    Args:
+        content: of the file.
+        metres: the length of its unit, where the caller says it.
+        catalogs: whose names of rooms are looked for among the texts; ours by default.
 
     Raises:
         FieldError: ezdxf is not installed; or there is more in it than in any home.
@@ -79,7 +86,8 @@ def read_dxf(content: bytes, metres: float | None = None) -> DrawnPlan:
         space = drawing.modelspace()
         if len(space) > MOST_ENTITIES:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
-        return _plan(space, metres or METRES.get(drawing.header.get("$INSUNITS", 0)))
+        names = room_names_of(catalogs or load_catalogs())
+        return _plan(space, metres or METRES.get(drawing.header.get("$INSUNITS", 0)), names)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
 
@@ -209,7 +217,7 @@ def _opened(space: Any) -> Iterator[_Entity]:
             yield _Entity(one, names[0], sort, f"{kind} {number} on layer {names[0]}")
 
 
-def _plan(space: Any, metres: float | None) -> DrawnPlan:
+def _plan(space: Any, metres: float | None, names: RoomNames) -> DrawnPlan:
     make_path = import_module("ezdxf.path").make_path
     shapes: list[DrawnShape] = []
     texts: list[DrawnText] = []
@@ -231,7 +239,7 @@ def _plan(space: Any, metres: float | None) -> DrawnPlan:
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "MTEXT"):
             at = one.dxf.get("align_point", one.dxf.insert) if kind == "TEXT" else one.dxf.insert
-            texts.append(DrawnText(one.plain_text(), float(at.x), -float(at.y)))
+            texts.append(text_at(one.plain_text(), (float(at.x), -float(at.y)), names))
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]

@@ -29,7 +29,7 @@ from solver.imports.formats.svg_elements import (
     view_of,
 )
 from solver.imports.plain_values import a_number, one_of
-from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, UnitTold, plan_of_shapes, sort_within
+from solver.imports.shapes_plan import DrawnShape, DrawnSwing, UnitTold, plan_of_shapes, sort_within, text_at
 from solver.imports.units import DOOR_WIDTHS, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
@@ -196,7 +196,7 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
 
 def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres: UnitTold) -> DrawnPlan:
     """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
-    texts = [DrawnText(one.words, *one.lines[0].points[0]) for one in elements if one.words]
+    texts = [text_at(one.words, one.lines[0].points[0], names) for one in elements if one.words and names]
     shapes: list[DrawnShape] = []
     swings: list[DrawnSwing] = []
     for element in elements if names else []:
