@@ -44,6 +44,14 @@ def test_a_body_clicked_shows_its_line(visit: Visit) -> None:
     assert visit.state()["selected"] == clicked
     expect(visit.line_of(clicked)).to_have_attribute("aria-pressed", "true")
     expect(visit.line_of(clicked)).to_be_in_viewport()
+    before = visit.page.viewport_size
+    visit.page.keyboard.press("]")
+    visit.page.set_viewport_size({"width": 1024, "height": 768})
+    boxes = [tool.bounding_box() for tool in visit.page.locator("#tools button").filter(visible=True).all()]
+    assert len(boxes) > 8
+    assert len({round(box["y"]) for box in boxes if box}) == 1, "what is done to it is one row of a small laptop"
+    assert before
+    visit.page.set_viewport_size(before)
 
 
 def test_a_body_pointed_at_is_named_with_its_sizes(visit: Visit) -> None:
