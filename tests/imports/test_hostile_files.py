@@ -1,4 +1,4 @@
-"""Broken and hostile files are refused with the place, or read without what is wrong; in bounded work and memory.
+"""Broken and hostile files are refused with the place or read without what is wrong, in bounded work and memory; all is told in German.
 
 No clock is asked: each file is read under a limit on Python's own function calls, far above what any plan needs.
 """
@@ -32,6 +32,7 @@ from tests.imports.hostile_buildings import (
 )
 from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
 from tests.imports.test_foreign_formats import apartment, packed, sweet_home
+from tests.told_answers import untold_in_import, untold_in_refusal
 
 MOST_CALLS = 5_000_000
 MOST_MEMORY = 200 << 20
@@ -253,6 +254,7 @@ def test_it_is_refused_with_words(name: str) -> None:
 
     error = bounded(refused, watched="zip" in name or "laughs" in name)
     assert error.field and error.problem
+    assert untold_in_refusal(error) == []
 
 
 MENDED: dict[str, bytes | Callable[[], bytes]] = {
@@ -281,3 +283,4 @@ def test_it_is_read_as_far_as_it_goes(name: str) -> None:
     answer = bounded(lambda: read(content, furniture="sofa" in name))
     assert answer.scene.rooms
     assert all(room.width <= 11 and room.depth <= 11 for room in answer.scene.rooms)
+    assert untold_in_import(answer, ["Sofa"]) == []
