@@ -177,3 +177,15 @@ def test_the_frame_of_a_window_is_no_window() -> None:
     windows = [one.width for room in answer.scene.rooms for one in room.openings if one.kind == "window"]
     assert windows == [1.2]
     assert sum("a part of one, such as its frame" in str(one["reason"]) for one in answer.unread) >= 2
+
+
+def test_a_group_that_says_it_is_a_room_draws_none_and_keeps_nothing_from_being_read_and_told() -> None:
+    """Others put `data-room` on the group of a room's walls; their walls are read, and what is left out is listed as ever."""
+    sides = ((0, 0, 4, 0.1), (0, 2.9, 4, 3), (0, 0, 0.1, 3), (3.9, 0, 4, 3))
+    walls = "".join(f"<rect class='wall' x='{a}' y='{b}' width='{c - a}' height='{d - b}'/>" for a, b, c, d in sides)
+    svg = (
+        "<svg xmlns='http://www.w3.org/2000/svg' data-unit='m'><g class='room' data-room='Bath'>{}<text x='1' y='1'>Bath</text></g>{}</svg>"
+    )
+    answer = read(svg.format(walls, "<rect class='stuff' width='1' height='1'/>").encode(), "plan.svg")
+    assert [(room.type, room.width, room.depth) for room in answer.scene.rooms] == [("bathroom", 3.9, 2.9)]
+    assert [one["place"] for one in answer.unread] == ["layer 'stuff'"]

@@ -70,7 +70,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
         raise SyntaxFault(f"no SVG: its first element is {str(root.tag)!r:.40}")
     elements, said = list(drawn_elements(root)), said_of(root)
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
-    stated = [element for element in elements if "data-room" in element.said]
+    stated = [element for element in elements if "data-room" in element.said and element.lines]
     names = None if stated and openings else room_names_of(catalogs or load_catalogs())
     plan = _shapes_plan(elements, names, lambda found: metres or _unit_of(said, found).metres)
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
