@@ -73,6 +73,10 @@ class AccessProfile(Entry):
         """Tells whether leaves must not swing into rooms of a type."""
         return any(rule.out and rule.is_about(room) for rule in self.rules)
 
+    def deep(self, piece: str, room: str) -> float:
+        """Returns how deep the floor before a piece in a room of a type is to be empty, m; 0 where nothing is asked for."""
+        return max((rule.min for rule in self.rules if rule.what == "deep" and piece in rule.pieces and rule.is_about(room)), default=0.0)
+
     def floor_of(self, piece: str, size: tuple[float, float, float]) -> float:
         """Returns the floor that a piece of a size takes, m2, with the strips that are to be empty along its sides and before its front."""
         about = [rule for rule in self.rules if piece in rule.pieces]

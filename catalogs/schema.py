@@ -293,7 +293,7 @@ class Catalogs(Entry):
 
 @lru_cache(maxsize=16)
 def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
-    """Returns the catalogs with the room sizes of a profile; the same object for the same catalogs, as what is compiled is kept by it."""
+    """Returns the catalogs with what a profile asks for; the same object for the same catalogs, as what is compiled is kept by it."""
     profile = catalogs.access[name]
     made_from = blake2b(f"{catalogs.fingerprint} {profile.model_dump_json()}".encode(), digest_size=6)
     rooms = dict(catalogs.rooms)
@@ -301,7 +301,20 @@ def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
         kind = rooms[room]
         if kind.home is not None:
             rooms[room] = kind.model_copy(update={"home": kind.home.model_copy(update={"area": size.area, "width": size.width})})
+    rooms = {room: _clear_for(room, of, profile) for room, of in rooms.items()}
     return catalogs.model_copy(update={"rooms": rooms, "profile": profile, "fingerprint": made_from.hexdigest()})
+
+
+def _clear_for(name: str, room: RoomType, profile: AccessProfile) -> RoomType:
+    """Returns a room type in which nothing must stand on the floor that a profile asks for before another piece."""
+    pieces = tuple(p.model_copy(update={"required": False}) if _is_before(p, name, profile) else p for p in room.pieces)
+    return room.model_copy(update={"pieces": pieces})
+
+
+def _is_before(piece: PieceSpec, room: str, profile: AccessProfile) -> bool:
+    """Tells whether a piece stands nearer before another one than a profile allows in rooms of a type."""
+    before = (rule for rule in piece.rules if rule.required and rule.type == "in_front_of" and rule.gap)
+    return any(rule.gap and rule.gap[0] < profile.deep(of, room) for rule in before for of in rule.of)
 
 
 @lru_cache(maxsize=16)

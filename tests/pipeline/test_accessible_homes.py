@@ -80,6 +80,13 @@ def test_a_studio_has_room_about_its_bed_and_a_bathroom_one_can_get_out_of() -> 
     assert family_living[0].width * family_living[0].depth <= CATALOGS.access["din_18040_2"].homes["living_room"].area[2]
 
 
+@pytest.mark.parametrize("preset", ["studio", "one_bed"])
+@pytest.mark.parametrize("profile", PROFILES)
+def test_small_homes_made_for_a_profile_are_certified(preset: str, profile: str) -> None:
+    scenes = [generate(Request(seed=seed, program=preset, access=profile)).scene for seed in range(60_000, 60_010)]
+    assert sum(not access_of(scene, profile, CATALOGS).unmet for scene in scenes) >= 9
+
+
 def test_what_is_furnished_anew_keeps_what_is_asked_for() -> None:
     made = family(90_000, access="din_18040_2_r", decorate=True).scene
     again = reroll(made, [room.id for room in made.rooms], seed=77).scene
