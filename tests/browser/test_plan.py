@@ -246,7 +246,7 @@ def test_the_browsers_own_print_prints_what_is_in_view_on_white(visit: Visit, co
     page.emulate_media(media="print")
     expect(page.locator("#view_print")).to_be_hidden()
     assert page.evaluate(ON_SHEET) == ["plan-sheet"]
-    looks = page.evaluate("(({filter, backgroundColor}) => [filter, backgroundColor])(getComputedStyle(document.querySelector('.plan-sheet')))")
+    looks = page.locator(".plan-sheet").first.evaluate("one => [getComputedStyle(one)].flatMap(it => [it.filter, it.backgroundColor])")
     assert looks == ["none", "rgb(255, 255, 255)"]
     page.emulate_media(media="screen")
     expect(page.locator("#view_print")).to_be_hidden()
