@@ -14,9 +14,10 @@ from typing import Final
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.export_formats import EXPORTERS
-from solver.exports import Files, describe, written_as
-from solver.exports.writers import ExportSettings
+from solver.exports import Files, describe
+from solver.pipeline.export import export_each
 from solver.scene import Scene
+from solver.validator import validate
 
 HOMES: Final = {
     "family": Request(seed=2024, program="family", decorate=True),
@@ -40,10 +41,10 @@ def least(work: Callable[[], object]) -> float:
 def row(scene: Scene, format: str) -> list[str]:
     """Returns a format's cells for one home: files, KB, KB compressed, ms described and written."""
     catalogs = load_catalogs()
-    settings = ExportSettings(format)
+    issues = validate(scene, catalogs)
 
     def work() -> Files:
-        return written_as(describe(scene, catalogs), settings)
+        return export_each(scene, (format,), catalogs, issues, "light")[format]
 
     files = work()
     size, packed = sum(map(len, files.values())), sum(len(zlib.compress(content)) for content in files.values())
