@@ -81,6 +81,38 @@ def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names:
 
 
 @pytest.mark.parametrize(
+    ("name", "key"),
+    [
+        ("BR 1", "bedroom"),
+        ("Bdrm", "bedroom"),
+        ("Bed 2", "bedroom"),
+        ("MBR", "bedroom_master"),
+        ("Mstr Bed", "bedroom_master"),
+        ("LIV RM", "living_room"),
+        ("Fam. Rm.", "living_room"),
+        ("KIT.", "kitchen"),
+        ("Brkfst", "dining_room"),
+        ("Pwdr Rm", "bathroom"),
+        ("TOIL.", "bathroom"),
+        ("LAV", "bathroom"),
+        ("Laund.", "laundry"),
+        ("UTIL", "laundry"),
+        ("Corr.", "hallway"),
+        ("Ent.", "foyer"),
+        ("GAR", "garage"),
+        ("Coats", "closet"),
+        ("Clos.", "closet"),
+        ("Mech", "technical_room"),
+        ("STOR.", "storage"),
+    ],
+)
+def test_what_architects_abbreviate_is_plain(name: str, key: str) -> None:
+    meaning = NAMES.meaning(name)
+    assert meaning is not None
+    assert meaning == (key, True)
+
+
+@pytest.mark.parametrize(
     ("name", "type_name"),
     [
         ("Master bath", "bathroom"),
