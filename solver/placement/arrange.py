@@ -158,7 +158,7 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
         budget: the work it may cost.
         limits: how much each step may try.
         wide: whether ways from door to door are to be wider than who walks, where the room costs little more for them: a wish. A try
-            counts only where it is proven and holds all required pieces. Each width may cost the budget.
+            counts only where it is proven, holds all required pieces and most of what stands without it. Each width may cost the budget.
 
     Returns:
         The best arrangement found within the limits.

@@ -10,13 +10,13 @@ constexpr i64 USUAL_ROBOT_MM = 600;
 constexpr i64 FEW_QPS = 10;  // of an empty room
 constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be there
 
-// Wider ways between doors: by how much wider than who walks, the widest first, and what the room may cost more for them. 0.8, 0.7 and
-// 0.65 m where the person is 0.6 m wide. Our choice.
+// Wider ways between doors: by how much wider than who walks, the widest first; the share that must stand with them of what optional pieces
+// are worth without; and the most that the room may cost more for them. 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
 struct WayMargin {
   i64 wider;
-  f64 worth;
+  f64 worth, most;
 };
-constexpr WayMargin MARGINS[] = {{200, 4.0}, {100, 9.0}, {50, 15.0}};
+constexpr WayMargin MARGINS[] = {{200, 0.9, 10.0}, {100, 0.8, 12.0}, {50, 0.6, 20.0}};
 constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 60, 2, 8, 6000};  // such a try is given up sooner
 
 // A placement that is known to be there is looked for with so many times the QPs, each time with so many times more.
@@ -137,22 +137,24 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   return arrange_whole(room, limits, budget, walk, nullptr);
 }
 
-// Required pieces that stand, and what the room costs, with what it lacks.
+// Required pieces that stand, what the optional ones that do are worth, and what the room costs with all that it leaves out.
 struct Standing {
   i64 required;
-  f64 cost;
+  f64 worth, cost;
 };
 
 static Standing standing_in(const WholeRoom& whole) {
   const Engine& engine = whole.desk->engine;
   const Decisions& decisions = whole.desk->decisions;
   const Room& room = engine.room;
-  Standing found = {0, engine.nodes.best_cost[0] + total_preference(room, decisions)};
+  Standing found = {0, 0.0, engine.nodes.best_cost[0] + total_preference(room, decisions)};
   for (i32 k = 0; k < room.pieces.size; k++) {
     if (decisions[k] == ABSENT) {
       found.cost += room.skip_costs[k];
+    } else if (room.pieces[k].required) {
+      found.required += room.pieces[k].empty == 0;
     } else if (room.pieces[k].empty == 0) {
-      found.required += room.pieces[k].required;
+      found.worth += room.skip_costs[k];
     }
   }
   return found;
@@ -179,7 +181,8 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
     if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !usual.proven)) {
       const Standing standing = standing_in(wide);
       wide.ways = space[0].ways;
-      if (standing.required >= least.required && standing.cost <= least.cost + margin.worth) return wide;
+      const bool holds_enough = standing.required >= least.required && standing.worth >= margin.worth * least.worth;
+      if (holds_enough && standing.cost <= least.cost + margin.most) return wide;
     }
     arena::release(mark);
   }
