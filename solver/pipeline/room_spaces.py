@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from math import inf
 
 from catalogs import Catalogs
 from solver.answers import Issue
@@ -15,6 +16,7 @@ from solver.furnish.zones import bounds_of, outline_edges
 from solver.pieces import Doorway, Space, Walked
 from solver.repair import RepairSettings, RoomProblem, Walls
 from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
+from solver.scene_bodies import said_height
 from solver.streams import Stream
 
 
@@ -58,7 +60,9 @@ def room_problem(scene: Scene, room: Room, errors: Iterable[Issue], settings: Re
     space = space_of(room, scene.wall_thickness, robot_width_of(scene), scene.rooms)
     lines = bounds_of(room)
     edges = outline_edges(room) or [(wall, lines.line(wall), *lines.along(wall)) for wall in WALLS]
-    return RoomProblem(room, space, Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges)), settings, tuple(errors))
+    said = None if room.outdoor else said_height(scene, room.level)
+    walls = Walls(space.clear, space.clear.x0 - lines.x0, tuple(edges))
+    return RoomProblem(room, space, walls, settings, tuple(errors), inf if said is None else said)
 
 
 def cover_mm2(room: Room, catalogs: Catalogs, seed: int) -> int:

@@ -8,20 +8,35 @@ under the piece, and where its kind stands on other pieces alone, as room types'
 that is over another piece of a kind that carries it stands on that one from now on.
 
 What a moved piece left behind goes after it together: by the shortest way on which all of it is on the piece, turned as most of it
-says that the piece was turned. Nothing else is told of where the piece was.
+says that the piece was turned. Nothing else is told of where the piece was. So goes what several things at once tell was left behind: where
+one way brings all of them back.
+
+What lay inside a piece, on a board or in a drawer, lies inside again. Nothing else is put there but what has no room under the ceiling.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from catalogs import Catalogs
-from catalogs.entries import Surface
+from catalogs.carrying import CarryingSurface, carrying_in
 from solver.free_places import footprint, nearest_place
 from solver.geometry import ALONG_X, Rect, to_mm
 from solver.repair.bodies import size_of
-from solver.repair.carried import Body, all_bodies, below, brought_along, changed_from_the_floor_up, parents_of, squared, with_bodies
+from solver.repair.carried import (
+    RESTS_MM,
+    Body,
+    all_bodies,
+    below,
+    brought_along,
+    changed_from_the_floor_up,
+    parents_of,
+    squared,
+    with_bodies,
+)
 from solver.repair.room_problem import RoomProblem
 from solver.scene import Decoration, Furniture, Room
 
@@ -83,8 +98,10 @@ def _gone_after(problem: RoomProblem, floating: Container[str]) -> tuple[Room, s
     before: dict[str, Body] = {}
     for piece in problem.room.furniture:
         lying = [body for body in bodies if said.get(body.id) == piece.id and not _hangs(body) and body.y > piece.y]
-        if piece.id in settings.moved and any(body.id in floating for body in lying):
-            before[piece.id] = _where_it_was(piece, lying, settings.catalogs)
+        left = sum(body.id in floating for body in lying)
+        if left > (piece.id not in settings.moved):
+            was = _where_it_was(piece, lying, problem)
+            before |= {piece.id: was} if was else {}
 
     def gone_after(body: Body, now: Mapping[str, Body]) -> Body:
         parent = said.get(body.id, "")
@@ -94,29 +111,42 @@ def _gone_after(problem: RoomProblem, floating: Container[str]) -> tuple[Room, s
     return changed_from_the_floor_up(problem.room, gone_after), after, {body.id for body in bodies if _hangs(body)} & after
 
 
-def _where_it_was(piece: Furniture, lying: Sequence[Body], catalogs: Catalogs) -> Furniture:
-    """Returns a piece as it stood under what lies where it was: turned as most of that is, and the shortest way from where it is."""
+def _where_it_was(piece: Furniture, lying: Sequence[Body], problem: RoomProblem) -> Furniture | None:
+    """Returns a piece as it stood under all that lies where it was, the shortest way from where it is; None where it stood so nowhere.
+
+    It was turned as most of what lies there is, where that lets it have stood under all of it; else as most of the rest is.
+    """
     turns = [(squared(piece.rotation) - squared(body.rotation)) % 360 for body in lying]
-    before = replace(piece, rotation=(squared(piece.rotation) - max((0, 90, 180, 270), key=turns.count)) % 360)
-    pairs = [(footprint(body), _surface_under(body, before, catalogs)) for body in lying]
-    dx = _least_step([(own.x1 - area.x1, own.x0 - area.x0) for own, area in pairs])
-    dz = _least_step([(own.z1 - area.z1, own.z0 - area.z0) for own, area in pairs])
-    turned = (piece.rotation - squared(piece.rotation) + before.rotation) % 360
-    return replace(before, x=round(before.x + dx / 1000, 4), z=round(before.z + dz / 1000, 4), rotation=turned)
+    for turn in sorted((0, 90, 180, 270), key=turns.count, reverse=True):
+        before = replace(piece, rotation=(squared(piece.rotation) - turn) % 360)
+        ways = [(_least_step(one.span(0)), _least_step(one.span(1))) for one in _common_steps(lying, before, problem)]
+        if ways:
+            dx, dz = min(ways, key=lambda way: (abs(way[0]) + abs(way[1]), way))
+            turned = (piece.rotation - squared(piece.rotation) + before.rotation) % 360
+            return replace(before, x=round(before.x + dx / 1000, 4), z=round(before.z + dz / 1000, 4), rotation=turned)
+    return None
 
 
-def _least_step(spans: Iterable[tuple[int, int]]) -> int:
-    """Returns the step nearest to none that is in all spans; amid what they leave between them where none is."""
-    every = list(spans)
-    low, high = max(span[0] for span in every), min(span[1] for span in every)
-    return max(low, min(0, high)) if low <= high else (low + high) // 2
+def _least_step(span: tuple[int, int]) -> int:
+    return max(span[0], min(0, span[1]))
 
 
-def _surface_under(body: Body, carrier: Body, catalogs: Catalogs) -> Rect:
-    """Returns where a body may be on the surface that is nearest to it in height."""
-    places = _surfaces(carrier, catalogs, size_of(body)[2])
-    surface = min(places, key=lambda place: abs(to_mm(carrier.y) + place[0] - to_mm(body.y)))[1]
-    return _area(footprint(body), surface, footprint(carrier)) if isinstance(body, Furniture) else surface
+def _common_steps(lying: Sequence[Body], carrier: Furniture, problem: RoomProblem) -> set[Rect]:
+    """Returns the steps of a carrier, mm, that bring it under all that lies on it."""
+    found = set(_steps_under(lying[0], carrier, problem))
+    for body in lying[1:]:
+        both = [one.common(other) for one in found for other in _steps_under(body, carrier, problem)]
+        found = {one for one in both if min(one.width, one.depth) >= 0}
+    return found
+
+
+def _steps_under(body: Body, carrier: Furniture, problem: RoomProblem) -> list[Rect]:
+    """Returns the steps of a carrier, mm, that bring a surface of its under a body, the nearest first: of those as high as that."""
+    own, places = footprint(body), _places(body, carrier, problem)
+    areas = [one.area(own) if isinstance(body, Furniture) else one.rect for one in places if one.level == places[0].level]
+    lows = [(own.x1 - area.x1, own.z1 - area.z1) for area in areas]
+    highs = [(own.x0 - area.x0, own.z0 - area.z0) for area in areas]
+    return [Rect(*map(min, low, high), *map(max, low, high)) for low, high in zip(lows, highs, strict=True)]
 
 
 def _carrying_names(catalogs: Catalogs) -> tuple[Mapping[str, frozenset[str]], frozenset[str]]:
@@ -162,9 +192,9 @@ def _carried(piece: Furniture, now: Mapping[str, Body], known: _Known) -> Furnit
     on_it = {label for label in pieces if piece.id in (label, *below(label, _said(pieces.values())))} if names else set()
     others = [other for other in pieces.values() if other.name in names and other is not own and other.id not in on_it]
     rect = footprint(piece)
-    near = sorted(others, key=lambda other: _beside(rect, other))
-    over = [other for other in near if _beside(rect, other) == 0]
-    if own is not None and not (over and _beside(rect, own)):
+    near = sorted(others, key=lambda other: _beside(rect, footprint(other)))
+    over = [other for other in near if _beside(rect, footprint(other)) == 0]
+    if own is not None and not (over and _beside(rect, footprint(own))):
         left = own.id in known.moved and piece.id not in known.moved
         if left or piece.name in known.bound or rect.overlaps(footprint(own)):
             return _put_on(piece, [own, *(near if piece.name in known.bound else ())], pieces, known)
@@ -173,10 +203,10 @@ def _carried(piece: Furniture, now: Mapping[str, Body], known: _Known) -> Furnit
     return replace(piece, y=0.0, on=None)
 
 
-def _beside(rect: Rect, other: Furniture) -> int:
-    """Returns how far the middle of a rectangle is from a piece's footprint, doubled mm, both axes added."""
-    x, z, below_it = rect.x0 + rect.x1, rect.z0 + rect.z1, footprint(other)
-    return max(0, 2 * below_it.x0 - x, x - 2 * below_it.x1) + max(0, 2 * below_it.z0 - z, z - 2 * below_it.z1)
+def _beside(rect: Rect, other: Rect) -> int:
+    """Returns how far the middle of a rectangle is from another one, doubled mm, both axes added."""
+    x, z = rect.x0 + rect.x1, rect.z0 + rect.z1
+    return max(0, 2 * other.x0 - x, x - 2 * other.x1) + max(0, 2 * other.z0 - z, z - 2 * other.z1)
 
 
 def _put_on(piece: Furniture, carriers: Sequence[Furniture], pieces: Mapping[str, Furniture], known: _Known) -> Furniture:
@@ -186,17 +216,17 @@ def _put_on(piece: Furniture, carriers: Sequence[Furniture], pieces: Mapping[str
 
 
 def _put_on_one(piece: Furniture, carrier: Furniture, pieces: Mapping[str, Furniture], known: _Known) -> tuple[Furniture, bool]:
-    """Moves a piece onto a carrier by the shortest way; tells whether it has room there."""
-    own, height, base = footprint(piece), size_of(piece)[2], to_mm(carrier.y)
-    straight = replace(carrier, rotation=squared(carrier.rotation))
-    places = _surfaces(straight, known.problem.settings.catalogs, height)
-    level, surface = min(places, key=lambda place: abs(base + place[0] - to_mm(piece.y)))
-    area, bottom = _area(own, surface, footprint(straight)), base + level
+    """Moves a piece onto a carrier by the shortest way, or sets it down where the ceiling is too low; tells whether it has room there."""
+    own, height = footprint(piece), size_of(piece)[2]
+    place, *_ = _places(piece, replace(carrier, rotation=squared(carrier.rotation)), known.problem)
+    area, bottom = place.area(own), place.level
+    if _is_above_ceiling(piece, place, known.problem):
+        return replace(piece, y=0.0, on=None), False
     blocks = _beside_on(piece, (carrier, area), (bottom, bottom + height), pieces)
     blocks += [zone.rect for zone in known.problem.space.zones if zone.above_mm < bottom + height and zone.rect.overlaps(area)]
     free = nearest_place(own, area, blocks)
-    place = free or nearest_place(own, area, ())
-    dx, dz = (place.x0 - own.x0, place.z0 - own.z0) if place else (0, 0)
+    found = free or nearest_place(own, area, ())
+    dx, dz = (found.x0 - own.x0, found.z0 - own.z0) if found else (0, 0)
     x, z = round(piece.x + dx / 1000, 4), round(piece.z + dz / 1000, 4)
     return replace(piece, x=x, y=bottom / 1000, z=z, on=carrier.id, wall=None if dx or dz else piece.wall), free is not None
 
@@ -215,11 +245,18 @@ def _beside_on(piece: Furniture, to: tuple[Furniture, Rect], heights: tuple[int,
     return found if len(found) <= MOST_BESIDE else []
 
 
-def _area(own: Rect, surface: Rect, carrier: Rect) -> Rect:
-    """Returns where a footprint may be: within its carrier's with its middle over the surface; as it fits where it is larger."""
-    x0, x1 = _stretch(own.width, (surface.x0, surface.x1), (carrier.x0, carrier.x1))
-    z0, z1 = _stretch(own.depth, (surface.z0, surface.z1), (carrier.z0, carrier.z1))
-    return Rect(x0, z0, x1, z1)
+class _Place(NamedTuple):
+    """A surface of a carrier: its height above the floor, its rectangle, and within what may be what stands on it, mm."""
+
+    level: int
+    rect: Rect
+    bounds: Rect
+
+    def area(self, own: Rect) -> Rect:
+        """Returns where a footprint may be: within the bounds with its middle over the surface; as it fits where it is larger."""
+        x0, x1 = _stretch(own.width, self.rect.span(0), self.bounds.span(0))
+        z0, z1 = _stretch(own.depth, self.rect.span(1), self.bounds.span(1))
+        return Rect(x0, z0, x1, z1)
 
 
 def _stretch(extent: int, surface: tuple[int, int], carrier: tuple[int, int]) -> tuple[int, int]:
@@ -231,19 +268,50 @@ def _stretch(extent: int, surface: tuple[int, int], carrier: tuple[int, int]) ->
     return start, start + extent
 
 
-def _surfaces(carrier: Body, catalogs: Catalogs, tall_mm: int = 0) -> Sequence[tuple[int, Rect]]:
-    """Returns a body's surfaces with so much free height above them: heights above its underside and rectangles, mm."""
-    rect = footprint(carrier)
-    known = [(entry.name or kind, entry.size, entry.surfaces) for kind, entry in catalogs.furniture.items()]
-    known += [(kind, thing.size, thing.surfaces) for kind, thing in catalogs.decorations.items()]
-    size = (carrier.width, carrier.depth, carrier.height)
-    found: tuple[Surface, ...] = next((carries for name, extent, carries in known if (name, extent) == (carrier.name, size)), ())
-    tall = [one for one in found if one.clearance is None or to_mm(one.clearance) >= tall_mm] or found
-    return [(to_mm(one.height), rect.shrunk(to_mm(one.inset))) for one in tall] or [(size_of(carrier)[2], rect)]
+def _places(body: Body, carrier: Body, problem: RoomProblem) -> Sequence[_Place]:
+    """Returns a carrier's surfaces, the best for a body first.
+
+    Best is the one at whose height it is; else a top, the nearest in height; of several of one height the nearest to it. One that lets
+    it into the ceiling comes last, and before that one without room for it.
+    """
+    own, sort, tall = footprint(body), "furniture" if isinstance(carrier, Furniture) else "decoration", size_of(body)[2]
+    ranked: list[tuple[tuple[int, ...], int, _Place]] = []
+    for one in carrying_in(problem.settings.catalogs).surfaces_of(
+        sort, carrier.name, (carrier.width, carrier.depth, carrier.height), carrier.kind
+    ):
+        rect = _rect_of(one, carrier)
+        place = _Place(to_mm(carrier.y) + _up(one.height), rect, footprint(carrier) if one.is_top else rect)
+        apart = abs(place.level - to_mm(body.y))
+        is_low = one.clearance is not None and to_mm(one.clearance) < tall
+        is_narrow = not one.is_top and (own.width > rect.width or own.depth > rect.depth)
+        elsewhere, above = apart > RESTS_MM, _is_above_ceiling(body, place, problem)
+        no_room = (elsewhere or isinstance(body, Furniture)) and (is_low or is_narrow)
+        rank = above, no_room, elsewhere and not one.is_top, apart, is_narrow, _beside(own, rect)
+        ranked.append((rank, len(ranked), place))
+    return [place for _, _, place in sorted(ranked)]
+
+
+def _is_above_ceiling(body: Body, place: _Place, problem: RoomProblem) -> bool:
+    return place.level / 1000 + body.height > problem.ceiling + 1e-6
+
+
+def _rect_of(surface: CarryingSurface, carrier: Body) -> Rect:
+    """Returns where a surface is; on a carrier at another than a right angle as far in from all edges as from the nearest."""
+    rect, (left, right, back, front) = footprint(carrier), map(_up, (surface.left, surface.right, surface.back, surface.front))
+    if carrier.rotation % 90:
+        return rect.shrunk(min(left, right, back, front))
+    west, north, east, south = {
+        0: (left, back, right, front), 90: (back, right, front, left), 180: (right, front, left, back), 270: (front, left, back, right),
+    }[squared(carrier.rotation)]  # fmt: skip
+    return Rect(rect.x0 + west, rect.z0 + north, rect.x1 - east, rect.z1 - south)
+
+
+def _up(metres: float) -> int:
+    return math.ceil(metres * 1000 - 1e-6)
 
 
 def _laid(thing: Decoration, now: Mapping[str, Body], problem: RoomProblem) -> Decoration:
-    """Returns a floating decoration at its wall, on the nearest surface of what carries it, or on the floor."""
+    """Returns a floating decoration at its wall, on or in what carries it where the ceiling lets it, or on the floor."""
     if thing.mounted_on_wall is not None:
         own, half = footprint(thing), problem.walls.half_mm
         deep = own.depth if thing.mounted_on_wall in ALONG_X else own.width
@@ -254,9 +322,8 @@ def _laid(thing: Decoration, now: Mapping[str, Body], problem: RoomProblem) -> D
     carrier = now.get(thing.parent or "")
     if carrier is None:
         return _moved_into(thing, problem.walls.clear, 0)
-    places = [(to_mm(carrier.y) + height, rect) for height, rect in _surfaces(carrier, problem.settings.catalogs)]
-    level, rect = min(places, key=lambda place: abs(place[0] - to_mm(thing.y)))
-    return _moved_into(thing, rect, level)
+    place, *_ = _places(thing, carrier, problem)
+    return thing if _is_above_ceiling(thing, place, problem) else _moved_into(thing, place.rect, place.level)
 
 
 def _moved_into(thing: Decoration, area: Rect, level: int) -> Decoration:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 from solver.answers import Issue
 from solver.geometry import INWARDS, Rect, strip_at
@@ -50,6 +51,7 @@ class RoomProblem:
         walls: what its furniture may stand at.
         settings: what stays, what was moved, where all was in the last answer, and what the repair may cost.
         errors: what the validator says of it.
+        ceiling: how high it is, m; without end where nothing says it, and outdoors.
     """
 
     room: Room
@@ -57,3 +59,4 @@ class RoomProblem:
     walls: Walls
     settings: RepairSettings
     errors: tuple[Issue, ...] = ()
+    ceiling: float = inf

@@ -11,12 +11,10 @@ from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.decoration_types import DecorationKind
+from catalogs.carrying import Carrying
 from catalogs.entries import Use
 from catalogs.fronts import UnitFront, fronts_of
-from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
-from catalogs.schema import FurnitureSpec
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
@@ -77,12 +75,7 @@ class Kinds:
         self._fronts: dict[KindKey, KindFronts] = {}
         self._uses: dict[KindKey, Use | None] = {}
         self._named = catalogs.kinds_by_name()
-        furniture: list[tuple[str, FurnitureSpec | DecorationKind]] = [(k.name or kind, k) for kind, k in catalogs.furniture.items()]
-        self._furniture = catalogs.furniture
-        self._surfaces: dict[str, dict[tuple[float, ...], Sequence[tuple[float, ...]]]] = {}
-        for name, kind in (*furniture, *catalogs.decorations.items()):
-            found = [(surface.height, *(surface.inset,) * 4) for surface in kind.surfaces]
-            self._surfaces.setdefault(name, {}).setdefault(kind.size, found)
+        self._carrying = Carrying(catalogs, self._book)
 
     def use_of(self, key: KindKey) -> Use | None:
         """Returns which sides of a piece of a kind are used; None where none is, it is unknown, or as flat as a rug."""
@@ -115,32 +108,11 @@ class Kinds:
         sort, name, width, depth, height, said = _told(key)
         is_person, size = sort == "person", (width, depth, height)
         shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
-        surfaces = [] if is_person else [*self._surfaces_of(name, size), *self._insides_of(sort, shape, size)]
+        surfaces = [] if is_person else self._carrying.surfaces_of(sort, name, size, said)
         solids = self._book.solids(shape)
-        heights = [exact(length) for surface in surfaces for length in surface]
+        heights = [exact(length) for one in surfaces for length in (one.height, one.left, one.right, one.back, one.front)]
         parts = b"".join([_PART.pack(*solid.x, *solid.y, *solid.z, _filled(solid, size)) for solid in solids])
         return KindRows(len(surfaces), pack(f"<{len(heights)}q", *heights), len(solids), parts)
-
-    def _insides_of(self, sort: str, shape: str | None, size: KindSize) -> list[tuple[float, ...]]:
-        """Returns the boards and drawers inside a piece that is as large as its kind."""
-        kind = self._furniture.get(shape or "") if sort == "furniture" else None
-        if kind is None or size != kind.size:
-            return []
-        half_width, half_depth = size[0] / 2, size[1] / 2
-        return [
-            (one.height, half_width + one.x[0], half_width - one.x[1], half_depth + one.z[0], half_depth - one.z[1])
-            for one in insides_of(self._book.solids(shape), size)
-        ]
-
-    def _surfaces_of(self, name: str, size: KindSize) -> Sequence[tuple[float, ...]]:
-        """Returns what a piece or decoration carries things on: heights above its underside, and how far in from its four edges, m.
-
-        Where its size is not that of a kind of its name: its top, and every height known for the name, on all of it.
-        """
-        known, top = self._surfaces.get(name, {}), (size[2], 0.0, 0.0, 0.0, 0.0)
-        if size in known:
-            return known[size] or [top]
-        return [top, *((height, 0.0, 0.0, 0.0, 0.0) for found in known.values() for height, *_ in found)]
 
 
 def _told(key: KindKey) -> BodyKey:
