@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from solver import Request, Scene, generate
 from solver.scene import Furniture, Room
@@ -47,7 +48,7 @@ class Thrown:
 
 def thrown(way: str, preset: str, seed: int, turn: bool = False) -> Thrown:
     """Throws pieces of one room of a home about: anywhere in it, and where asked for turned; what stands on them stays behind."""
-    home = generate(Request(seed=seed, **PRESETS[preset])).scene  # type: ignore[arg-type]
+    home = _home(preset, seed)
     stream = Stream(seed, f"thrown {way}", preset)
     room = stream.pick([room for room in home.rooms if len(room.furniture) >= LEAST])
     count = {"1": 1, "3": 3}.get(way, max(1, round(SHARE * len(room.furniture))))
@@ -60,6 +61,11 @@ def thrown(way: str, preset: str, seed: int, turn: bool = False) -> Thrown:
     furniture = tuple(_anywhere(piece, room, stream, turn) if piece.id in ids else piece for piece in room.furniture)
     rooms = tuple(replace(room, furniture=furniture) if one is room else one for one in home.rooms)
     return Thrown(home, replace(home, rooms=rooms), room.id, tuple(ids), locked)
+
+
+@lru_cache(maxsize=64)  # each is thrown in several ways, and repaired in two
+def _home(preset: str, seed: int) -> Scene:
+    return generate(Request(seed=seed, **PRESETS[preset])).scene  # type: ignore[arg-type]
 
 
 def _anywhere(piece: Furniture, room: Room, stream: Stream, turn: bool) -> Furniture:
