@@ -26,7 +26,7 @@ from solver.export_formats import EXPORTERS
 from solver.request import Request
 from tests.service.heavy import PATIENCE_S
 
-CASES = int(os.environ.get("CASES", "30"))
+CASES = int(os.environ.get("CASES", "15"))
 """Generated calls of each kind."""
 BEYOND_A_SCHEMA = (
     "runs at an angle",  # outlines
