@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from playwright.sync_api import Dialog, expect
+from playwright.sync_api import Dialog, Locator, expect
 
 from tests.browser.acts import MOST_STEPS
 from tests.browser.visit import Document
@@ -42,11 +42,24 @@ def sent_as_file(way: Way) -> None:
     expect(said).to_contain_text("Send a file instead")
     link = way.page.evaluate("navigator.clipboard.readText()")
     assert "program=large" in link and "#" not in link
+    saves(way, offered)
+    way.select(way.page.locator("#room_choice"), "")
+
+
+def offered_a_file(way: Way) -> None:
+    """Saves the file that is offered in place of a link, with nothing changed but that it is offered."""
+    offered = way.page.locator("#save_instead")
+    offered.evaluate("one => { one.hidden = false; }")
+    saves(way, offered)
+    offered.evaluate("one => { one.hidden = true; }")
+
+
+def saves(way: Way, button: Locator) -> None:
+    """Presses what saves a file, which holds the home shown."""
     with way.page.expect_download() as saved:
-        way.press(offered)
+        way.press(button)
     with open(saved.value.path(), encoding="utf-8") as file:
         assert json.load(file) == scene(way)
-    way.select(way.page.locator("#room_choice"), "")
 
 
 def left_and_come_back_to(way: Way) -> None:
