@@ -20,7 +20,8 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
-from solver.imports.shapes_plan import DrawnShape, DrawnSwing, DrawnText, is_passed, plan_of_shapes, sort_within, text_at
+from solver.imports.shape_openings import DrawnShape, DrawnSwing
+from solver.imports.shapes_plan import DrawnText, is_passed, plan_of_shapes, sort_within, text_at
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
 """What `$INSUNITS` says."""

@@ -29,7 +29,8 @@ from solver.imports.formats.svg_elements import (
     view_of,
 )
 from solver.imports.plain_values import a_number, one_of
-from solver.imports.shapes_plan import DrawnShape, DrawnSwing, UnitTold, plan_of_shapes, sort_within, text_at
+from solver.imports.shape_openings import DrawnShape, DrawnSwing
+from solver.imports.shapes_plan import UnitTold, plan_of_shapes, sort_within, text_at
 from solver.imports.units import DOOR_WIDTHS, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")

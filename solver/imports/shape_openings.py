@@ -1,0 +1,182 @@
+"""Openings of a drawing of shapes: what is drawn in one place is one, and the arc of a leaf tells where its door is.
+
+Comes in: `DrawnShape`s and `DrawnSwing`s. Goes out: `DrawnOpening`s. May import: drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from solver.geometry import bounds_of_points
+from solver.imports.drawn import DrawnOpening, OpeningKind, Spot
+
+SLIM: Final = 1.5
+"""A shape that is so many times as long as it is wide lies along its longer side."""
+MEET: Final = 0.1
+"""Two leaves of a door, shut, are no farther from one another than this share of the wider."""
+WIDER: Final = 1.4
+"""A door's opening may be so many times as wide as its leaf."""
+SAME: Final = 0.6
+"""Openings whose middles are nearer than this share of their length are one, drawn in several lines."""
+
+
+DrawnBox = tuple[float, float, float, float]
+
+
+class DrawnShape(NamedTuple):
+    """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called.
+
+    `width` is how thick its line is drawn, 0 where that means nothing.
+    """
+
+    names: str
+    points: tuple[Spot, ...]
+    closed: bool
+    where: str
+    sort: str | None
+    label: str = ""
+    width: float = 0.0
+
+
+class DrawnSwing(NamedTuple):
+    """The arc that a door's leaf sweeps: its hinge, its two ends, its place in the file."""
+
+    hinge: Spot
+    ends: tuple[Spot, Spot]
+    where: str
+
+
+def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> list[DrawnOpening]:
+    """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
+
+    A hole with a leaf in it is a door.
+    """
+    found: list[tuple[OpeningKind, Spot, Spot, str]] = []
+    places = Places([])
+    for kind in ("window", "garage_door", "passage", "door"):
+        drawn = [(*longer_line(one.points), one) for one, sort in zip(shapes, sorts, strict=True) if sort == kind]
+        for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
+            near = places.first(start, end)
+            if near is None and math.dist(start, end) > 0:
+                found.append((kind, start, end, one.where))
+                places.add(start, end)
+            elif near is not None and kind == "door" and found[near][0] == "passage":
+                found[near] = ("door", *found[near][1:])
+    return [DrawnOpening(*one) for one in found]
+
+
+def _is_stout(points: Sequence[Spot]) -> bool:
+    """Tells whether a shape does not say along which of its sides it lies: a small window through a thick wall."""
+    x0, z0, x1, z1 = bounds_of_points(points)
+    return max(x1 - x0, z1 - z0) < SLIM * min(x1 - x0, z1 - z0)
+
+
+class Places:
+    """Where lines are drawn, to find which of them are one with another."""
+
+    def __init__(self, lines: Sequence[tuple[Spot, Spot]]) -> None:
+        self._rows, self._count = np.empty((max(len(lines), 16), 3)), 0
+        for start, end in lines:
+            self.add(start, end)
+
+    def add(self, start: Spot, end: Spot) -> None:
+        """Takes in one more line."""
+        if self._count == len(self._rows):
+            self._rows = np.concatenate((self._rows, np.empty_like(self._rows)))
+        self._rows[self._count] = (*_between(start, end), math.dist(start, end))
+        self._count += 1
+
+    def first(self, start: Spot, end: Spot) -> int | None:
+        """Returns which is the first that is one with a line; None where none is."""
+        (x, z), rows = _between(start, end), self._rows[: self._count]
+        longer = np.maximum(rows[:, 2], math.dist(start, end))
+        near = np.flatnonzero(np.hypot(rows[:, 0] - x, rows[:, 1] - z) < SAME * longer)
+        return int(near[0]) if len(near) else None
+
+
+def doors_of_swings(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]], walls: Sequence[DrawnBox]) -> list[DrawnOpening]:
+    """Returns the doors of arcs: shut, a leaf lies at a wall; one is as wide as the gap between pieces of wall there, if there is one."""
+    lines = np.array([(*a, *b) for points in faces for a, b in pairwise(points)]).reshape(-1, 4)
+    boxes = np.array(walls, dtype=np.float64).reshape(-1, 4)
+    shut = [swing._replace(ends=_shut_first(swing.ends, lines)) for swing in swings]
+    return [_door_of(swing, boxes) for swing in _both_leaves(shut)]
+
+
+def _shut_first(ends: tuple[Spot, Spot], lines: NDArray[np.float64]) -> tuple[Spot, Spot]:
+    """Returns the ends of an arc, the one nearer to a wall first."""
+    shut, opened = sorted(ends, key=lambda end: (to_lines(end, lines), end))
+    return shut, opened
+
+
+def _both_leaves(swings: Sequence[DrawnSwing]) -> list[DrawnSwing]:
+    """Returns arcs of shut leaves of which two that meet, as a door's two do, are one: of the wider, from its hinge to the other's."""
+    hinges = np.array([one.hinge for one in swings]).reshape(-1, 2)
+    tips = np.array([one.ends[0] for one in swings]).reshape(-1, 2)
+    widths = np.hypot(*(tips - hinges).T)
+    is_left = np.full(len(swings), fill_value=True)
+    found = []
+    for at in sorted(range(len(swings)), key=lambda at: (-widths[at], at)):
+        if not is_left[at]:
+            continue
+        is_left[at] = False
+        meet = np.hypot(*(tips - tips[at]).T) < MEET * widths[at]
+        opposite = np.hypot(*(hinges - hinges[at]).T) > widths[at] + (1 - MEET) * widths
+        others = np.flatnonzero(is_left & meet & opposite)
+        one = swings[at]
+        if len(others):
+            is_left[others[0]] = False
+            one = one._replace(ends=(swings[others[0]].hinge, one.ends[1]))
+        found.append((at, one))
+    return [one for _, one in sorted(found, key=lambda one: one[0])]
+
+
+def _door_of(swing: DrawnSwing, boxes: NDArray[np.float64]) -> DrawnOpening:
+    shut, opened = swing.ends
+    along = 0 if abs(shut[0] - swing.hinge[0]) >= abs(shut[1] - swing.hinge[1]) else 1
+    low, high = sorted((swing.hinge[along], shut[along]))
+    middle, across, width = (low + high) / 2, (swing.hinge[1 - along] + shut[1 - along]) / 2, high - low
+    there = boxes[(boxes[:, 1 - along] - width / 2 <= across) & (across <= boxes[:, 3 - along] + width / 2)]
+    ends_before, starts_after = there[there[:, along + 2] <= middle, along + 2], there[there[:, along] >= middle, along]
+    before = float(ends_before.max()) if len(ends_before) else low
+    after = float(starts_after.min()) if len(starts_after) else high
+    if width <= after - before <= WIDER * width:
+        low, high = before, after
+    ends = ((low, across), (high, across)) if along == 0 else ((across, low), (across, high))
+    hinge: Literal["start", "end"] = "start" if swing.hinge[along] < middle else "end"
+    return DrawnOpening("door", *ends, swing.where, hinge=hinge, towards=opened)
+
+
+def to_lines(spot: Spot, lines: NDArray[np.float64]) -> float:
+    """Returns how far a point is from the nearest of some lines."""
+    if not len(lines):
+        return 0.0
+    starts, ways = lines[:, :2], lines[:, 2:] - lines[:, :2]
+    lengths = (ways**2).sum(axis=1)
+    shares = ((np.array(spot) - starts) * ways).sum(axis=1) / np.where(lengths > 0, lengths, 1.0)
+    away = starts + np.clip(shares, 0.0, 1.0)[:, None] * ways - spot
+    return float(np.hypot(away[:, 0], away[:, 1]).min())
+
+
+def _between(a: Spot, b: Spot) -> Spot:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+
+def longer_line(points: Sequence[Spot]) -> tuple[Spot, Spot]:
+    """Returns a line itself; of a four-cornered shape its middle line; of others that of the box around them, along its longer side."""
+    if len(points) == 2:
+        return points[0], points[1]
+    corners = points[:-1] if points[0] == points[-1] else points
+    if len(corners) == 4:
+        a, b, c, d = corners if math.dist(corners[0], corners[1]) <= math.dist(corners[1], corners[2]) else (*corners[1:], corners[0])
+        return _between(a, b), _between(c, d)
+    xs, zs = [x for x, _ in points], [z for _, z in points]
+    x0, x1, z0, z1 = min(xs), max(xs), min(zs), max(zs)
+    if x1 - x0 >= z1 - z0:
+        return (x0, (z0 + z1) / 2), (x1, (z0 + z1) / 2)
+    return ((x0 + x1) / 2, z0), ((x0 + x1) / 2, z1)
