@@ -89,12 +89,12 @@ class Places:
         """Takes in one more line."""
         if self._count == len(self._rows):
             self._rows = np.concatenate((self._rows, np.empty_like(self._rows)))
-        self._rows[self._count] = (*_between(start, end), math.dist(start, end))
+        self._rows[self._count] = (*between(start, end), math.dist(start, end))
         self._count += 1
 
     def first(self, start: Spot, end: Spot) -> int | None:
         """Returns which is the first that is one with a line; None where none is."""
-        (x, z), rows = _between(start, end), self._rows[: self._count]
+        (x, z), rows = between(start, end), self._rows[: self._count]
         longer = np.maximum(rows[:, 2], math.dist(start, end))
         near = np.flatnonzero(np.hypot(rows[:, 0] - x, rows[:, 1] - z) < SAME * longer)
         return int(near[0]) if len(near) else None
@@ -163,7 +163,8 @@ def to_lines(spot: Spot, lines: NDArray[np.float64]) -> float:
     return float(np.hypot(away[:, 0], away[:, 1]).min())
 
 
-def _between(a: Spot, b: Spot) -> Spot:
+def between(a: Spot, b: Spot) -> Spot:
+    """Returns the middle of two points."""
     return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
 
 
@@ -174,7 +175,7 @@ def longer_line(points: Sequence[Spot]) -> tuple[Spot, Spot]:
     corners = points[:-1] if points[0] == points[-1] else points
     if len(corners) == 4:
         a, b, c, d = corners if math.dist(corners[0], corners[1]) <= math.dist(corners[1], corners[2]) else (*corners[1:], corners[0])
-        return _between(a, b), _between(c, d)
+        return between(a, b), between(c, d)
     xs, zs = [x for x, _ in points], [z for _, z in points]
     x0, x1, z0, z1 = min(xs), max(xs), min(zs), max(zs)
     if x1 - x0 >= z1 - z0:

@@ -1,8 +1,8 @@
 """A drawing of shapes on layers, as CAD programmes and SVG keep it -> a plan: what a shape is, its layer's or its own name tells.
 
-Closed shapes on layers of rooms are rooms, named by the text inside them; shapes on layers of doors, windows and openings are openings,
-as long as their longer side. Without rooms they are looked for between the walls; without those between loose lines of rooms. Other
-layers are passed over, and told.
+Closed shapes on layers of rooms are rooms, named by the text inside them, and so is what loose lines there enclose; shapes on layers of
+doors, windows and openings are openings, as long as their longer side. Without closed rooms they are looked for between the walls.
+Outlines that stay open, and other layers, are passed over, and told.
 
 Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, shape_openings, walls_alone.
 """
@@ -17,11 +17,23 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from catalogs.room_names import RoomNames
 from solver.geometry import bounds_of_points
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
-from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnSwing, Places, doors_of_swings, longer_line, openings_of
+from solver.imports.shape_openings import (
+    DrawnBox,
+    DrawnShape,
+    DrawnSwing,
+    Places,
+    between,
+    doors_of_swings,
+    longer_line,
+    openings_of,
+    to_lines,
+)
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
 from solver.imports.walls_alone import rooms_between
@@ -42,6 +54,8 @@ MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
+INSIDE: Final = 0.05
+"""So far from a side, m, a spot is within an outline; nearer it is on it."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
 
@@ -89,19 +103,21 @@ def plan_of_shapes(
     sorted_shapes = list(zip(shapes, sorts, strict=True))
     rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
     outlines = [((*one.points, one.points[0]) if one.closed else one.points, one.closed) for one, sort in sorted_shapes if sort == "wall"]
-    are_drawn = bool(rooms)
+    loose = [one for one, sort in sorted_shapes if sort == "room" and not (one.closed and len(one.points) > 2)]
+    are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
     if not rooms and not outlines:
-        outlines = [(one.points, False) for one, sort in sorted_shapes if sort == "room"]
+        outlines = [(one.points, False) for one in loose]
     solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
     doors = doors_of_swings(swings, faces, solid)
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
     taken = Places([(one.start, one.end) for one in doors])
-    openings = [
+    openings = [*doors, *(
         one for one in openings_of(shapes, sorts)
         if taken.first(one.start, one.end) is None and (one.kind != "door" or leaves.first(one.start, one.end) is None)
-    ]  # fmt: skip
-    length = metres([*doors, *openings])
+    )]  # fmt: skip
+    length = metres(openings)
+    unit = told_by_doors(openings, length)
     walls: list[DrawnWall] = []
     thick: float | None = None
     told: list[Unread] = []
@@ -111,21 +127,62 @@ def plan_of_shapes(
             for one, sort in sorted_shapes if sort == "wall" and not one.closed
             for a, b in zip(one.points, one.points[1:], strict=False)
         ]  # fmt: skip
+        found = _beside(rooms, loose, openings, unit)
     else:
-        found, thick, told = rooms_between(
-            [points for points, _ in outlines], [*doors, *openings], told_by_doors([*doors, *openings], length)
-        )
-        rooms = [replace(room, label=_label(room.points, texts)) for room in found]
+        found, thick, told = rooms_between([points for points, _ in outlines], openings, unit)
+    rooms += [replace(room, label=_label(room.points, texts)) for room in found]
+    told += _still_open([] if by_walls else loose, rooms, unit)
     told += [one for room in rooms for one in _other_names(room, texts)]
-    left = Counter(one.names for one, sort in zip(shapes, sorts, strict=True) if sort is None)
-    told += [
-        Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings") for name, count in sorted(left.items())
-    ]
+    told += _untold_layers(shapes)
     return DrawnPlan(
-        tuple(rooms), (*doors, *openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
+        tuple(rooms), tuple(openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
+
+
+def _untold_layers(shapes: Sequence[DrawnShape]) -> Iterator[Unread]:
+    """Yields the layers whose names tell nothing."""
+    for name, count in sorted(Counter(one.names for one in shapes if one.sort is None).items()):
+        yield Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings")
+
+
+def _beside(
+    rooms: Sequence[DrawnRoom], loose: Sequence[DrawnShape], openings: Sequence[DrawnOpening], metres: float | None
+) -> list[DrawnRoom]:
+    """Returns the rooms that loose lines enclose where no room is drawn as one outline."""
+    if not loose:
+        return []
+    found, _, _ = rooms_between([one.points for one in loose], openings, metres)
+    within = INSIDE / (metres or 1.0)
+    return [room for room in found if not any(_overlap(room.points, other.points, within) for other in rooms)]
+
+
+def _overlap(a: Sequence[Spot], b: Sequence[Spot], within: float) -> bool:
+    """Tells whether the middle of a side of one of two outlines, moved inwards a little, lies in the other."""
+    (x0, z0, x1, z1), (u0, w0, u1, w1) = bounds_of_points(a), bounds_of_points(b)
+    if min(x1, u1) <= max(x0, u0) or min(z1, w1) <= max(z0, w0):
+        return False
+    return any(_holds(other, *spot) for one, other in ((a, b), (b, a)) for spot in _inside(one, within))
+
+
+def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
+    """Yields the spots so far inside the middles of an outline's sides."""
+    for start, end in pairwise((*points, points[0])):
+        (x, z), length = between(start, end), math.dist(start, end) or 1.0
+        across = (end[1] - start[1]) * within / length, (start[0] - end[0]) * within / length
+        yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if _holds(points, *spot))
+
+
+def _still_open(loose: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres: float | None) -> list[Unread]:
+    """Returns, for each layer of rooms, how many of its loose lines no room lies along."""
+    sides = np.array([(*a, *b) for room in rooms for a, b in pairwise((*room.points, room.points[0]))]).reshape(-1, 4)
+    near, counts = INSIDE / (metres or 1.0), Counter[str]()
+    for one in loose:
+        middles = [between(a, b) for a, b in pairwise(one.points)]
+        if not len(sides) or any(to_lines(spot, sides) > near for spot in middles):
+            counts[one.names] += 1
+    return [Unread(f"layer {name!r:.60}", f"{count} open outlines of rooms, which enclose none") for name, count in sorted(counts.items())]
 
 
 def _turned(

@@ -107,6 +107,45 @@ def test_rooms_whose_lines_are_shared_lie_along_them() -> None:
     assert first.openings[0].connects_to == second.id
 
 
+OPEN = [(0, 3100), (0, 3000), (4000, 3000), (4000, 2000), (6000, 2000), (6000, 5000), (0, 5000), (0, 4000)]
+"""A hallway around a corner, open where a door is, 0.9 m; mm."""
+
+
+def beside_a_closed_room(closing: str | None) -> PlanImport:
+    made = plan()
+    space = made.modelspace()
+    space.add_lwpolyline(corners((100, 0, 4000, 2900)), close=True, dxfattribs={"layer": "ROOMS"})
+    space.add_lwpolyline(OPEN, dxfattribs={"layer": "ROOMS"})
+    space.add_text("Hallway", dxfattribs={"layer": "NAMES", "insert": (5000, 4000)})
+    if closing:
+        space.add_line(OPEN[-1], OPEN[0], dxfattribs={"layer": closing})
+    return read_of(made)
+
+
+@pytest.mark.parametrize("closing", ["ROOMS", "DOORS"])
+def test_an_open_outline_that_a_line_or_a_door_closes_is_a_room_beside_closed_ones(closing: str) -> None:
+    answer = beside_a_closed_room(closing)
+    assert [room.type for room in answer.scene.rooms] == ["room", "hallway"]
+    hallway = answer.scene.rooms[1]
+    assert (round(hallway.width), round(hallway.depth)) == (6, 3) and hallway.outline is not None
+    assert not [one for one in answer.unread if "open outlines" in one["reason"]]
+
+
+def test_an_outline_of_a_room_that_stays_open_is_told() -> None:
+    answer = beside_a_closed_room(None)
+    assert len(answer.scene.rooms) == 1
+    assert [(one["place"], one["reason"]) for one in answer.unread] == [("layer 'ROOMS'", "1 open outlines of rooms, which enclose none")]
+
+
+def test_an_outline_that_is_drawn_closed_and_once_more_as_lines_is_one_room() -> None:
+    made = plan()
+    made.modelspace().add_lwpolyline(corners((100, 0, 4000, 2900)), close=True, dxfattribs={"layer": "ROOMS"})
+    loose(made.modelspace(), "ROOMS", (100, 0, 4000, 2900), (4100, 0, 8000, 2900))
+    answer = read_of(made)
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.0, 3.0)] * 2
+    assert list(answer.unread) == []
+
+
 def test_loose_lines_of_walls_tell_how_thick_outer_walls_are_around_drawn_rooms() -> None:
     made = plan()
     inner = (200, 200, 4050, 3000), (4150, 200, 8000, 3000)
