@@ -132,6 +132,8 @@ class DrawnPlan:
     """Pieces of wall that tell how thick walls are, not where there are none."""
     faces: tuple[tuple[Spot, Spot], ...] = ()
     """Lines along the faces of walls: two that look away from each other have a wall between them."""
+    layers: tuple[str, ...] = ()
+    """The names of a drawing's layers, those with most on them first."""
 
 
 @dataclass

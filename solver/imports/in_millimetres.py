@@ -6,7 +6,7 @@ Comes in: a `DrawnPlan` in the file's unit. Goes out: one in mm (heights in m). 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -20,6 +20,8 @@ WIDEST: Final = 1_000_000
 """Between these, mm, is the larger side of a house."""
 HEIGHT: Final = 2.8
 """Of a storey, m, where the file does not say."""
+MOST_NAMED: Final = 8
+"""Layers that are named, those with most on them."""
 Turn = Callable[[Spot], Spot]
 
 
@@ -36,7 +38,7 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     counts = Counter(room.level for room in plan.rooms)
     names = {level.number: level.name for level in plan.levels}
     if not counts:
-        raise FieldError("rooms", "are none in this file", "at least one room with an outline")
+        raise _without_rooms(plan.layers)
     chosen = min(counts) if asked is None else asked
     if chosen not in counts:
         raise FieldError("level", f"{chosen} has no rooms", ", ".join(map(str, sorted(counts))))
@@ -50,6 +52,16 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
         walls=tuple(one for one in plan.walls if one.level == chosen),
         pieces=tuple(one for one in plan.pieces if one.level == chosen),
         levels=tuple(one for one in plan.levels if one.number == chosen),
+    )
+
+
+def _without_rooms(layers: Sequence[str]) -> FieldError:
+    """Returns why a plan has no rooms, with what a drawing's layers are called, so that one knows what to rename."""
+    if not layers:
+        return FieldError("rooms", "are none in this file", "at least one room with an outline")
+    names = ", ".join(f"{name!r:.40}" for name in layers[:MOST_NAMED]) + (", ..." if len(layers) > MOST_NAMED else "")
+    return FieldError(
+        "rooms", f"are none in this file, whose layers are {names}", "lines on a layer called as rooms or walls are, such as ROOMS"
     )
 
 

@@ -137,6 +137,7 @@ def plan_of_shapes(
     return DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
+        layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
 

@@ -9,6 +9,7 @@ from typing import Any
 import ezdxf.filemanagement as files
 import pytest
 
+from solver.errors import FieldError
 from solver.imported import PlanImport
 from tests.imports.plans import read
 
@@ -144,6 +145,17 @@ def test_an_outline_that_is_drawn_closed_and_once_more_as_lines_is_one_room() ->
     answer = read_of(made)
     assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.0, 3.0)] * 2
     assert list(answer.unread) == []
+
+
+def test_a_drawing_without_rooms_is_told_the_layers_with_most_on_them() -> None:
+    made: Any = files.new()
+    for count in range(1, 11):
+        for _ in range(count):
+            made.modelspace().add_line((0, 0), (count, 5), dxfattribs={"layer": f"L{count}"})
+    with pytest.raises(FieldError) as refused:
+        read_of(made)
+    named = ", ".join(f"'L{count}'" for count in range(10, 2, -1))
+    assert f"are none in this file, whose layers are {named}, ..." in str(refused.value)
 
 
 def test_loose_lines_of_walls_tell_how_thick_outer_walls_are_around_drawn_rooms() -> None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import ifcopenshell.api.root
+import pytest
 
+from solver.errors import FieldError
 from solver.imported import PlanImport
 from tests.imports.plans import read
 from tests.imports.test_ifc_furniture import Building, Corner, corners_of, shell
@@ -85,3 +87,9 @@ def test_a_hole_in_what_is_no_wall_is_no_opening() -> None:
     made = home.read(0)
     assert openings(made) == set()
     assert not any("hole" in one["reason"] for one in made.unread)
+
+
+def test_a_building_of_a_schema_that_is_not_read_is_told_its_name_and_which_are() -> None:
+    content = str(ifcopenshell.file(schema="IFC4").to_string()).replace("IFC4", "IFC4X1")
+    with pytest.raises(FieldError, match=r"IFC of the schema IFC4X1; read are IFC2X3, IFC4\b"):
+        read(content.encode(), "house.ifc")

@@ -79,11 +79,20 @@ def read_ifc(content: bytes) -> DrawnPlan:
         raise SyntaxFault(f"IFC that is cut off, or of more than {MOST_ENTITIES:,} entities")
     try:
         file = ifcopenshell.file.from_string(content.decode("utf-8", "replace"))
+        _check_schema(file, ifcopenshell.ifcopenshell_wrapper.schema_names())
         return _ReadBuilding(file).plan()
-    except FieldError:
+    except (FieldError, SyntaxFault):
         raise
     except (RuntimeError, ValueError, AttributeError, TypeError, IndexError, KeyError, ifcopenshell.Error) as error:
         raise SyntaxFault(f"IFC that cannot be read: {said(error)}") from None
+
+
+def _check_schema(file: Any, known: Sequence[str]) -> None:
+    """Refuses a file of a schema that is not read, by its name."""
+    names = tuple(map(str, file.header.file_schema.schema_identifiers))
+    if not {name.upper() for name in names} & set(known):
+        read = ", ".join(sorted(name for name in known if name.startswith("IFC")))
+        raise SyntaxFault(f"IFC of the schema {' '.join(names) or '?':.60}; read are {read}")
 
 
 class _ReadBuilding:
