@@ -103,7 +103,7 @@ def plan_of_shapes(
     sorted_shapes = list(zip(shapes, sorts, strict=True))
     rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
     outlines = [((*one.points, one.points[0]) if one.closed else one.points, one.closed) for one, sort in sorted_shapes if sort == "wall"]
-    loose = [one for one, sort in sorted_shapes if sort == "room" and not (one.closed and len(one.points) > 2)]
+    loose = [one for one, sort in sorted_shapes if sort == "room" and len(one.points) > 1 and not (one.closed and len(one.points) > 2)]
     are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
     if not rooms and not outlines:
         outlines = [(one.points, False) for one in loose]
