@@ -1,7 +1,7 @@
 """Our own catalogs, checked once and kept in the user's cache folder: to read them back takes a twentieth of the time.
 
-Comes in: nothing, or a user's folder. Goes out: catalogs. Ours are read anew whenever a file of this folder is another one.
-Only types of this folder are made of what the file says. A cache that cannot be had, or is damaged, is none.
+Ours are read anew whenever a file of this folder is another one. Only types of this folder are made of what the file says. A cache that
+cannot be had, or is damaged, is none.
 """
 
 from __future__ import annotations

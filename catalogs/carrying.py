@@ -1,7 +1,4 @@
-"""What a body carries things on: its tops, the boards of its carcass and the bottoms of its drawers; for judging and repairing alike.
-
-Comes in: catalogs; a body's sort, name, size and the kind it names. Goes out: `CarryingSurface`s, m. May import: kinds, insides.
-"""
+"""What a body carries things on: its tops, the boards of its carcass and the bottoms of its drawers; for judging and repairing alike."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """The fronts of a shape: what opens, about which line, how far, and which of its solids move with it.
 
-Comes in: a kind's solids. Goes out: `UnitFront`s, in shares of the body's box; and the floor that fronts come over. May import: shapes.
-
 Axes are the body's own, x to its right, y up, z to its front; a turn is positive from y to z, z to x and x to y. A front turns about an
 edge of its panel's outer face, so that nothing of it goes behind the panel or beside it.
 """

@@ -1,7 +1,4 @@
-"""What carries things inside a shape: the boards of a carcass between what stands on them, and the bottoms of drawers.
-
-Comes in: a kind's solids and size. Goes out: `InsideSurface`s, m in the body's own frame. May import: shapes.
-"""
+"""What carries things inside a shape: the boards of a carcass between what stands on them, and the bottoms of drawers."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Which kind a body of a scene is: the one it names, else of those that scenes call like it the one nearest in size.
-
-Comes in: catalogs; a body's name and size. Goes out: the kind's key, and what the kind says.
-"""
+"""Which kind a body of a scene is: the one it names, else of those that scenes call like it the one nearest in size."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Which keys a relation of a room type takes: any other would have no effect, so it is refused.
 
-Comes in: a RelationSpec. Goes out: keys. May import: the schema. Not here: what keys mean (docs/relations.md).
+Not here: what keys mean (docs/relations.md).
 """
 
 from __future__ import annotations

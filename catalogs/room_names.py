@@ -1,7 +1,4 @@
-"""What a plan's name of a room means: the room type that another program or language calls so.
-
-Comes in: catalogs; a name. Goes out: a `RoomMeaning`, or None where nobody can tell. May import: schema.
-"""
+"""What a plan's name of a room means: the room type that another program or language calls so."""
 
 from __future__ import annotations
 

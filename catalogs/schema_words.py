@@ -1,7 +1,6 @@
 """What a JSON Schema says of a key, in words: for refusals of documents and of catalogs.
 
-Comes in: a schema that is published, and a way through a document. Goes out: words. May import: nothing of ours. It stands here because
-catalogs import nothing of ours.
+It stands here because catalogs import nothing of ours.
 """
 
 from __future__ import annotations

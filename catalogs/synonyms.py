@@ -1,8 +1,4 @@
-"""What a foreign name means: the kind of the catalogs that another program, data set or language calls so.
-
-Comes in: catalogs; a name and a size. Goes out: a `Meaning`, or None: a wrong understanding is worse than none, so what is not
-plainly meant has to agree in size. May import: schema.
-"""
+"""What a foreign name means: the kind of the catalogs that another program, data set or language calls so."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""Shapes written out for a kind: mirror images, the boards of hollow parts, what moves with which front, the trays of drawers.
-
-Comes in: the parts that a file writes, a kind's surfaces and size. Goes out: `Solid`s; what does not fit together.
-May import: shapes, synonyms.
-"""
+"""Shapes written out for a kind: mirror images, the boards of hollow parts, what moves with which front, the trays of drawers."""
 
 from __future__ import annotations
 

@@ -1,8 +1,6 @@
 """YAML text -> plain values: YAML 1.2's core schema, so that `on` and `no` are texts and dates stay as written.
 
-Comes in: a text, ours or anybody's. Goes out: mappings with text keys, lists, texts, numbers, flags and None; or `YamlFault`.
-May import: nothing of ours. PyYAML parses; what its events mean is settled here as they come: depth, repeated keys, aliases. Its
-nodes take three times as long.
+PyYAML parses; what its events mean is settled here as they come: depth, repeated keys, aliases. Its nodes take three times as long.
 """
 
 from __future__ import annotations

@@ -1,8 +1,4 @@
-"""Who is let in: keys where there are any, how often each may ask, and how much work each may have a day.
-
-Comes in: every request that `callers` let through. Goes out: a problem document, or what the routes answer, who asks being known to them
-as `owner_of(scope)`. May import: keys, rates, problems.
-"""
+"""Who is let in: keys where there are any, how often each may ask, and how much work each may have a day."""
 
 from __future__ import annotations
 

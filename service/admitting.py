@@ -1,7 +1,4 @@
-"""Who is let in, as the settings say.
-
-Comes in: `Settings`. Goes out: `Admitted`. May import: admission, keys, rates, service_settings.
-"""
+"""Who is let in, as the settings say."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Who may ask: requests whose framing, host or origin tell of an attack on the service, or on those who use it, are refused.
-
-Comes in: every request, before the routes. Goes out: a problem document, or what the routes answer. May import: problems.
-"""
+"""Who may ask: requests whose framing, host or origin tell of an attack on the service, or on those who use it, are refused."""
 
 from __future__ import annotations
 

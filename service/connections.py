@@ -1,7 +1,5 @@
 """Connections: bounded in number, in all and for each client; those that only wait for their client give way to new ones.
 
-Comes in: bytes, by uvicorn's protocol. Goes out: the same. Not here: what requests mean.
-
 A connection **waits for its client** while a request has not arrived whole, and while the client does not take the answer. Where there are
 too many, the one that has waited longest is closed: who opens many and says little keeps nobody out.
 """

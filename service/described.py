@@ -1,7 +1,4 @@
-"""Calls that FastAPI describes and does not make: it reads their types, for seconds, when the OpenAPI document is asked for.
-
-Comes in: what answers each call, and the types of what it takes and answers. Goes out: routes, and a router for the document.
-"""
+"""Calls that FastAPI describes and does not make: it reads their types, for seconds, when the OpenAPI document is asked for."""
 
 from __future__ import annotations
 

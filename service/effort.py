@@ -1,7 +1,6 @@
 """How much work a call may do: one count for all its searches, the same on every machine; and what an answer says where it ended them.
 
-Comes in: the effort that a caller asks for, the terms of whoever runs the service. Goes out: a limited block, `Limited`. Not here: the
-counting (placement).
+Not here: the counting (placement).
 """
 
 from __future__ import annotations

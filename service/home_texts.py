@@ -1,7 +1,4 @@
-"""Homes between what is sent and what is kept: read, packed, and written again. The first runs in a worker.
-
-Comes in: bodies; rows of the store. Goes out: packed scenes, documents, JSON texts. May import: the contract, the store's rows.
-"""
+"""Homes between what is sent and what is kept: read, packed, and written again. The first runs in a worker."""
 
 from __future__ import annotations
 

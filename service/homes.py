@@ -1,7 +1,4 @@
-"""The calls about homes that are kept, in threads that wait for the store.
-
-Comes in: requests, whose owner `admission` knows. Goes out: answers; refusals as errors of the table in `problems`.
-"""
+"""The calls about homes that are kept, in threads that wait for the store."""
 
 from __future__ import annotations
 

@@ -1,6 +1,5 @@
 """The calls about long work; and the runner, which makes the calls of one job after another in the workers.
 
-Comes in: requests; jobs of the store. Goes out: answers, events, results.
 What was done is kept call by call: a job goes on where it was ended.
 """
 

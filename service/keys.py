@@ -1,8 +1,4 @@
-"""The keys of those who may ask: read from a text, compared in constant time, kept as digests alone.
-
-Comes in: a YAML file's text, or `name=key` pairs. Goes out: a `KeyRing`, which tells whose key a text is.
-May import: errors, exchange.
-"""
+"""The keys of those who may ask: read from a text, compared in constant time, kept as digests alone."""
 
 from __future__ import annotations
 

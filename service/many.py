@@ -1,7 +1,7 @@
 """Many houses, of successive seeds, made in some processes: the number of processes changes neither their order nor a byte.
 
-Comes in: a request and how many. Goes out: a folder with a file a house, each whole or not there, and `made_from.json`, which says what
-they were made from; so the same command goes on where it was ended.
+A folder holds a file a house, each whole or not there, and `made_from.json`, which says what they were made from; so the same command goes
+on where it was ended.
 """
 
 from __future__ import annotations

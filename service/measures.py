@@ -1,8 +1,4 @@
-"""What operators see: figures for Prometheus, an access log with an id for each request.
-
-Comes in: every request, around all else. Goes out: the same answer with `X-Request-ID`; figures at /metrics; a line of JSON a request.
-Not here: what a request means.
-"""
+"""What operators see: figures for Prometheus, an access log with an id for each request."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Catalogs on their way to other processes, and what such a process loads before its first home.
 
-Comes in: catalogs. Goes out: bytes, and back. May import: the solver; not the calls, which a process that makes homes never makes.
+Imports none of the calls, which a process that makes homes never makes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,5 @@
 """Work spread over processes of this machine: the number of processes changes neither its order nor what it makes.
 
-Comes in: a function of a module and jobs. Goes out: what it makes of each, in their order. May import: the errors.
-
 Few jobs are under way at a time, so that memory does not grow with their number. What a killed process was at is done again.
 """
 

@@ -1,7 +1,4 @@
-"""How far long work is, for the person who waits for it: a bar on a terminal, elsewhere a line now and then.
-
-Comes in: how much there is to do. Goes out: words on standard error. May import: nothing of ours but the streams.
-"""
+"""How far long work is, for the person who waits for it: a bar on a terminal, elsewhere a line now and then."""
 
 from __future__ import annotations
 

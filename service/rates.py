@@ -1,7 +1,4 @@
-"""How often, and how much, somebody may ask: a bucket of tokens each, and seconds of work a day.
-
-Comes in: who asks, and the time, which callers hand in. Goes out: how long to wait. May import: nothing of ours.
-"""
+"""How often, and how much, somebody may ask: a bucket of tokens each, and seconds of work a day."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What commands say of a scene as it was sent, whatever it holds: kinds that nobody here knows, rooms that stay as they are.
-
-Comes in: the document, before it is read as a scene. Goes out: words to standard error.
-"""
+"""What commands say of a scene as it was sent, whatever it holds: kinds that nobody here knows, rooms that stay as they are."""
 
 from __future__ import annotations
 

@@ -1,8 +1,5 @@
 """What whoever runs the service may set: declared once, as fields, for options, environment, file and `--help`.
 
-Comes in: words of the command line, the environment, the name of a file. Goes out: `Settings`.
-May import: fields; exchange when it reads.
-
 A setting has one name in all three: `request_seconds` in a file, `--request-seconds` as an option, `COMPOSE_HOMES_REQUEST_SECONDS` in the
 environment. Options go before the environment, that before the file, that before the defaults.
 """

@@ -1,7 +1,4 @@
-"""The store of one service: opened when it is first needed, or at the start, where whoever runs it hears what is wrong.
-
-Comes in: `Settings`. Goes out: what asks the store. May import: service_settings, store.
-"""
+"""The store of one service: opened when it is first needed, or at the start, where whoever runs it hears what is wrong."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The standard streams of a command, also where whoever started it has closed some of them.
-
-Comes in: bytes and words. Goes out: the same; or an `OSError` in words. May import: nothing of ours.
-"""
+"""The standard streams of a command, also where whoever started it has closed some of them."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The words and keys of answers: scenes with what breaks a rule, how far what was moved, repairs of a conflict, what ended the search.
-
-Comes in: nothing. Goes out: types that declare documents. May import: fields, scene.
-"""
+"""The words and keys of answers: scenes with what breaks a rule, how far what was moved, repairs of a conflict, what ended the search."""
 
 from __future__ import annotations
 

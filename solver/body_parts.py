@@ -1,7 +1,4 @@
-"""The parts that a body is made of, in metres, in the body's own frame.
-
-Comes in: a kind's solids (shares of its box) and a body's size. Goes out: `BodyPart`s. May import: catalogs.
-"""
+"""The parts that a body is made of, in metres, in the body's own frame."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """The bodies of a room as the core told them: rows of numbers, of which furniture and decorations are made when somebody asks for them.
 
-Comes in: the core's rows, how kinds look, the room. Goes out: a room whose `furniture` and `decorations` are made later; the rows. May
-import: scene. A home has some five hundred bodies, and whoever judges, counts or writes it needs numbers alone.
+A home has some five hundred bodies, and whoever judges, counts or writes it needs numbers alone.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a generated scene says about itself: rules checked, counts, and per room cost, proof and what was left out.
 
-A proof speaks of one placement: each room's part holds a mark of it (`of`), and is worth nothing for another one.
-May import: the ground floor. Holds no times, so that equal requests give equal bytes.
+A proof speaks of one placement: each room's part holds a mark of it (`of`), and is worth nothing for another one. Holds no times, so that
+equal requests give equal bytes.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Work that must be done whole or not at all, such as judging a scene: counted before it is done, and refused where it is too much.
 
-Comes in: how much a call may demand. Goes out: nothing; `demand` counts. Searches, which can end early, count theirs in placement.
+Searches, which can end early, count theirs in placement.
 """
 
 from __future__ import annotations

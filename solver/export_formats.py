@@ -1,6 +1,6 @@
 """Every format that a house can be exported to, by name. Imports nothing: the command line names them before anything is loaded.
 
-Comes in: nothing. Goes out: `EXPORTERS`. May import: nothing of ours. Not here: how they are written (exports).
+Not here: how they are written (exports).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """What the keys of documents may hold: types for the fields of dataclasses, each with its limits.
 
 From them come the reading, the JSON Schema, the words of refusals and the page's types: a key is declared once, as a field.
-Comes in: nothing. Goes out: types, and what dataclasses that are read from documents have in common. May import: plain.
 
 pydantic reads the types; it is imported when something is read, so that having them costs nothing.
 """

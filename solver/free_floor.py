@@ -1,7 +1,5 @@
 """The free floor of a room: where somebody can be, and whether everything stays within reach while they are there.
 
-Comes in: a room, its space, which sides of its furniture are used. Goes out: free places, yes or no. May import: the ground floor.
-
 Within reach is exact, by the core: solver/core/floor/free_floor.hpp.
 """
 

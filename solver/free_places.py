@@ -1,7 +1,5 @@
 """What bodies of a scene take up, and the free place nearest to a wished one, exactly.
 
-Comes in: bodies in metres, rectangles in integer millimetres. Goes out: rectangles. May import: scene, geometry.
-
 The free places of a box are what is left of a rectangle after the obstacles, grown by the box; the nearest of them to a wish
 has both coordinates among the wish's own and the edges of those, so that these are all that need to be tried.
 """

@@ -1,7 +1,4 @@
-"""An arrangement written into its room: ids, names, colours, metres.
-
-Comes in: a Room and its Arrangement. Goes out: the Room with its furniture. May import: the ground floor, catalogs.
-"""
+"""An arrangement written into its room: ids, names, colours, metres."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Rectangles and directions on the millimetre lattice; no furniture words.
 
-Comes in and goes out: integers (mm) and `Rect`. May import: nothing of ours.
+Comes in and goes out: integers (mm) and `Rect`.
 """
 
 from __future__ import annotations

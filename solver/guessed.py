@@ -1,7 +1,4 @@
-"""What was guessed of somebody's own plan: the types of its rooms, its main entrance. Declares documents.
-
-Comes in: nothing. Goes out: types. May import: fields, scene.
-"""
+"""What was guessed of somebody's own plan: the types of its rooms, its main entrance. Declares documents."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The answer of an import: the scene of a foreign plan, and everything about it that is not as the file says.
-
-Comes in: nothing. Goes out: types that declare documents. May import: fields, scene.
-"""
+"""The answer of an import: the scene of a foreign plan, and everything about it that is not as the file says."""
 
 from __future__ import annotations
 

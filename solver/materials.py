@@ -1,6 +1,5 @@
 """The style of a house, and what its floors and walls are made of in it.
 
-Comes in: a request's word, rooms. Goes out: a style's name, rooms with floors and walls. May import: the ground floor, catalogs.
 Not here: the colours of furniture (furnished) and of decorations (decorations).
 """
 

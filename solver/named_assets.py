@@ -1,7 +1,5 @@
 """The assets that a scene's bodies are shown as, written into it: of those that fit one, drawn by the scene's seed.
 
-Comes in: a scene, catalogs with assets. Goes out: the scene with each body's `asset`. May import: scene, streams, catalogs.
-
 A body's box never changes: an asset is stretched into it, by at most 15 % a side. What lies on a body needs a surface of the asset at
 that height. Of what fits, those are drawn from that are least distorted. Furniture of one kind and size in a room is one set.
 """

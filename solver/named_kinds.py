@@ -1,7 +1,4 @@
-"""The kinds of a scene's bodies, written into it: chosen here, once, for whoever draws or exports it.
-
-Comes in: a scene, catalogs. Goes out: the scene with each body's `kind`. May import: scene, catalogs.
-"""
+"""The kinds of a scene's bodies, written into it: chosen here, once, for whoever draws or exports it."""
 
 from __future__ import annotations
 

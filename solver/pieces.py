@@ -1,7 +1,7 @@
 """What furnish hands to placement: a room's space, and every wanted piece with all its candidates.
 
-Comes in: nothing. Goes out: plain frozen data in integer millimetres, room-relative (the room's north-west corner of its
-wall *lines* is the origin). May import: geometry, body_rows. Placement never has to ask back: what a piece may do is all here.
+All in integer millimetres, room-relative (the north-west corner of the room's wall *lines* is the origin). Placement never has to ask back:
+what a piece may do is all here.
 
 Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
 """

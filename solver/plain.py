@@ -1,8 +1,4 @@
-"""Plain values: what JSON can say, and what was wrong with one that it cannot.
-
-Comes in: anything. Goes out: the same as mappings with text keys, lists, texts, finite numbers, flags and None.
-May import: nothing of ours.
-"""
+"""Plain values: what JSON can say, and what was wrong with one that it cannot."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Records that are like other ones, and fields of records that are made when somebody first asks for them.
-
-Comes in: dataclasses that are never changed. Goes out: the same. May import: nothing of ours.
-"""
+"""Records that are like other ones, and fields of records that are made when somebody first asks for them."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What is asked of generate: the request, with its units and defaults.
-
-Comes in: nothing. Goes out: the type that declares the document. May import: fields, scene.
-"""
+"""What is asked of generate: the request, with its units and defaults."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """A room of the user's own and the list of pieces wanted in it: what `place` is asked with, checked.
 
-Comes in: a `Room` and `PieceRequest`s. Goes out: the requests in an order in which every piece comes after those it refers to,
-and the kind of each in its size. May import: catalogs, the ground floor. Not here: candidates (furnish), reading documents (service).
+Not here: candidates (furnish), reading documents (service).
 """
 
 from __future__ import annotations

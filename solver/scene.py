@@ -1,11 +1,10 @@
 """Every type of the scene document, with its units.
 
-Comes in: nothing. Goes out: frozen dataclasses that mirror the document key by key, in its order.
-May import: errors, fields, what an asset may be called. Not here: reading and writing (exchange), rules (validate).
-Frame: right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen from above, 0 facing
-south. A body's `x` and `z` are its footprint's centre, relative to its room's north-west corner; `y` is its underside. Edges lie on
-integer millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py); in `extra` it
-keeps the keys it does not know.
+Frozen dataclasses mirror the document key by key, in its order. Not here: reading and writing (exchange), rules (validate). Frame:
+right-handed, x east, y up, z south. Lengths in metres, rotation in degrees about +y, counter-clockwise seen from above, 0 facing south. A
+body's `x` and `z` are its footprint's centre, relative to its room's north-west corner; `y` is its underside. Edges lie on integer
+millimetres, so a centre may end in 0.0005. Each field's type states what a reader accepts (solver/fields.py); in `extra` it keeps the keys
+it does not know.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Questions about everything in a scene at once: how much there is, under which ids, what moved.
-
-Comes in: a scene, or its rooms and people. Goes out: counts, bodies, ids, moves. May import: scene, errors.
-"""
+"""Questions about everything in a scene at once: how much there is, under which ids, what moved."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Scenes in the words of others: furniture gets the catalogs' names while we work at it, and its own back in the answer.
 
-Comes in: a scene, catalogs. Goes out: the scene as the catalogs would name it, and what was understood as what. May import: scene,
-catalogs. Names of the catalogs stay; so does what nobody understands.
+Names of the catalogs stay; so does what nobody understands.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What is fitted to openings in walls, for the exports and the rules alike: frames, sill boards, panes, door leaves.
-
-Comes in: an opening's ends along its wall, its heights, the wall's thickness, m. Goes out: `Bar`s, m. May import: nothing of ours.
-"""
+"""What is fitted to openings in walls, for the exports and the rules alike: frames, sill boards, panes, door leaves."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Files that are whole or not there: written under another name, then renamed.
-
-Comes in: a path and bytes. Goes out: the file, or an `OSError` and the file as it was. May import: nothing of ours.
-"""
+"""Files that are whole or not there: written under another name, then renamed."""
 
 from __future__ import annotations
 

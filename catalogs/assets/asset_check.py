@@ -1,7 +1,7 @@
 """A folder of .glb files -> its `assets.yaml`: what is not said is measured, or guessed and marked as guessed; what is refused, and why.
 
-Comes in: a folder, catalogs. Goes out: `CheckedFolder`. Guessed are kinds (by words of the file's path and, among those, by size), the
-unit, the front (glTF's +z) and the licence (unsaid). Units are never guessed where several fit, or none.
+Guessed are kinds (by words of the file's path and, among those, by size), the unit, the front (glTF's +z) and the licence (unsaid). Units
+are never guessed where several fit, or none.
 """
 
 from __future__ import annotations

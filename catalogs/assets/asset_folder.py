@@ -1,7 +1,4 @@
-"""A folder of own assets -> catalogs that know them. Every fault says which file, key and line.
-
-Comes in: a folder with `assets.yaml`, catalogs. Goes out: catalogs with `assets`, in the order of their names.
-"""
+"""A folder of own assets -> catalogs that know them. Every fault says which file, key and line."""
 
 from __future__ import annotations
 

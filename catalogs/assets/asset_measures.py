@@ -1,7 +1,4 @@
-"""An entry of `assets.yaml` and its file -> the asset: its size in metres, as it is said, or measured where one unit alone fits.
-
-Comes in: entries, kinds. Goes out: `Asset`s, or `GlbFault` with the reason.
-"""
+"""An entry of `assets.yaml` and its file -> the asset: its size in metres, as it is said, or measured where one unit alone fits."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """How large a .glb's shapes are: from what its accessors say of themselves, without their points.
 
-Comes in: a `GlbFile`. Goes out: `GlbBounds`. Everything that will be followed later is looked at: numbers of accessors, views and
-nodes, their lengths, what the file needs beside itself.
+Everything that will be followed later is looked at: numbers of accessors, views and nodes, their lengths, what the file needs beside
+itself.
 """
 
 from __future__ import annotations

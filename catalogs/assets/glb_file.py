@@ -1,6 +1,6 @@
 """A .glb on disk -> its JSON, and where its binary part lies: nothing else of the file is read.
 
-Comes in: a path. Goes out: `GlbFile`, or `GlbFault` with the reason. Time and memory are bounded whatever the file says of itself.
+Time and memory are bounded whatever the file says of itself.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Plots of counts as SVG: bars with their names and numbers, readable by day and by night.
-
-Comes in: counts, or values to count. Goes out: SVG. May import: nothing of ours.
-"""
+"""Plots of counts as SVG: bars with their names and numbers, readable by day and by night."""
 
 from __future__ import annotations
 

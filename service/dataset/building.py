@@ -1,7 +1,4 @@
-"""A dataset made from end to end: claimed, its shards made by processes or by a cluster, counted and described.
-
-Comes in: a plan, a range of seeds. Goes out: a folder; the manifest. May import: the solver.
-"""
+"""A dataset made from end to end: claimed, its shards made by processes or by a cluster, counted and described."""
 
 from __future__ import annotations
 

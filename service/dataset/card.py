@@ -1,7 +1,4 @@
-"""The card of a dataset: README.md with the front matter that hubs of datasets read, figures, plots, and how to make it again.
-
-Comes in: a dataset's manifest and tables. Goes out: README.md and plots, the same for the same tables. May import: the solver.
-"""
+"""The card of a dataset: README.md with the front matter that hubs of datasets read, figures, plots, and how to make it again."""
 
 from __future__ import annotations
 

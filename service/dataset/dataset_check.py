@@ -1,7 +1,4 @@
-"""Is a dataset as it was made? Digests of files and of scenes, schemas, counts; and homes made again and validated.
-
-Comes in: a folder, catalogs. Goes out: what is wrong. May import: the solver.
-"""
+"""Is a dataset as it was made? Digests of files and of scenes, schemas, counts; and homes made again and validated."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What `compose dataset` does: makes a dataset, one of its homes again, or checks it.
-
-Comes in: the options of the command line, catalogs, a request. Goes out: files, words on standard error, an exit status.
-"""
+"""What `compose dataset` does: makes a dataset, one of its homes again, or checks it."""
 
 from __future__ import annotations
 

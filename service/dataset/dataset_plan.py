@@ -1,7 +1,4 @@
-"""What a dataset is made of: everything that a process needs to make a part of it, and to make one home again.
-
-Comes in: a folder, how requests differ, formats, catalogs. Goes out: `DatasetPlan`; the split of a seed. May import: the solver.
-"""
+"""What a dataset is made of: everything that a process needs to make a part of it, and to make one home again."""
 
 from __future__ import annotations
 

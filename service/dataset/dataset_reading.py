@@ -1,7 +1,4 @@
-"""A dataset read back: one row, or the rows of all houses in the order of their seeds.
-
-Comes in: a folder. Goes out: rows. May import: the solver.
-"""
+"""A dataset read back: one row, or the rows of all houses in the order of their seeds."""
 
 from __future__ import annotations
 

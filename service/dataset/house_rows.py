@@ -1,7 +1,4 @@
-"""A home of a dataset as its row of the table of houses, and as files of archives.
-
-Comes in: a home. Goes out: a row of plain values; files by their names in an archive. May import: the solver.
-"""
+"""A home of a dataset as its row of the table of houses, and as files of archives."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The manifest of a dataset, dataset.json: what its homes were made from, which seeds there are, and what all of them amount to.
-
-Comes in: a plan, the records of shards. Goes out: the manifest; or a refusal to go on with homes of something else. May import: the solver.
-"""
+"""The manifest of a dataset, dataset.json: what its homes were made from, which seeds there are, and what all of them amount to."""
 
 from __future__ import annotations
 

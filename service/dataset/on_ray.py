@@ -1,7 +1,5 @@
 """Work spread over a Ray cluster: the same tasks as on one machine, and so the same bytes.
 
-Comes in: a function and jobs. Goes out: what it makes of each, in their order. May import: the errors.
-
 Ray's store holds the function and small records, never a scene. What a lost node was at is done again.
 """
 

@@ -1,7 +1,5 @@
 """One shard of a dataset: its homes made and written, as tables a split and as archives, each file whole or not there.
 
-Comes in: a plan and a shard. Goes out: files, last of all the shard's record, by which it is known to be done. May import: the solver.
-
 A home's rows and files depend on the plan and its seed alone, so that it makes no difference who makes the shard, or how often.
 """
 

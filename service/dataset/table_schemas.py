@@ -1,7 +1,4 @@
-"""The columns of a dataset's tables and their types. Lengths in m, areas in m2, masses in kg, turns in degrees.
-
-Comes in: nothing. Goes out: schemas of pyarrow, which is imported here and by what writes and reads tables. May import: the fields.
-"""
+"""The columns of a dataset's tables and their types. Lengths in m, areas in m2, masses in kg, turns in degrees."""
 
 from __future__ import annotations
 

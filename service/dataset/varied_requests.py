@@ -1,7 +1,6 @@
 """How the requests of a dataset's homes differ: weights by key, drawn by each home's seed alone.
 
-Comes in: a document such as {program: {studio: 1, family: 3}, area: {from: 60, to: 140, step: 5}}. Goes out: a request a seed.
-May import: the request, streams.
+A document such as {program: {studio: 1, family: 3}, area: {from: 60, to: 140, step: 5}} says it.
 
 Each key draws from a stream of its own: to add a key changes nothing that others drew.
 """

@@ -1,7 +1,4 @@
-"""Opens a store, brings its tables up to date, and runs transactions in it.
-
-Comes in: a file's name, or the URL of a database. Goes out: `Database`. May import: refusals, store_tables.
-"""
+"""Opens a store, brings its tables up to date, and runs transactions in it."""
 
 from __future__ import annotations
 

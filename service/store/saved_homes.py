@@ -1,7 +1,4 @@
-"""Homes in a store: every question names an owner, and finds that one's homes alone.
-
-Comes in: an owner, and what to keep or change. Goes out: `SavedHome`. May import: database, store_tables, refusals.
-"""
+"""Homes in a store: every question names an owner, and finds that one's homes alone."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Long work in a store: asked for, taken by a runner, carried on after a crash, and its results.
-
-Comes in: an owner and what is asked; a runner and what came of it. Goes out: `SavedJob`. May import: database, store_tables, refusals.
-"""
+"""Long work in a store: asked for, taken by a runner, carried on after a crash, and its results."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Tables as the core reads them: rows of numbers, one table after the other; names are indices.
-
-Comes in: rows. Goes out: bytes. May import: nothing of ours.
-"""
+"""Tables as the core reads them: rows of numbers, one table after the other; names are indices."""
 
 from __future__ import annotations
 

@@ -1,8 +1,5 @@
 """The core's host: loads core.wasm once a process, makes instances of it, calls what it exports.
 
-Comes in: the name of an export and its numbers, bytes and arrays for its memory. Goes out: a number, bytes, numpy views of the memory.
-Not here: what any export means.
-
 An instance has a memory of its own, one arena from which the core and the host take what they need; it is given back with the instance,
 or down to a mark. Instances share nothing: each may be called by one thread at a time, and calls run beside Python's other threads.
 """

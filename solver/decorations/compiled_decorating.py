@@ -1,7 +1,6 @@
 """What the catalogs say of decorations, in one style, as the core reads it: rows of numbers, one table after the other; names are indices.
 
-Comes in: the settings. Goes out: `CompiledDecorating`, made once for catalogs and a style. The rows are those of
-solver/core/decorate/decorating.hpp, in the same order. May import: the ground floor, catalogs.
+The rows are those of solver/core/decorate/decorating.hpp, in the same order.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Rooms to be decorated as the core reads them, and what it answers (solver/core/decorate/room.hpp).
-
-Comes in: a furnished room and its space. Goes out: bytes for the core; rows of things. May import: the ground floor, catalogs.
-"""
+"""Rooms to be decorated as the core reads them, and what it answers (solver/core/decorate/room.hpp)."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""decorated_rooms(): the rooms of a house.
-
-Comes in: furnished Rooms, each with its Space and a Stream; the settings. Goes out: the Rooms, decorated. May import: the ground floor,
-catalogs. The work is the core's: solver/core/decorate.
-"""
+"""decorated_rooms(): the rooms of a house. The work is the core's: solver/core/decorate."""
 
 from __future__ import annotations
 

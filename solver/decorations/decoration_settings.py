@@ -1,7 +1,4 @@
-"""What the rooms of a house are decorated with.
-
-Comes in: catalogs, a style. Goes out: `DecorationSettings`. May import: the ground floor, catalogs.
-"""
+"""What the rooms of a house are decorated with."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """How decorations look, by the number of their kind and their size.
 
-Comes in: catalogs. Goes out: looks, each made once. May import: catalogs, body_rows. Not here: colours (compiled_decorating).
+Not here: colours (compiled_decorating).
 """
 
 from __future__ import annotations

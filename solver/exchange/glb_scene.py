@@ -1,7 +1,4 @@
-"""A .glb that Compose wrote -> the document of the scene inside it; its shapes are not looked at.
-
-Comes in: the bytes of a .glb. Goes out: plain values. May import: the ground floor.
-"""
+"""A .glb that Compose wrote -> the document of the scene inside it; its shapes are not looked at."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Indices and ids: made up where a document leaves them out, refused where they are given twice.
 
-Comes in: a document or a scene whose absent ids are empty. Goes out: the same with every id unique.
-May import: scene. What is made up depends on the document alone, so the same document gets the same ids.
+What is made up depends on the document alone, so the same document gets the same ids.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""JSON text <-> documents.
-
-Comes in: a string. Goes out: plain values, and back. May import: the ground floor.
-"""
+"""JSON text <-> documents."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What an outline must be to be one.
-
-Comes in: a scene. Goes out: nothing, or what is wrong. May import: scene.
-"""
+"""What an outline must be to be one."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Documents of plain values -> objects, checked field by field against the types that declare them.
 
-Comes in: what a JSON or YAML text says. Goes out: objects, or an error that names the field and what is allowed.
-May import: the ground floor. Not here: text (text.py), rules between bodies (validate).
+Not here: text (text.py), rules between bodies (validate).
 """
 
 from __future__ import annotations

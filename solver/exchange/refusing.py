@@ -1,7 +1,4 @@
-"""The words of refusals: which field, what is wrong with it, what is allowed. The schema that is published says the last.
-
-Comes in: what pydantic found. Goes out: words. May import: plain, catalogs.
-"""
+"""The words of refusals: which field, what is wrong with it, what is allowed. The schema that is published says the last."""
 
 from __future__ import annotations
 

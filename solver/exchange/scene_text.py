@@ -1,6 +1,6 @@
 """Scenes -> their text; as JSON at once, without the document between, which costs more than the text.
 
-Comes in: a scene. Goes out: bytes. May import: the ground floor. The fields' types say how values are written, as in writer.py.
+The fields' types say how values are written, as in writer.py.
 """
 
 from __future__ import annotations

@@ -1,6 +1,5 @@
 """Text <-> documents: one module a format behind one dict.
 
-Comes in: bytes or a string. Goes out: plain values; or, the other way, canonical bytes. May import: the ground floor.
 A .glb that was exported is read too, but not written here.
 """
 

@@ -1,7 +1,6 @@
 """What the keys of documents mean, for whoever reads a schema: the docstrings of the types that declare them say it.
 
-Comes in: schemas by the names of their types. Goes out: the same with descriptions. May import: fields. Not here: what refusals say
-too (`Says`).
+Not here: what refusals say too (`Says`).
 """
 
 from __future__ import annotations

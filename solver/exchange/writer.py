@@ -1,8 +1,4 @@
-"""Objects -> documents of plain values, in the key order of docs/scene.md.
-
-Comes in: objects whose types `solver.fields` describes. Goes out: what `text.dump_text` writes and `reader` reads back to
-equal objects. May import: the ground floor.
-"""
+"""Objects -> documents of plain values, in the key order of docs/scene.md."""
 
 from __future__ import annotations
 

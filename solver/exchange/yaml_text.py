@@ -1,7 +1,6 @@
 """YAML text <-> documents of the service: read by YAML 1.2's core schema, written so that readers of 1.1 and 1.2 agree.
 
-Comes in: a string. Goes out: plain values, and back. May import: the ground floor, the catalogs' reader. PyYAML's own writer takes
-ten times as long as this one.
+PyYAML's own writer takes ten times as long as this one.
 """
 
 from __future__ import annotations

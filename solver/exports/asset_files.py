@@ -1,7 +1,4 @@
-"""An own asset's file, read whole; how its shapes come into a body's box; who is to be named for all assets that are used.
-
-Comes in: `Asset`s. Goes out: `AssetFile`s, `AssetFit`s, CREDITS.txt. May import: the model, the errors, catalogs.
-"""
+"""An own asset's file, read whole; how its shapes come into a body's box; who is to be named for all assets that are used."""
 
 from __future__ import annotations
 

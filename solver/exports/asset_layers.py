@@ -1,7 +1,4 @@
-"""Own assets as USD layers of their own, z up, which bodies refer to: meshes, materials, pictures beside them.
-
-Comes in: bodies that are shown as assets. Goes out: the text of a reference; the files. May import: asset_surfaces, usd_text.
-"""
+"""Own assets as USD layers of their own, z up, which bodies refer to: meshes, materials, pictures beside them."""
 
 from __future__ import annotations
 

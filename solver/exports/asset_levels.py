@@ -1,7 +1,4 @@
-"""Where things may lie on an asset: the heights at which much of it looks straight up. Reads its triangles.
-
-Comes in: an `Asset`. Goes out: heights. May import: asset_surfaces.
-"""
+"""Where things may lie on an asset: the heights at which much of it looks straight up. Reads its triangles."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Own assets as OBJ files, z up, for simulators: one a material, with its picture beside it; stretched by whoever refers to it.
-
-Comes in: bodies that are shown as assets. Goes out: `AssetObject`s, the files. May import: asset_surfaces, colliders.
-"""
+"""Own assets as OBJ files, z up, for simulators: one a material, with its picture beside it; stretched by whoever refers to it."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """An own asset's triangles, for formats that take no glTF: read whole, checked, its front turned to +z.
 
-Comes in: an `Asset`. Goes out: `AssetSurface`s in the scene's frame, in the file's own units. May import: asset_files, the model.
-
-Points stand around the middle of the footprint at the underside. A surface has all triangles of one material.
+Points stand around the middle of the footprint at the underside, in the scene's frame and the file's own units. A surface has all triangles
+of one material.
 """
 
 from __future__ import annotations

@@ -1,7 +1,5 @@
 """The solids with which a body touches others in a simulator, and how its mass is spread over them.
 
-Comes in: a `ModelBody`. Goes out: `Collider`s, `Inertia`. May import: the model.
-
 Here z is up, as simulators have it: a point (x, y, z) of the scene is (x, -z, y), extents (w, h, d) are (w, d, h), turns keep their value.
 """
 

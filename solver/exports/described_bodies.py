@@ -1,7 +1,4 @@
-"""The bodies of a scene in house coordinates, with what they are made of, what they weigh and how they are used.
-
-Comes in: a scene, catalogs. Goes out: `ModelBody`s. May import: the ground floor, the model, catalogs.
-"""
+"""The bodies of a scene in house coordinates, with what they are made of, what they weigh and how they are used."""
 
 from __future__ import annotations
 

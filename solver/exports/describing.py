@@ -1,7 +1,4 @@
-"""A scene described for export: each body, wall, opening, leaf and floor once, in house coordinates.
-
-Comes in: a scene, catalogs. Goes out: a `HouseModel`. May import: the ground floor, catalogs.
-"""
+"""A scene described for export: each body, wall, opening, leaf and floor once, in house coordinates."""
 
 from __future__ import annotations
 

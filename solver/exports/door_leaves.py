@@ -1,7 +1,4 @@
-"""Where door leaves hang and how they turn.
-
-Comes in: a house's openings and wall lines. Goes out: `DoorLeaf`s. May import: the ground floor, the model.
-"""
+"""Where door leaves hang and how they turn."""
 
 from __future__ import annotations
 

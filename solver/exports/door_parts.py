@@ -1,7 +1,4 @@
-"""What door leaves are made of: parts in a leaf's own frame, the hinge at its west end, its middle at the footprint's centre.
-
-Comes in: a leaf's look and size. Goes out: parts with their paints. May import: the ground floor, the model.
-"""
+"""What door leaves are made of: parts in a leaf's own frame, the hinge at its west end, its middle at the footprint's centre."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Distances and stretches over the cells of a grid.
-
-Comes in: arrays of yes and no. Goes out: arrays of the same shape. May import: the count of work.
-"""
+"""Distances and stretches over the cells of a grid."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """A storey's plan as cells: which of them rooms hold, and which walls and bodies touch.
 
-Comes in: a `HouseModel`, a level, a cell's side. Goes out: `FloorGrid`s and arrays over their cells. May import: the model.
-
 Row 0 lies in the north, column 0 in the west. Lengths in m, in the house.
 """
 

@@ -1,7 +1,4 @@
-"""A floor's outline cut into rectangles, for formats that know no polygons.
-
-Comes in: corners of a rectilinear outline. Goes out: rectangles. May import: nothing of ours.
-"""
+"""A floor's outline cut into rectangles, for formats that know no polygons."""
 
 from __future__ import annotations
 

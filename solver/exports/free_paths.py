@@ -1,9 +1,8 @@
 """Shortest ways of a square over a free floor, exact: its centre goes straight from corner to corner of what is in its way.
 
-Comes in: rectangles whose union the square may cover, m. Goes out: points of a path, and its length. May import: nothing of ours.
-
-The centre may be wherever the square lies within the union: nowhere strictly inside what is left of the plane, grown by half the square.
-A shortest way bends at corners of that alone (Lozano-Pérez and Wesley, 1979). All is calculated in quarter micrometres, in integers.
+The centre may be wherever the square lies within the union of the floor's rectangles: nowhere strictly inside what is left of the plane,
+grown by half the square. A shortest way bends at corners of that alone (Lozano-Pérez and Wesley, 1979). All is calculated in quarter
+micrometres, in integers.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Own assets within a glTF document: what of a file is shown, copied once; its tree of nodes below each body that is shown as it.
-
-Comes in: `Asset`s, a book. Goes out: the texts of nodes. May import: asset_files, glb_book.
-"""
+"""Own assets within a glTF document: what of a file is shown, copied once; its tree of nodes below each body that is shown as it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """A coloured picture of a storey from above: floors with their joints, things in their paints, soft light from the north-west.
 
-Comes in: a `HouseModel`, a level. Goes out: a picture as PNG. May import: the model, what is seen from above.
-
 Shapes are drawn twice, larger than the picture: their colours, and their heights. Light is calculated from the heights.
 """
 

@@ -1,6 +1,5 @@
 """What IFC files are put together from: placements, solids in their colours, property sets, and identities that never change.
 
-Comes in: poses, parts and paints. Goes out: entities of an open IFC4 file, which needs ifcopenshell. May import: the model.
 Its frame: x east, y north, z up, m; turns keep their value. A part's (x, y, z) is (x, -z, y) here.
 """
 

@@ -1,7 +1,4 @@
-"""What lies in the drawers of furniture, so that it goes with them in formats in which it does not move by itself.
-
-Comes in: `ModelBody`s. Goes out: `HeldThing`s by id. May import: the model.
-"""
+"""What lies in the drawers of furniture, so that it goes with them in formats in which it does not move by itself."""
 
 from __future__ import annotations
 

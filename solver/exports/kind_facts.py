@@ -1,7 +1,4 @@
-"""What all bodies of a kind share: what they are called, weigh and are made of; kept from one house to the next.
-
-Comes in: catalogs; a body's name, kind and size. Goes out: `KindFacts`, parts. May import: the ground floor, the model, paints, catalogs.
-"""
+"""What all bodies of a kind share: what they are called, weigh and are made of; kept from one house to the next."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The description of a house that every format is written from: what there is, where, how large, how heavy, in which colour.
 
-Comes in: nothing. Goes out: frozen types. May import: scene, body_parts. Not here: how a scene becomes one (describing).
+Not here: how a scene becomes one (describing).
 
 Frame: the scene's own, right-handed, x east, y up, z south, in house coordinates, m; turns in degrees about +y, counter-clockwise
 seen from above, 0 facing south (+z). Each format converts it once, in its module.

@@ -1,7 +1,5 @@
 """The fronts of a body as simulators have them: links of their own on joints; and what of the body stays.
 
-Comes in: `ModelBody`s. Goes out: `MovingPart`s, parts with their paints. May import: the model, colliders.
-
 z is up, as in colliders: a hinge's frame is that of its body, moved to the hinge.
 """
 

@@ -1,9 +1,4 @@
-"""Geoms, meshes and materials as MJCF writes them.
-
-Comes in: colliders, parts and paints. Goes out: lines of XML. May import: the model, colliders.
-
-Frame: z up, as in colliders.
-"""
+"""Geoms, meshes and materials as MJCF writes them; z up, as in colliders."""
 
 from __future__ import annotations
 

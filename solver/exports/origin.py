@@ -1,7 +1,4 @@
-"""Where a file's house is from, and what is wrong with it, in words for comments.
-
-Comes in: a `HouseModel`. Goes out: lines. May import: the model.
-"""
+"""Where a file's house is from, and what is wrong with it, in words for comments."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What things are painted with: the catalogs' material slots with a style's changes, in a body's own colour where they have none.
-
-Comes in: catalogs, a style's name; slots and colours. Goes out: `Paint`s. May import: the model, catalogs.
-"""
+"""What things are painted with: the catalogs' material slots with a style's changes, in a body's own colour where they have none."""
 
 from __future__ import annotations
 

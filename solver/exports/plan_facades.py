@@ -1,7 +1,4 @@
-"""Dimensions outside a plan: for each side of the house a chain over its openings, one over its rooms, and the whole.
-
-Comes in: a storey's floors and openings. Goes out: `Dimension`s, m. May import: the model, the rooms of a plan.
-"""
+"""Dimensions outside a plan: for each side of the house a chain over its openings, one over its rooms, and the whole."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Rooms on a plan: their clear floor between walls, and where their names, areas and clear sizes are best written.
-
-Comes in: a storey's floors, walls and what stands in the way. Goes out: `RoomLabel`s, m. May import: the model.
-"""
+"""Rooms on a plan: their clear floor between walls, and where their names, areas and clear sizes are best written."""
 
 from __future__ import annotations
 

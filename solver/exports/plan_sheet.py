@@ -1,7 +1,4 @@
-"""The sheet that a plan is drawn on, as SVG: its paper and scale, its dimension lines, names, frame, title block and scale bar.
-
-Comes in: what a storey covers, m; dimensions and labels. Goes out: SVG text in millimetres of the house. May import: a plan's rooms.
-"""
+"""The sheet that a plan is drawn on, as SVG in millimetres of the house: paper, scale, dimension lines, names, frame, title block."""
 
 from __future__ import annotations
 

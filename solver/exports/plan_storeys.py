@@ -1,7 +1,4 @@
-"""A storey as a plan shows it: what stands in it, its walls, and where its names and dimensions are written.
-
-Comes in: a described house. Goes out: `PlanStorey`s, m. May import: the model, the parts of a plan.
-"""
+"""A storey as a plan shows it: what stands in it, its walls, and where its names and dimensions are written."""
 
 from __future__ import annotations
 

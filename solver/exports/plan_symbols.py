@@ -1,7 +1,4 @@
-"""What bodies look like from above: the outlines of their parts, the lowest first, without what others hide.
-
-Comes in: parts. Goes out: `PlanMark`s, m, in the body's own frame (x right, z towards its front). May import: the model.
-"""
+"""What bodies look like from above: the outlines of their parts, the lowest first, without what others hide; m, in the body's own frame."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What bodies of a kind carry things on: their surfaces, the boards inside them and the bottoms of their drawers.
-
-Comes in: the kinds of catalogs; a body's kind and size. Goes out: `Receptacle`s in the body's own frame. May import: catalogs.
-"""
+"""What bodies of a kind carry things on: their surfaces, the boards inside them and the bottoms of their drawers."""
 
 from __future__ import annotations
 

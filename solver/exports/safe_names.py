@@ -1,7 +1,4 @@
-"""Names that a format can hold, each given once.
-
-Comes in: ids. Goes out: names. May import: nothing.
-"""
+"""Names that a format can hold, each given once."""
 
 from __future__ import annotations
 

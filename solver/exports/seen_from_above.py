@@ -1,7 +1,4 @@
-"""What a storey looks like from above, cut below its lintels: flat shapes with a colour and a height, the highest last.
-
-Comes in: a `HouseModel`, a level. Goes out: `SeenShape`s. May import: body_parts, the model, paints.
-"""
+"""What a storey looks like from above, cut below its lintels: flat shapes with a colour and a height, the highest last."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """The surfaces of parts as triangles, for formats that know no cylinders.
 
-Comes in: parts of a body. Goes out: `SolidSurface`s. May import: body_parts, the model.
-
 Soft edges and round ends keep their size in metres, whatever box they are written for; facets of a round form are 22.5 degrees.
 """
 

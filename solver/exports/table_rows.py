@@ -1,9 +1,7 @@
 """A home as rows of tables, for those who train on many: rooms, pieces, what things can stand on, doors, fronts, the graph of rooms.
 
-Comes in: a generated scene, catalogs. Goes out: rows of plain values by table; service/dataset/table_schemas.py says what they are, in
-the same order. May import: the ground floor, catalogs.
-
-Poses are in the house: x east, y up, z south, m; turns in degrees about +y, 0 facing south.
+service/dataset/table_schemas.py says what the rows hold, in the same order. Poses are in the house: x east, y up, z south, m; turns in
+degrees about +y, 0 facing south.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Forms that URDF and SDF have no element for, as OBJ files of size 1 that a file stretches: cones, ovals, balls.
-
-Comes in: parts. Goes out: which file, how stretched; the files. May import: colliders, solid_meshes.
-"""
+"""Forms that URDF and SDF have no element for, as OBJ files of size 1 that a file stretches: cones, ovals, balls."""
 
 from __future__ import annotations
 

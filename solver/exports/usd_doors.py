@@ -1,7 +1,4 @@
-"""Door leaves and fronts as USD has them: rigid bodies on joints, leaves on the house, fronts on their furniture.
-
-Comes in: leaves, fronts. Goes out: the text of prims. May import: the model, colliders, usd_text.
-"""
+"""Door leaves and fronts as USD has them: rigid bodies on joints, leaves on the house, fronts on their furniture."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Kinds as USD has them, which bodies and walls refer to: what is seen, and what collides.
-
-Comes in: bodies, walls. Goes out: the text of prims. May import: the model, colliders, usd_text.
-"""
+"""Kinds as USD has them, which bodies and walls refer to: what is seen, and what collides."""
 
 from __future__ import annotations
 

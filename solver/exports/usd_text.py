@@ -1,7 +1,4 @@
-"""Pieces of USD's text format (.usda): texts, numbers, transforms, solids, materials; z up, metres.
-
-Comes in: words, solids, parts, paints. Goes out: text, each statement on a line of its own. May import: the model, paints, colliders.
-"""
+"""Pieces of USD's text format (.usda): texts, numbers, transforms, solids, materials; z up, metres, each statement on a line of its own."""
 
 from __future__ import annotations
 

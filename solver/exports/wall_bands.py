@@ -1,8 +1,6 @@
 """Where the walls along rooms' edges stand: what lies between two rooms' faces is one wall, an outer wall has its own thickness.
 
 A room's face lies half the scene's thickness inside its line. Two rooms whose lines lie apart have a wall that is thicker by as much.
-
-Comes in: rooms, the scene's thickness, m. Goes out: edges cut where their wall changes. May import: the lines of walls.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Rooms' edges: the lines of their outlines in the house.
-
-Comes in: rooms. Goes out: `OutlineEdge`s, m. May import: the ground floor.
-"""
+"""Rooms' edges: the lines of their outlines in the house."""
 
 from __future__ import annotations
 

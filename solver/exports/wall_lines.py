@@ -1,8 +1,7 @@
 """Wall lines of a house: from rooms' edges the stretches of wall and railing, each once, and the openings on them.
 
-Comes in: the walls along rooms' edges. Goes out: `WallRun`s, `PlacedOpening`s, m. May import: the ground floor, the model.
-A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges on a line;
-`wall_flags` only takes away what no room on either side wants drawn.
+A room's wall may be shared piece by piece with several rooms, so the walls are the union of all rooms' edges on a line; `wall_flags` only
+takes away what no room on either side wants drawn.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Walls as panels with holes, as solid boxes round those holes, and what is fitted to them: frames, sills, panes, railings.
-
-Comes in: the wall lines of a house. Goes out: `WallPanel`s, `WallBox`es, `Fitting`s. May import: the ground floor, the model.
-"""
+"""Walls as panels with holes, as solid boxes round those holes, and what is fitted to them: frames, sills, panes, railings."""
 
 from __future__ import annotations
 

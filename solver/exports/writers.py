@@ -1,7 +1,4 @@
-"""A house written in a format, and how its files travel as one.
-
-Comes in: a `HouseModel`, a format's name. Goes out: files by name. May import: the model, the errors.
-"""
+"""A house written in a format, and how its files travel as one."""
 
 from __future__ import annotations
 

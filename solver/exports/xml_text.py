@@ -1,7 +1,4 @@
-"""Text as XML takes it: what stands for markup written otherwise, and what no XML file may hold left out.
-
-Comes in: any text. Goes out: text for attributes and between tags. May import: nothing.
-"""
+"""Text as XML takes it: what stands for markup written otherwise, and what no XML file may hold left out."""
 
 from __future__ import annotations
 

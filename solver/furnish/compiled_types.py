@@ -1,7 +1,6 @@
 """Room types as the core reads them: rows of numbers, one table after the other; names are indices.
 
-Comes in: the catalogs and a room type of theirs. Goes out: `CompiledType`, made once a room type. The rows are those of
-solver/core/furnish/room_type.hpp, in the same order.
+The rows are those of solver/core/furnish/room_type.hpp, in the same order.
 """
 
 from __future__ import annotations

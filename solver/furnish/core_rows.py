@@ -1,7 +1,4 @@
-"""Rooms as the core reads them, and pieces from the rows it answers with (solver/core/furnish/furnish.cpp).
-
-Comes in: a room's scope and space. Goes out: bytes for the core; from its bytes, the pieces and how many of each were wanted.
-"""
+"""Rooms as the core reads them, and pieces from the rows it answers with (solver/core/furnish/furnish.cpp)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The floor about a kind of furniture that is better kept free: what its catalog says, and what its fronts open over.
-
-Comes in: a kind of furniture and its shape. Goes out: rows of whole millimetres.
-"""
+"""The floor about a kind of furniture that is better kept free: what its catalog says, and what its fronts open over."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Where pieces usually stand that a list says nothing of: chairs at tables, dealt evenly; plants in corners; the rest spread out.
 
-Comes in: requests, what they are, the room's clear floor. Goes out: relations by label, and a part of the floor for each piece that
-has no other place. May import: catalogs, the ground floor. What a list does say is not touched.
+What a list does say is not touched.
 """
 
 from __future__ import annotations

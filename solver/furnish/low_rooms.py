@@ -1,7 +1,4 @@
-"""Room types of rooms under a ceiling: of what they list, the kinds that are no higher than the room.
-
-Comes in: catalogs, a height. Goes out: the catalogs, and what no kind of fits, with the reason. May import: catalogs.
-"""
+"""Room types of rooms under a ceiling: of what they list, the kinds that are no higher than the room."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """From a room type's pieces and their relations to pieces to be placed: which, in which order, and their candidates.
 
-Comes in: a room, its space, the catalogs, the room's stream. Goes out: pieces. The work is the core's: solver/core/furnish.
+The work is the core's: solver/core/furnish.
 """
 
 from __future__ import annotations

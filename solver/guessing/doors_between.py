@@ -1,7 +1,4 @@
-"""Doors that lead to a room whatever they say: another room lists them, or its floor lies behind them.
-
-Comes in: the rooms of a Scene. Goes out: where each door and passage leads. May import: the ground floor.
-"""
+"""Doors that lead to a room whatever they say: another room lists them, or its floor lies behind them."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The main entrance of a home that says none: a door that leads outside, of the room that one would come in by.
-
-Comes in: a Scene whose rooms have their types. Goes out: the Scene with a main entrance, and which it is.
-"""
+"""The main entrance of a home that says none: a door that leads outside, of the room that one would come in by."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What tells a room's type: its floor, doors and windows, what stands in it.
-
-Comes in: the rooms of a Scene. Goes out: a `RoomMarks` for each. May import: the ground floor, catalogs.
-"""
+"""What tells a room's type: its floor, doors and windows, what stands in it."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""How likely a home has so many rooms of each type: a cost, lower is better.
-
-Comes in: counts of rooms by type, of many homes at once. Goes out: what one more room costs, and what is still missing, as guessing.yaml
-says.
-"""
+"""How likely a home has so many rooms of each type: a cost, lower is better."""
 
 from __future__ import annotations
 

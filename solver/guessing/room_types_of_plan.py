@@ -1,7 +1,4 @@
-"""The types of a plan's rooms: by their names, else by what stands in them, else by their form; the last two weighed for all rooms at once.
-
-Comes in: a Scene, catalogs. Goes out: a RoomGuess for each room whose type the catalogs do not know.
-"""
+"""The types of a plan's rooms: by their names, else by what stands in them, else by their form; both weighed for all rooms at once."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """How well types suit the rooms of a plan: one number, lower is better, of one room, and of two that a door joins.
 
-Comes in: what can be told of the rooms, the catalogs. Goes out: `Suiting`. Areas, sides and what one may walk through are those of the
-room types; what each mark costs is said in guessing.yaml.
+Areas, sides and what one may walk through are those of the room types; what each mark costs is said in guessing.yaml.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""The types of all rooms of a home that suit them best together: found by a search that keeps the cheapest of what it has tried.
-
-Comes in: what suits each room, and each two. Goes out: a type for each room, and what would suit it next best. Deterministic.
-"""
+"""The types of all rooms of a home that suit them best together: found by a search that keeps the cheapest of what it has tried."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Who is in a house, and where: what the catalogs' people.yaml says, drawn by a seed.
-
-Comes in: rooms, their spaces, who was there before. Goes out: people and pets. May import: the ground floor, catalogs.
-"""
+"""Who is in a house, and where: what the catalogs' people.yaml says, drawn by a seed."""
 
 from __future__ import annotations
 

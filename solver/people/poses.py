@@ -1,8 +1,4 @@
-"""One pose for somebody in a room: standing, sitting, or a pet's.
-
-Comes in: a room's `Surroundings` and somebody without a place. Goes out: the same with a place, or None. May import: the ground
-floor, catalogs.
-"""
+"""One pose for somebody in a room: standing, sitting, or a pet's."""
 
 from __future__ import annotations
 

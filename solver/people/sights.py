@@ -1,7 +1,4 @@
-"""What a person who stands in a room looks at: seats, screens, worktops, windows and doors.
-
-Comes in: a room, its space, the catalogs. Goes out: `Sight`s. May import: the ground floor, catalogs.
-"""
+"""What a person who stands in a room looks at: seats, screens, worktops, windows and doors."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """A whole room: which wall, rotation, size variant and use side each piece takes, and who is left out.
 
-Comes in: a space and pieces. Goes out: a SolvedRoom, in metres still. Required pieces are searched best-first over prefixes;
-optional ones follow by importance, everything movable. The room stays walkable throughout. Limits are counts; ties go to the
-earlier. The work is the kernel's; here is what to ask it.
+Required pieces are searched best-first over prefixes; optional ones follow by importance, everything movable. The room stays walkable
+throughout. Limits are counts; ties go to the earlier. The work is the kernel's; here is what to ask it.
 """
 
 from __future__ import annotations

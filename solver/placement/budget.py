@@ -1,7 +1,4 @@
-"""Work that a room, and a whole call, may cost; counted, never timed, so that equal requests give equal bytes.
-
-Comes in: how much. Goes out: `Budget`, which every search of placement counts down, and `CallWork`, which all budgets of a call share.
-"""
+"""Work that a room, and a whole call, may cost; counted, never timed, so that equal requests give equal bytes."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """A chain of touching things from wall to wall, read off a placement.
 
-Comes in: a space and placed pieces. Goes out: the lengths of the chain along one axis. Not here: how long the room must be.
+Not here: how long the room must be.
 """
 
 from __future__ import annotations

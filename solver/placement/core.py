@@ -1,6 +1,6 @@
 """The compiled kernel behind one room: what is asked of it, and its answers as plain data.
 
-Comes in: an `Encoded` room. Goes out: decisions, solutions, problems. Here end the arrays.
+Here end the arrays.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """A room's pieces where they are wished, with least movement: each with its first candidate if all can stand so, and walkable.
 
-Comes in: a space, pieces whose first candidates are cheapest, the work it may cost. Goes out: a SolvedRoom. The placement with least
-movement is exact where it is walkable. Where not, walkable ones are sought in several ways, each exact within what it keeps free;
-what of that nobody needs is given back, and the least movement of them all counts.
+The placement with least movement is exact where it is walkable. Where not, walkable ones are sought in several ways, each exact within what
+it keeps free; what of that nobody needs is given back, and the least movement of them all counts.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Floor kept empty: as a piece of its own, and a layout round it, in which every use side touches it, so that all is within reach.
 
-Comes in: a space, and pieces for which nothing walkable was found. Goes out: where they can be used. Not here: least movement, and
-any proof.
+Not here: least movement, and any proof.
 """
 
 from __future__ import annotations

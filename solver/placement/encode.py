@@ -1,7 +1,4 @@
-"""A room and its pieces -> the kernel's arrays, once a room.
-
-Comes in: a space, pieces. Goes out: `Encoded`. Not here: solving.
-"""
+"""A room and its pieces -> the kernel's arrays, once a room."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """From solved rooms to whole millimetres: OSQP confirms the optimum of the house, then the core's snap, exact check and tidying.
 
-Comes in: rooms, or what was arranged of them. Goes out: Arrangements in whole millimetres. Not here: which candidates are taken.
+Not here: which candidates are taken.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What is asked of the core about one room: the functions of solver/core/placement/entry.cpp.
-
-Comes in: an `Engine`, and decisions. Goes out: numbers, and what is left in the engine's arrays.
-"""
+"""What is asked of the core about one room: the functions of solver/core/placement/entry.cpp."""
 
 from __future__ import annotations
 

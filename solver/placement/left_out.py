@@ -1,6 +1,6 @@
 """Why a piece was left out: what room it needs and what is left of the walls, and the fewest pieces that cannot stand together.
 
-Comes in: a space and pieces. Goes out: words, labels. Not here: by how much a room is too short (lengths).
+Not here: by how much a room is too short (lengths).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Why pieces cannot stand together, in lengths that a person can check with a ruler.
 
-Comes in: a space and pieces that are infeasible in it. Goes out: by how much the room is too short, proven, and the chain
-of lengths from wall to wall that says so. Not here: which pieces are to blame (explain), what to do about it.
+Not here: which pieces are to blame (explain), what to do about it.
 
 The room is made longer at its east or south end; what hangs on that wall goes along. At the least length at which the pieces
 can stand, those of one chain of touching things from wall to wall have no millimetre left: that chain is the reason.

@@ -1,7 +1,7 @@
 """A walkable placement found by freeing a few pieces at a time: those in conflict, then their neighbours, the others where they are.
 
-Comes in: a space, pieces wished where they were sent. Goes out: of each its candidate and footprint. Large neighbourhood search (Shaw,
-1998): what is freed is searched over all its ways at once, the fewest that could help first; what is found bounds what is sought next.
+Large neighbourhood search (Shaw, 1998): what is freed is searched over all its ways at once, the fewest that could help first; what is
+found bounds what is sought next.
 """
 
 from __future__ import annotations

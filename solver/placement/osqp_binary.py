@@ -1,6 +1,5 @@
 """OSQP's compiled solver, called without its Python interface: that one imports scipy and jinja2, most of a command's start.
 
-Comes in: a quadratic programme with sparse matrices, and where to begin. Goes out: the answer. May import: numpy, OSQP's extension.
 The extension is that of the pinned version of `osqp`; what its interface does before it calls it is done here.
 """
 

@@ -1,8 +1,7 @@
 """A room's placement problem and its solution as plain data: variables, terms, rows and choices.
 
-Comes in: nothing. Goes out: the types that the search's result, the final solve and every oracle share. Along each axis
-apart: minimise the sum of the terms, subject to low <= p <= high and the rows; and of every choice at least one option must hold.
-Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
+Along each axis apart: minimise the sum of the terms, subject to low <= p <= high and the rows; and of every choice at least one option must
+hold. Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
 """
 
 from __future__ import annotations

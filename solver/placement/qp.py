@@ -1,8 +1,7 @@
 """The final continuous solve of a whole house by OSQP, as one block-diagonal problem with the choices made.
 
-Comes in: solved rooms, whose problems the core lays out. Goes out: positions, how exactly they are the optimum, and what holds each piece.
-OSQP begins at the search's optimum and at the multipliers that belong to it, so that it confirms rather than solves.
-OSQP: Stellato et al., Mathematical Programming Computation 2020.
+OSQP begins at the search's optimum and at the multipliers that belong to it, so that it confirms rather than solves. OSQP: Stellato et al.,
+Mathematical Programming Computation 2020.
 """
 
 from __future__ import annotations

@@ -1,6 +1,5 @@
 """The same problem written for reading, in cvxpy: choices made, one axis at a time.
 
-Comes in: rooms' problems and what the search found. Goes out: positions, m.
 Used by tests and `--engine reference`; never on the default path.
 """
 

@@ -1,7 +1,4 @@
-"""Work space for one room, in the memory of an instance of the core.
-
-Comes in: a room's arrays and how large its problem may get. Goes out: an `Engine`.
-"""
+"""Work space for one room, in the memory of an instance of the core."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Whether pieces can stand so that the room is walkable, proven either way: every candidate, and for each the kernel's proof.
 
-Comes in: a space and pieces. Goes out: yes, no or not known, and where they can the candidates and places found. Not here: least
-movement.
+Not here: least movement.
 """
 
 from __future__ import annotations

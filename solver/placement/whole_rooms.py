@@ -1,7 +1,6 @@
 """Rooms made by the core in one go, from what is wanted to what stands in them; OSQP confirms the optimum of the whole house.
 
-Comes in: `WantedRows`. Goes out: Arrangements in whole millimetres, the same as `place` makes of the same pieces. Not here: what is wanted
-(furnish). The rows are those of solver/core/rooms/made.hpp.
+Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made.hpp.
 """
 
 from __future__ import annotations

@@ -1,8 +1,5 @@
 """Where a piece can reach under another one: nowhere does a part of the one stand in a part of the other.
 
-Comes in: what kinds are made of, and where a piece is wished at another one. Goes out: where it may be. May import: the ground
-floor, catalogs. Not here: what relations mean.
-
 A place is that of the piece's centre, mm, from the other's centre in the other's frame. Round parts count as the boxes around
 them. Kinds without a shape have no parts: nothing is known of what is free under them.
 """

@@ -1,8 +1,4 @@
-"""A room as sent -> pieces to place, every one of them to be kept, as near as can be to where it was sent.
-
-Comes in: a RoomProblem. Goes out: pieces in order of importance, each with its candidates: where it was sent, at another wall, in
-the frame of what carries it, or not moved at all. May import: the ground floor.
-"""
+"""A room as sent -> pieces to place, every one of them to be kept, as near as can be to where it was sent."""
 
 from __future__ import annotations
 

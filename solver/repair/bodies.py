@@ -1,7 +1,4 @@
-"""The bodies of a sent room: footprints, who is on the floor, who is tucked under a table.
-
-Comes in: a Room in metres. Goes out: rectangles in integer millimetres, ids. May import: the ground floor.
-"""
+"""The bodies of a sent room: footprints, who is on the floor, who is tucked under a table."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What carries what in a room, and how it goes along: furniture on furniture, decorations and who sits, all in one way.
-
-Comes in: a Room, and where some of its bodies are now. Goes out: the Room. May import: the ground floor.
-"""
+"""What carries what in a room, and how it goes along: furniture on furniture, decorations and who sits, all in one way."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What is done to a room: placed poses written into it, a repair applied, and what a dropped piece says of itself.
-
-Comes in: a Room. Goes out: the Room. May import: the ground floor.
-"""
+"""What is done to a room: placed poses written into it, a repair applied, and what a dropped piece says of itself."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """A room as it is when one of its pieces is taken in hand -> the pieces that may move while it is dragged, and what goes along with each.
 
-Comes in: a RoomProblem whose `moved` is that piece, and its people. Goes out: `InHand`. May import: the ground floor.
-
 While a piece is dragged nothing turns, changes its wall or leaves its table: that waits for the piece to be let go.
 """
 

@@ -1,7 +1,4 @@
-"""People and pets that are in the way -> the nearest free places.
-
-Comes in: a furnished room, its people, what is wrong. Goes out: the people. May import: the ground floor.
-"""
+"""People and pets that are in the way -> the nearest free places."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""Near the last answer: while a piece is dragged, the others stay where they were unless elsewhere is clearly better.
-
-Comes in: pieces and the poses of the last answer. Goes out: pieces that may only stand near those, who stands elsewhere. May
-import: the ground floor.
-"""
+"""Near the last answer: while a piece is dragged, the others stay where they were unless elsewhere is clearly better."""
 
 from __future__ import annotations
 

@@ -1,8 +1,5 @@
 """What floats -> on what carries it, at its wall or on the floor, by the shortest way.
 
-Comes in: a room with what floats in it. Goes out: the Room; what lies on a thing that was moved comes along. May import: the
-ground floor, catalogs.
-
 Furniture comes back over what it says it stands on where that is near (it is over part of it still), where it was moved away from
 under the piece, and where its kind stands on other pieces alone, as room types' rules tell. Else it is set down where it is. One
 that is over another piece of a kind that carries it stands on that one from now on.

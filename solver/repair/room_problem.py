@@ -1,4 +1,4 @@
-"""One room of a scene, to be repaired: what was sent, where it may stand, and on what terms. May import: the ground floor."""
+"""One room of a scene, to be repaired: what was sent, where it may stand, and on what terms."""
 
 from __future__ import annotations
 

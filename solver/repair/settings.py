@@ -1,4 +1,4 @@
-"""On what terms a scene is repaired, and what is known of its kinds. May import: scene, catalogs."""
+"""On what terms a scene is repaired, and what is known of its kinds."""
 
 from __future__ import annotations
 

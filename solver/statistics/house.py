@@ -1,7 +1,4 @@
-"""One house -> the figures that statistics are made of.
-
-Comes in: a scene, its issues and measures. Goes out: `House`. May import: the ground floor.
-"""
+"""One house -> the figures that statistics are made of."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Signatures: short words that are equal where two rooms are furnished alike, or two plans have the same graph.
-
-May import: the ground floor.
-"""
+"""Signatures: short words that are equal where two rooms are furnished alike, or two plans have the same graph."""
 
 from __future__ import annotations
 

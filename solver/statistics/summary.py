@@ -1,7 +1,4 @@
-"""Many houses -> one plain document of medians, shares and counts.
-
-Comes in: `House`s. Goes out: what JSON and YAML can say, in a fixed order. May import: the ground floor.
-"""
+"""Many houses -> one plain document of medians, shares and counts."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""A glTF document as it is being put together: geometry, materials, meshes and nodes by number, each written once.
-
-Comes in: surfaces, paints, nodes' texts. Goes out: the bytes of a .glb. May import: the model, paints.
-"""
+"""A glTF document as it is being put together: geometry, materials, meshes and nodes by number, each written once."""
 
 from __future__ import annotations
 

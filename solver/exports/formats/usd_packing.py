@@ -1,7 +1,4 @@
-"""A stage's text as the files that USD's programs read.
-
-Comes in: text. Goes out: files. May import: the writers; usd-core where it is asked for.
-"""
+"""A stage's text as the files that USD's programs read."""
 
 from __future__ import annotations
 
