@@ -31,12 +31,7 @@ class CarryingSurface(NamedTuple):
 
 
 class Carrying:
-    """What bodies carry things on.
-
-    Args:
-        catalogs: the kinds that are known.
-        book: the same, by what scenes call them.
-    """
+    """What bodies carry things on; `book` has the catalogs' kinds by what scenes call them."""
 
     def __init__(self, catalogs: Catalogs, book: KindBook) -> None:
         self._furniture, self._book = catalogs.furniture, book
@@ -49,11 +44,7 @@ class Carrying:
     def surfaces_of(self, sort: str, name: str, size: KindSize, said: str | None) -> list[CarryingSurface]:
         """Returns what a piece or decoration carries things on: its tops, then what is inside.
 
-        Args:
-            sort: "furniture" or "decoration".
-            name: what the scene calls it.
-            size: its width, depth and height, m.
-            said: the kind that the scene names.
+        `size` is its width, depth and height, m, `said` the kind that the scene names.
         """
         return [*self._tops_of(name, size), *self._insides_of(self._book.kind_of(sort, name, size, said), sort, size)]
 

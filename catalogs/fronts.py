@@ -62,12 +62,7 @@ _LEAST: Final = 0.003
 
 
 def floor_before(solids: Sequence[Solid], size: tuple[float, float, float]) -> FrontFloor | None:
-    """Returns the space before a piece that its fronts come into; None where they come into none.
-
-    Args:
-        solids: its shape, a tuple.
-        size: its width, depth and height, m.
-    """
+    """Returns the space before a piece of a width, depth and height, m, that its fronts come into; None where they come into none."""
     fronts = [one for one in fronts_of(solids) if _comes_out(one, solids, size, 1.0) >= _LEAST]
     if not fronts:
         return None

@@ -48,12 +48,7 @@ class _Box(NamedTuple):
 
 @lru_cache(maxsize=4096)
 def insides_of(solids: Sequence[Solid], size: tuple[float, float, float]) -> tuple[InsideSurface, ...]:
-    """Returns what carries things inside a shape, all fronts shut, from its lowest board up; the drawers after the boards.
-
-    Args:
-        solids: the shape, a tuple.
-        size: the body's width, depth and height, m.
-    """
+    """Returns what carries things inside a shape of a size, m, all fronts shut, from its lowest board up; the drawers after the boards."""
     boxes = [_box(solid, size) for solid in solids]
     lying = [number for number, solid in enumerate(solids) if solid.board is not None and _lies(boxes[number])]
     shelves = [surface for number in lying if solids[number].front is None for surface in _on_board(number, boxes)]

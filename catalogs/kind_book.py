@@ -20,11 +20,7 @@ _MANY: Final = 4096
 
 
 class KindBook:
-    """The kinds of catalogs, found by what scenes call them.
-
-    Args:
-        catalogs: what there is.
-    """
+    """The kinds of catalogs, found by what scenes call them."""
 
     def __init__(self, catalogs: Catalogs) -> None:
         self._catalogs = catalogs
@@ -50,11 +46,7 @@ class KindBook:
     def kind_of(self, sort: str, name: str, size: KindSize, said: str | None = None) -> str | None:
         """Returns the key of a body's kind, with `_upright` behind it where the thing is tipped; None where the catalogs know none.
 
-        Args:
-            sort: "furniture" or "decoration".
-            name: what the scene calls it.
-            size: its width, depth and height, m.
-            said: the kind that the scene names; it counts where scenes call that kind by this name.
+        The kind that the scene names (`said`) counts where scenes call that kind by this name. `size` is width, depth and height, m.
         """
         sized = self._by_name[sort].get(name)
         if not sized:

@@ -24,12 +24,7 @@ QUOTED: Final = re.compile("'([^']*)'")
 
 
 def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
-    """Returns the first fault of a file; unknown keys come first, for one that is missing may be one that is misspelled.
-
-    Args:
-        error: what pydantic found.
-        schema: the JSON Schema of what was read.
-    """
+    """Returns the first fault of a file by its schema; unknown keys come first, as one that is missing may be one that is misspelled."""
     first = min(error.errors(include_url=False), key=lambda one: one["type"] != UNKNOWN)
     at = tuple(step for step in first["loc"] if not (isinstance(step, str) and step.startswith(NO_KEYS)))
     if first["type"] == UNKNOWN:

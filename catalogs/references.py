@@ -35,13 +35,9 @@ def near(word: str, words: Iterable[str]) -> str:
 
 
 def unknown_words(entry: BaseModel, file: str, at: Key, known: Mapping[str, Collection[str]]) -> Iterator[Fault]:
-    """Yields a fault for every word of an entry that names nothing.
+    """Yields a fault for every word of an entry, at a key of a file, that names nothing.
 
-    Args:
-        entry: of a catalog.
-        file: the one it is in.
-        at: its key there.
-        known: by `Names.what`, the words that are that.
+    `known` are, by `Names.what`, the words that are that.
     """
     for names, word, place in _named(type(entry), entry, at):
         words = known[names.what]

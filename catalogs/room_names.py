@@ -31,11 +31,7 @@ class RoomMeaning(NamedTuple):
 
 
 class RoomNames:
-    """The room types by what plans call them.
-
-    Args:
-        catalogs: room types, and what others call them.
-    """
+    """The room types by what plans call them."""
 
     def __init__(self, catalogs: Catalogs) -> None:
         self._types = frozenset(catalogs.rooms)

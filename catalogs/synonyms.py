@@ -80,11 +80,7 @@ def spans_of(count: int) -> list[tuple[int, int]]:
 
 
 class Synonyms:
-    """The names of others, found by their words.
-
-    Args:
-        catalogs: kinds, and what others call them.
-    """
+    """The names of others, found by their words."""
 
     def __init__(self, catalogs: Catalogs) -> None:
         self._catalogs = catalogs

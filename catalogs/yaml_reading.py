@@ -43,11 +43,7 @@ class YamlFault(Exception):
 
 
 def read_yaml(text: str | bytes, most_levels: int = MOST_LEVELS) -> object:
-    """Reads a document.
-
-    Args:
-        text: one YAML document.
-        most_levels: how deep it may be.
+    """Reads one YAML document, so many levels deep at most.
 
     Raises:
         YamlFault: it is none, holds a tag or key of no use here, gives a key twice, or is too deep.

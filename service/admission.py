@@ -63,12 +63,7 @@ def owner_of(scope: Scope) -> str:
 
 
 class Admission:
-    """Lets callers through to the routes.
-
-    Args:
-        app: the routes.
-        admitted: who may ask.
-    """
+    """Lets those through to the routes that may ask."""
 
     def __init__(self, app: ASGIApp, admitted: Admitted) -> None:
         self._app, self._admitted = app, admitted

@@ -108,12 +108,7 @@ CALLS: Final = (_in_workers(), _without_body(), homes, jobs)
 
 
 class ComposeApp(Starlette):
-    """The application with what its calls share.
-
-    Args:
-        catalogs: the data to serve.
-        settings: its limits.
-    """
+    """The application with what its calls share."""
 
     def __init__(self, catalogs: Catalogs, settings: Settings) -> None:
         super().__init__(routes=[route for declared in CALLS for route in declared.routes()], lifespan=_started)
@@ -135,13 +130,7 @@ class ComposeApp(Starlette):
         self._document: dict[str, Any] | None = None
 
     async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
-        """Makes a call in a worker.
-
-        Args:
-            call: one of `calls.CALLS`.
-            body: the request's body.
-            sent: its format.
-            wanted: the answer's.
+        """Makes one of `calls.CALLS` in a worker; `sent` is the format of its body, `wanted` that of the answer.
 
         Raises:
             Busy: too many calls wait.

@@ -234,12 +234,7 @@ class ExportedFile(NamedTuple):
 
 
 def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
-    """Returns the files of a scene in the format of a simulator, an editor or a training set.
-
-    Args:
-        document: an `ExportBody`; or a scene by itself.
-        catalogs: what kinds of bodies look like and weigh.
-        format: one of EXPORTERS.
+    """Returns the files of a scene, an `ExportBody` or a scene by itself, in one of EXPORTERS.
 
     Raises:
         FieldError: a field is wrong, or the format's library is not installed.

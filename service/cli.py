@@ -98,12 +98,7 @@ def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
 
 
 class _ExportWords:
-    """The words that an option of `export` may have: looked up when that command is used, since `--help` loads nothing.
-
-    Args:
-        name: what of solver.export_formats holds them.
-        before: words before those.
-    """
+    """The words `before`, then those that solver.export_formats has under a name: looked up late, since `--help` loads nothing."""
 
     def __init__(self, name: str, *before: str) -> None:
         self._name, self._before = name, before

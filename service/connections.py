@@ -19,11 +19,7 @@ from service.service_settings import Settings
 
 @dataclass
 class Connections:
-    """All connections of a service.
-
-    Args:
-        settings: how many there may be, and how long they may wait.
-    """
+    """All connections of a service, as many and as patient as its settings say."""
 
     settings: Settings
     open: dict[WatchedConnection, str] = field(default_factory=dict)
@@ -77,13 +73,7 @@ class Connections:
 
 
 class WatchedConnection(H11Protocol):
-    """A connection that gives way while it waits for its client.
-
-    Args:
-        connections: all of them.
-        given: what uvicorn gives its protocols.
-        named: the same, by name.
-    """
+    """A connection that gives way while it waits for its client; `given` and `named` are what uvicorn gives its protocols."""
 
     def __init__(self, connections: Connections, *given: Any, **named: Any) -> None:
         super().__init__(*given, **named)

@@ -29,12 +29,7 @@ class _Declared(NamedTuple):
 
 
 class DescribedCalls:
-    """Calls of one kind.
-
-    Args:
-        prefix: of their paths.
-        described: what the document says of all of them, as `APIRouter` takes it.
-    """
+    """Calls of one kind: the prefix of their paths, and what the document says of all of them, as `APIRouter` takes it."""
 
     def __init__(self, prefix: str = "", **described: Any) -> None:
         self._prefix, self._described = prefix, described

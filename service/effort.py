@@ -81,10 +81,7 @@ class Spending:
 
 @contextmanager
 def limited_to(effort: str = NORMAL) -> Iterator[Spending]:
-    """Limits the work of a block.
-
-    Args:
-        effort: one of EFFORTS.
+    """Limits the work of a block to that of one of EFFORTS.
 
     Raises:
         FieldError: it is more than may be asked for.

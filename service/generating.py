@@ -21,12 +21,7 @@ if TYPE_CHECKING:
 
 
 def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Generated:
-    """Makes a house, furnishes some rooms of one anew, or gives it another style.
-
-    Args:
-        document: a `Request`, a `RerollBody` or a `RestyleBody`.
-        catalogs: the data to furnish from.
-        engine: the engine of the final QP.
+    """Makes a house (`Request`), furnishes some rooms of one anew (`RerollBody`), or gives it another style (`RestyleBody`).
 
     Raises:
         FieldError: a field is wrong.

@@ -29,13 +29,7 @@ class HomeSent:
 
 
 def read_sent_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
-    """Reads the body of a home, or of a change of one; what is wrong with it becomes a problem document.
-
-    Args:
-        body: as it was sent.
-        sent: its format.
-        is_change: whether it is a change.
-    """
+    """Reads the body of a home, or of a change of one, as it was sent; what is wrong with it becomes a problem document."""
     try:
         document = load_text(body, sent)
         document = {"scene": document} if sent == GLB else document

@@ -146,11 +146,7 @@ async def job_events(request: Request) -> Response:
 
 
 class Runner:
-    """Makes the calls of jobs, one after another; what interactive calls need is left to them, since it takes one process at most.
-
-    Args:
-        app: the application.
-    """
+    """Makes the calls of jobs, one after another; what interactive calls need is left to them, since it takes one process at most."""
 
     def __init__(self, app: Any) -> None:
         self._app = app
@@ -162,11 +158,7 @@ class Runner:
         self._woken.set()
 
     async def run(self, is_first_asked: bool) -> None:
-        """Runs until it is cancelled.
-
-        Args:
-            is_first_asked: whether to wait for the first job that is asked for here, since nobody else has the store.
-        """
+        """Runs until it is cancelled; `is_first_asked`: waits for the first job asked for here, since nobody else has the store."""
         while True:
             if not is_first_asked:
                 await self._work_off()

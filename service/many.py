@@ -65,16 +65,10 @@ class HouseSet:
 def in_processes(
     make: Callable[[bytes, Asked], Made], jobs: Iterable[Asked], count: int, workers: int, catalogs: Catalogs
 ) -> Iterator[Made]:
-    """Yields what a function of a module makes of each job, in their order, and says how far it is.
+    """Yields what a function of a module makes of the packed catalogs and each job, in their order, and says how far it is.
 
-    Jobs are taken as they are needed, so that there may be any number of them.
-
-    Args:
-        make: takes the catalogs, packed, and a job; can be sent to a process.
-        jobs: what it is given.
-        count: how many there are, at most.
-        workers: processes; with one all is done in this one.
-        catalogs: to furnish with.
+    Jobs, `count` at most, are taken as they are needed, so that there may be any number of them. With one worker all is done in this
+    process.
     """
     known = packed(catalogs)
     with progress(count, "house") as update:
@@ -86,11 +80,7 @@ def in_processes(
 def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int) -> Iterator[tuple[int, list[Document]]]:
     """Makes houses into their folder and yields each seed with its house's issues; files that are there stay.
 
-    Args:
-        houses: where, and what of.
-        seeds: the houses' seeds; after the greatest comes 0.
-        catalogs: what to furnish with.
-        workers: processes.
+    After the greatest seed comes 0.
 
     Raises:
         FieldError: a request is wrong, no house can meet it, or the folder's houses were made from something else.

@@ -36,12 +36,7 @@ access_log: Final = logging.getLogger("compose.access")
 
 
 class Measures:
-    """The figures of one service.
-
-    Args:
-        workers: its processes.
-        connections: its connections.
-    """
+    """The figures of one service, of its processes and connections."""
 
     def __init__(self, workers: Workers, connections: Connections) -> None:
         self.registry = CollectorRegistry()
@@ -63,14 +58,7 @@ class Measures:
         Gauge(name, words, registry=self.registry).set_function(value)
 
     def count(self, path: str, status: int, seconds: float, headers: Mapping[str, str]) -> None:
-        """Counts an answer.
-
-        Args:
-            path: the route's.
-            status: the answer's.
-            seconds: how long it took.
-            headers: the answer's.
-        """
+        """Counts an answer on a route's path, with its status, its headers and how many seconds it took."""
         self._requests.labels(path, str(status)).inc()
         self._seconds.labels(path).observe(seconds)
         self._work.labels(path).inc(float(headers.get(WORK_HEADER, "0")))
@@ -93,13 +81,7 @@ def _waiting(lane: Lane) -> Callable[[], float]:
 
 
 class Observed:
-    """Measures every request, names it, and writes a line of it.
-
-    Args:
-        app: all the rest.
-        measures: where it is counted.
-        clock: in seconds.
-    """
+    """Measures every request, names it, and writes a line of it; the clock is in seconds."""
 
     def __init__(self, app: ASGIApp, measures: Measures, clock: Callable[[], float] = time.perf_counter) -> None:
         self._app, self._measures, self._clock = app, measures, clock

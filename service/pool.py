@@ -33,16 +33,10 @@ MOST_LOST: Final = 3
 
 
 def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, start: Callable[[], None], batch: int = 1) -> Iterator[Made]:
-    """Yields what a function makes of each job, in their order.
+    """Yields what a function, which can be sent to a process, makes of each job, in their order.
 
-    Jobs are taken as they are needed, so that there may be any number of them.
-
-    Args:
-        make: can be sent to a process.
-        jobs: what it is given.
-        workers: processes; with one all is done in this one.
-        start: what each process does first.
-        batch: jobs that a process is given at a time.
+    Jobs are taken as they are needed, `batch` at a time, so that there may be any number of them. A process does `start` first; with one
+    worker all is done in this one.
 
     Raises:
         FieldError: processes end again and again before anything is done, as for want of memory.

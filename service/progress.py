@@ -18,13 +18,7 @@ EVERY_S: Final = 30.0
 
 @contextmanager
 def progress(total: int, unit: str, begun: int = 0) -> Iterator[Callable[[int], object]]:
-    """Gives what is to be called with each number that is done.
-
-    Args:
-        total: how many there are to do.
-        unit: what one is called.
-        begun: how many of them were done before.
-    """
+    """Gives what is to be called with each number that is done of `total`, `begun` of which were done before; one is called `unit`."""
     if sys.stderr is not None and sys.stderr.isatty():
         with tqdm(total=total, initial=begun, unit=unit) as bar:
             yield bar.update

@@ -30,23 +30,14 @@ UNBOUNDED: Final = Allowance()
 
 
 class Rates:
-    """Lets each caller ask so often a minute.
-
-    Args:
-        calls: calls a minute, that many at once; 0 for no limit.
-    """
+    """Lets each caller ask so often a minute, that many times at once; 0 for no limit."""
 
     def __init__(self, calls: int) -> None:
         self._calls = calls
         self._left: OrderedDict[str, tuple[float, float]] = OrderedDict()
 
     def wait(self, who: str, now: float) -> int:
-        """Counts a call of somebody; returns 0 where it may be made, else how many seconds to wait.
-
-        Args:
-            who: the caller.
-            now: the time, s, of a clock that never goes back.
-        """
+        """Counts a call of somebody; returns 0 where it may be made, else how many seconds to wait. The clock, s, never goes back."""
         if self._calls == 0:
             return 0
         left, then = self._left.pop(who, (float(self._calls), now))
@@ -59,11 +50,7 @@ class Rates:
 
 
 class Quotas:
-    """Lets each caller have so many seconds of work a day.
-
-    Args:
-        work_s: seconds a day; 0 for no limit.
-    """
+    """Lets each caller have so many seconds of work a day; 0 for no limit."""
 
     def __init__(self, work_s: float) -> None:
         self._most = work_s
@@ -71,12 +58,7 @@ class Quotas:
         self._used: dict[str, float] = {}
 
     def wait(self, who: str, now: float) -> int:
-        """Returns 0 where somebody may have more work today, else the seconds until tomorrow.
-
-        Args:
-            who: the caller.
-            now: seconds since 1970, UTC.
-        """
+        """Returns 0 where somebody may have more work today, else the seconds until tomorrow; `now` in seconds since 1970, UTC."""
         self._turn(now)
         return 0 if self._most == 0 or self._used.get(who, 0.0) < self._most else ceil(DAY_S - now % DAY_S)
 

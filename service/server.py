@@ -26,10 +26,6 @@ SWITCH_S: Final = 0.0005
 def serve(settings: Settings, catalogs: Catalogs) -> None:
     """Answers until the process is told to stop, and says on standard error where.
 
-    Args:
-        settings: where it listens, and its limits.
-        catalogs: the data to serve.
-
     Raises:
         OSError: the address cannot be listened at.
     """

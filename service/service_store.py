@@ -23,11 +23,7 @@ FILE_NAME: Final = "homes.sqlite"
 
 
 class ServiceStore:
-    """The store that the settings name, not yet opened.
-
-    Args:
-        settings: `store`: a file, a URL, NONE, or TEMPORARY for one that goes with the service; and how much each owner may keep.
-    """
+    """The store that the settings name: a file, a URL, NONE, or TEMPORARY for one that goes with the service; not yet opened."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings

@@ -29,13 +29,7 @@ def store_limiter() -> CapacityLimiter:
 
 
 async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Callable[[Any, str], Any]) -> Any:
-    """Asks the store for something in a thread, for the owner of the request's key.
-
-    Args:
-        of: what of the store is asked.
-        request: who asks.
-        question: puts the question for an owner.
-    """
+    """Asks a part of the store (`of`) something in a thread, for the owner of the request's key."""
 
     def answer() -> Any:
         return question(of(request.app.store), owner_of(request.scope))

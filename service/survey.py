@@ -18,13 +18,9 @@ from solver.validator import RULES, metrics
 
 
 def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, catalogs: Catalogs) -> Document:
-    """Makes sets of houses and returns what they show; the number of processes changes nothing in it.
+    """Makes sets of `count` houses and returns what they show; the number of processes changes nothing in it.
 
-    Args:
-        requests: one a set; `seed` is that of the first house (0), the others follow.
-        count: houses of each set.
-        workers: processes; with one all is done in this one.
-        catalogs: what to furnish with.
+    A request's `seed` is that of the first house of its set (0), the others follow.
 
     Raises:
         FieldError: a request is wrong, or no house can meet it.

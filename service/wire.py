@@ -41,11 +41,7 @@ ACCEPTED: Final = {**_TEXTS, "*/*": "json", "application/*": "json"}
 
 
 def format_sent(request: Request, takes_files: bool = False) -> str:
-    """Tells the format of a request's body.
-
-    Args:
-        request: the request.
-        takes_files: whether the call reads files of other programs.
+    """Tells the format of a request's body; a file of another program is one where the call `takes_files`.
 
     Raises:
         WrongMediaType: its content type or encoding is none of ours.
@@ -88,11 +84,7 @@ def _quality(parameters: str) -> float:
 
 
 async def body_of(request: Request, seconds: float) -> bytes:
-    """Reads a request's body.
-
-    Args:
-        request: the request.
-        seconds: how long it may take to arrive.
+    """Reads a request's body, which may take so many seconds to arrive.
 
     Raises:
         TooLarge: it holds, or says it holds, more than BODY_LIMIT bytes.

@@ -37,11 +37,7 @@ class Raised(NamedTuple):
 
 
 class WorkerProcess:
-    """A process that makes one call after another, until nobody can ask it any more.
-
-    Args:
-        nice: how much nicer than the service it is.
-    """
+    """A process, so much nicer than the service, that makes one call after another, until nobody can ask it any more."""
 
     def __init__(self, nice: int) -> None:
         self._line, called = socket.socketpair()

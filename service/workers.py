@@ -54,11 +54,7 @@ class Lane(NamedTuple):
 
 
 class Workers:
-    """The processes of a service.
-
-    Args:
-        settings: how many, and how long each may take.
-    """
+    """The processes of a service, as many as its settings say."""
 
     def __init__(self, settings: Settings) -> None:
         self._seconds = settings.request_seconds
@@ -71,12 +67,8 @@ class Workers:
     async def run(self, work: Callable[[Unpack[Given]], T], *given: *Given, is_light: bool = False) -> T:
         """Runs a function of a module in a process and returns what it returns; once more in another where the process died.
 
-        Where the task that waits is cancelled, the process is ended and another one started, or the call leaves the line.
-
-        Args:
-            work: the function.
-            given: what it is given.
-            is_light: whether it is quickly done, so that it has a lane of its own.
+        Where the task that waits is cancelled, the process is ended and another one started, or the call leaves the line. What is light,
+        quickly done, has a lane of its own.
 
         Raises:
             Busy: as many calls run, and as many wait, as may.
@@ -144,12 +136,7 @@ class Workers:
             lane.idle.append(process)
 
     async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
-        """Starts all processes, however long it takes: a first start may compile.
-
-        Args:
-            work: what each of them, and each that replaces one, does first.
-            given: what that is given.
-        """
+        """Starts all processes, however long it takes: a first start may compile. They do this work first, as those that replace one do."""
         self._first = work, given
         async with create_task_group() as group:
             for lane in (self.heavy, self.light):
@@ -158,11 +145,7 @@ class Workers:
 
 
 async def unless_left(receive: Receive, work: Awaitable[T]) -> T:
-    """Waits for what a caller asked for, and ends it when the caller leaves.
-
-    Args:
-        receive: of the caller's request, whose body has been read.
-        work: what it asked for.
+    """Waits for what a caller asked for, whose body has been read, and ends it when the caller leaves.
 
     Raises:
         ClientDisconnect: the caller left.

@@ -54,13 +54,7 @@ def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: Catalogs)
 
 
 class BodyRows:
-    """The bodies of one sort in a room, in the order in which they were put there; called, it makes them.
-
-    Args:
-        content: as the core told them.
-        room: the room; with its furniture, where they stand on that.
-        looks: how they look.
-    """
+    """The bodies of one sort in a room as the core told them, in the order in which they were put there; called, it makes them."""
 
     field: ClassVar[str]
 
@@ -141,15 +135,7 @@ class FurnitureRows(BodyRows):
 
 
 class DecorationRows(BodyRows):
-    """The decorations of a furnished room.
-
-    Args:
-        content: as the core told them.
-        room: the room, furnished.
-        looks: how they look.
-        colours: what each kind is drawn from.
-        styled: whether those are the style's.
-    """
+    """The decorations of a furnished room; `colours` is what each kind is drawn from, `styled`: those are the style's."""
 
     field = "decorations"
 

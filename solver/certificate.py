@@ -30,14 +30,7 @@ def certificate(
     rules: Iterable[str],
     plan: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Returns the certificate document.
-
-    Args:
-        rooms: the finished rooms.
-        arrangements: by room id.
-        rules: the rules that were checked.
-        plan: what the floor plan has to say (spine, unjoined, notes).
-    """
+    """Returns the certificate document; `plan` is what the floor plan has to say (spine, unjoined, notes)."""
     return {
         "rules": list(rules),
         "counts": counted(rooms, ()),

@@ -42,13 +42,9 @@ class Goal:
 
 
 class FreeFloor:
-    """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides.
+    """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides (`goals`).
 
-    Args:
-        space: its clear rectangle, missing corners, doorways and the width of who walks.
-        bodies: footprints of what stands in the way of walking, mm.
-        goals: use sides.
-        blocks: what nobody can be in.
+    `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in.
     """
 
     def __init__(self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = ()) -> None:
@@ -63,10 +59,7 @@ class FreeFloor:
     def of_room(cls, room: Room, space: Space, uses: Mapping[str, tuple[Sequence[str], bool]]) -> FreeFloor:
         """Returns the floor of a furnished room without its people.
 
-        Args:
-            room: furnished, and decorated or not.
-            space: its clear rectangle, and what its doors and its outline keep free.
-            uses: by name of piece the sides it is used from, and whether all of them have to be within reach.
+        `uses` are by name of piece the sides it is used from, and whether all of them have to be within reach.
         """
         furniture = furniture_in(room)
         goals = [
@@ -108,11 +101,8 @@ class FreeFloor:
     def connects(self, more: Sequence[Rect] = (), goals: Sequence[Goal] = ()) -> bool:
         """Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres.
 
-        What meets doors that lead outside is one component, and one of these doors is enough.
-
-        Args:
-            more: footprints of bodies besides those of the room, mm.
-            goals: besides its own.
+        What meets doors that lead outside is one component, and one of these doors is enough. `more` are footprints, mm, and `goals` goals
+        besides its own.
         """
         bodies = self._bodies + rect_rows(more)
         all_goals = [*self.goals, *goals]

@@ -111,15 +111,10 @@ def block_of(body: Furniture | Decoration | Dynamic) -> Block:
 
 
 def nearest_place(own: Rect, area: Rect, blocks: Sequence[Rect] | bytes, reach: int | None = None) -> Rect | None:
-    """Returns the free place nearest to a box, or None where there is none.
+    """Returns the free place nearest to a wished box, within an area and `reach` mm from the wish; None where there is none.
 
-    Args:
-        own: the box where it is wished.
-        area: where it has to stay.
-        blocks: what it must not overlap; `rect_rows` of it where these are asked about again.
-        reach: how far from the wish it may be, mm; None: anywhere.
-
-    Ties go to the lesser step along x, then west, then along z, then north.
+    `blocks` are what it must not overlap, `rect_rows` of it where these are asked about again. Ties go to the lesser step along x, then
+    west, then along z, then north.
     """
     rows = blocks if isinstance(blocks, bytes) else rect_rows(blocks)
     request = _NEAREST.pack(*own, *area, -1 if reach is None else reach, len(rows) // RECT_BYTES, 0) + rows

@@ -83,14 +83,9 @@ def names_placed(arrangement: Arrangement, catalogs: Catalogs) -> list[str]:
 
 
 def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style | None, bare: bool = False) -> Room:
-    """Returns a furnished room in the colours of a style, drawn as for new furniture; what has no kind keeps its colour.
+    """Returns a furnished room in the colours of a style (None: the kinds' own), drawn as for new furniture.
 
-    Args:
-        room: with furniture.
-        catalogs: whose kinds the pieces are of.
-        stream: from which colours are drawn.
-        style: None: the kinds' own colours.
-        bare: only what has no colour gets one.
+    What has no kind keeps its colour. `bare`: only what has no colour gets one.
     """
     kinds = {piece.kind for piece in room.furniture if piece.kind in catalogs.furniture and not (bare and piece.color)}
     colours = _colours(sorted(kinds), catalogs, style, stream)

@@ -44,12 +44,9 @@ def with_assets(scene: Scene, catalogs: Catalogs) -> Scene:
 
 
 def fits(asset: Asset, size: tuple[float, float, float], resting: Iterable[float] = ()) -> bool:
-    """Tells whether an asset may stand for a body.
+    """Tells whether an asset may stand for a body of a size, m, on which things rest at these heights above its underside, m.
 
-    Args:
-        asset: the asset; of whose surfaces nothing is said carries things on its very top.
-        size: width, depth and height of the body, m.
-        resting: heights above the body's underside at which things rest on it, m.
+    One of whose surfaces nothing is said carries things on its very top.
     """
     if max(map(abs, _factors(asset, size))) > MOST_STRETCHED + TINY:
         return False

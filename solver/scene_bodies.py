@@ -79,11 +79,7 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
 
 
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
-    """Refuses ids that a scene does not have.
-
-    Args:
-        known: those that it has.
-        wanted: ids by the name of the field that lists them.
+    """Refuses ids, by the name of the field that lists them, that a scene does not have.
 
     Raises:
         SceneError: names the entries and some ids that would do.

@@ -15,13 +15,7 @@ _MASK = (1 << 64) - 1
 
 
 class Stream:
-    """A stream of random numbers named by (seed, stage, room).
-
-    Args:
-        seed: the house's seed.
-        stage: the stage's name.
-        room: the room's index or id, or any finer name; empty for the whole house.
-    """
+    """A stream of random numbers named by (seed, stage, room): the room's index or id, or any finer name; empty for the whole house."""
 
     def __init__(self, seed: int, stage: str, room: int | str = "") -> None:
         digest = blake2b(f"{seed}/{stage}/{room}".encode(), digest_size=8).digest()

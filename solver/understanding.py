@@ -41,12 +41,7 @@ class Understood:
 
 
 def understood(scene: Scene, catalogs: Catalogs) -> Understood:
-    """Returns a scene in the catalogs' words; the very scene where it is already.
-
-    Args:
-        scene: any; only furniture is looked at.
-        catalogs: kinds, and what others call them.
-    """
+    """Returns a scene with its furniture in the catalogs' words; the very scene where it is already."""
     ours = own_names(catalogs)
     if all(ours.issuperset(furniture_names(room)) for room in scene.rooms):
         return Understood(scene, {}, {})
@@ -74,12 +69,7 @@ def _room(room: Room, catalogs: Catalogs, words: dict[str, str], sent: dict[str,
 
 
 def with_understood_kinds(scene: Scene, catalogs: Catalogs) -> Scene:
-    """Returns a scene that keeps its names, its furniture and decorations with the kinds that they are understood as.
-
-    Args:
-        scene: any; what names a kind keeps it.
-        catalogs: kinds, and what others call them.
-    """
+    """Returns a scene that keeps its names, its furniture and decorations with the kinds that they are understood as, or name."""
     synonyms = synonyms_of(catalogs)
 
     def kind_of(sort: str, body: Furniture | Decoration) -> str | None:

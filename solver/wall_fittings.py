@@ -122,10 +122,7 @@ def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
 def cut_at_holes(ends: Span, holes: Iterable[tuple[Span, Span]], seams: Iterable[float] = ()) -> Iterator[tuple[Span, list[Span]]]:
     """Yields the stretches of a wall between the sides of holes, each with the heights that holes over it take, in order.
 
-    Args:
-        ends: where the wall begins and ends, m.
-        holes: of each where it begins and ends along the wall, and from which height to which.
-        seams: where the wall is cut besides.
+    Holes say where they begin and end along the wall, and from which height to which, m; it is cut at `seams` besides.
     """
     start, end = ends
     every = list(holes)

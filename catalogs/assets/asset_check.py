@@ -51,12 +51,9 @@ class CheckedFolder(NamedTuple):
 
 
 def checked_folder(folder: Path, catalogs: Catalogs, levels: LevelFinder | None = None) -> CheckedFolder:
-    """Checks a folder of assets.
+    """Checks a folder of .glb files, in it or below; what its `assets.yaml` says, if there is one, stays.
 
-    Args:
-        folder: holds .glb files, in it or below; what its `assets.yaml` says, if there is one, stays.
-        catalogs: whose kinds assets may stand for.
-        levels: finds the surfaces of an asset whose kinds have some, where nobody says them; without it they stay unsaid.
+    `levels` finds the surfaces of an asset whose kinds have some, where nobody says them; without it they stay unsaid.
 
     Raises:
         CatalogError: its `assets.yaml` cannot be read.

@@ -38,12 +38,7 @@ class DatasetVerdict:
 
 
 def check_dataset(folder: Path, catalogs: Catalogs, sample: int | None) -> DatasetVerdict:
-    """Checks a dataset.
-
-    Args:
-        folder: of the dataset.
-        catalogs: that its homes are made from again.
-        sample: how many homes are made again and validated, drawn by their seeds; None: all.
+    """Checks a dataset; so many of its homes (None: all), drawn by their seeds, are made again and validated.
 
     Raises:
         FieldError: there is no dataset in the folder; or its homes are of another version or other catalogs.

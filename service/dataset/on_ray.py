@@ -37,13 +37,9 @@ _ACTION_BYTES: Final = 512
 
 
 def on_cluster(make: Callable[[Asked], Made], jobs: Sequence[Asked], workers: int, address: str) -> Iterator[Made]:
-    """Yields what a function makes of each job, in their order.
+    """Yields what a function makes of each job, in their order; every node has its module.
 
-    Args:
-        make: of a module that every node has.
-        jobs: what it is given.
-        workers: processors of a local cluster; a real one has what it has.
-        address: as `ray.init` takes it, or LOCAL.
+    `workers` are processors of a local cluster, a real one has what it has; `address` is as `ray.init` takes it, or LOCAL.
 
     Raises:
         FieldError: nothing answers at the address, the cluster does not start, or it loses a job again and again.

@@ -88,10 +88,7 @@ class _Turns:
 
     @contextmanager
     def mine(self, seconds: float) -> Iterator[None]:
-        """Runs a block in its turn.
-
-        Args:
-            seconds: how long it waits for that, s.
+        """Runs a block in its turn, for which it waits so many seconds.
 
         Raises:
             TimeoutError: it waited that long.

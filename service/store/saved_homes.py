@@ -79,24 +79,13 @@ class Wanted:
 
 
 class SavedHomes:
-    """The homes of a store.
-
-    Args:
-        database: the store.
-        keeping: how much each owner may keep.
-        clock: nanoseconds since 1970, UTC.
-    """
+    """The homes of a store, and how much each owner may keep; the clock counts nanoseconds since 1970, UTC."""
 
     def __init__(self, database: Database, keeping: Keeping | None = None, clock: Callable[[], int] = time.time_ns) -> None:
         self._database, self._keeping, self._clock = database, keeping or Keeping(), clock
 
     def add(self, owner: str, texts: Mapping[str, Any], scene: PackedScene) -> SavedHome:
-        """Keeps a new home.
-
-        Args:
-            owner: whose it is.
-            texts: `name`, `notes` and `tags`.
-            scene: its first version.
+        """Keeps a new home of an owner: its `name`, `notes` and `tags`, and its first version.
 
         Raises:
             TooManyKept: the owner has no room for it.
@@ -133,14 +122,9 @@ class SavedHomes:
             return found, scene
 
     def change(self, owner: str, home: str, revision: int | None, texts: Mapping[str, Any], scene: PackedScene | None) -> SavedHome:
-        """Changes a home.
+        """Changes those texts of an owner's home that are given, and adds a version if there is a scene.
 
-        Args:
-            owner: whose it is.
-            home: its id.
-            revision: the one that the change was made from; or ANY_REVISION.
-            texts: those of `name`, `notes` and `tags` that change.
-            scene: a further version.
+        `revision` is the one that the change was made from; or ANY_REVISION.
 
         Raises:
             NoSuchThing: this owner has no such home.

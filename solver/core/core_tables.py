@@ -12,11 +12,7 @@ TableRange = tuple[int, int]
 
 
 class CoreTables:
-    """Tables while they are written.
-
-    Args:
-        words: names that are numbered before others.
-    """
+    """Tables while they are written; `words` are names that are numbered before others."""
 
     layouts: ClassVar[Mapping[str, Struct]]
     """How a row of each is packed, in the order of the tables."""

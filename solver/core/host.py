@@ -142,14 +142,7 @@ class CoreInstance:
         _alive.add(self)
 
     def call(self, name: str, *arguments: float) -> Any:
-        """Calls an export.
-
-        Args:
-            name: its name.
-            arguments: its numbers: addresses and whole numbers, or floats where it takes f64.
-
-        Returns:
-            Its number, or None.
+        """Calls an export with whole numbers and addresses, or floats where it takes f64; returns its number, or None.
 
         Raises:
             CoreFailed: the call ended in a trap, the instance had failed before, or there is no such export with so many numbers.
@@ -295,11 +288,7 @@ def _let_go() -> None:
 
 
 def taken(roomy: bool = False) -> CoreInstance:
-    """Returns an instance with nothing in its memory: an idle one, or a new one.
-
-    Args:
-        roomy: whether more than a megabyte will be asked of it.
-    """
+    """Returns an instance with nothing in its memory: an idle one, or a new one; `roomy`: more than a megabyte will be asked of it."""
     try:
         return _idle[roomy].pop()
     except IndexError:
@@ -319,10 +308,7 @@ def _lay_idle(instance: CoreInstance) -> None:
 def borrowed(roomy: bool = False) -> Iterator[CoreInstance]:
     """Lends an instance for a block. What the block took of its memory is given back at its end.
 
-    After an exception the instance is thrown away. No view of its memory may outlive the block.
-
-    Args:
-        roomy: whether more than a megabyte will be asked of it.
+    After an exception the instance is thrown away. No view of its memory may outlive the block. `roomy`: as of `taken`.
     """
     instance = taken(roomy)
     yield instance

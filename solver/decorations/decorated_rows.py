@@ -31,15 +31,7 @@ _OUTLINE: Final = "outline"
 
 
 def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings: DecorationSettings, state: int) -> bytes:
-    """Returns a room as bytes.
-
-    Args:
-        room: furnished at right angles.
-        space: its `space_of`.
-        known: what decorates.
-        settings: how high the room is, and what of its floor is kept free.
-        state: the stream's.
-    """
+    """Returns a room that is furnished at right angles as bytes; `state` is its stream's."""
     manners: dict[BodyTurn, int] = {}
     numbers = [manners.setdefault(one, len(manners)) for one in furniture_turns(room)]
     openings = [_opening(opening) for opening in room.openings if opening.wall is not None]

@@ -36,10 +36,6 @@ class BareRoom(NamedTuple):
 def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> list[Room]:
     """Returns furnished rooms with what decorates them, naming its kinds; their furniture stays as it is.
 
-    Args:
-        bare: the rooms.
-        settings: with what, in which style, how high the rooms are.
-
     Raises:
         TooMuch: the call may not have so much work.
         CoreFailed: an error within the core.

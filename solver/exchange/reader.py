@@ -93,11 +93,8 @@ def read_scene(document: object) -> Scene:
 def read_request(document: object, root: str = "request") -> Request:
     """Reads a request. Keys may be snake_case or camelCase; unknown ones are refused.
 
-    A plain request's `min_room_size` that is not given is at most the house's shorter side.
-
-    Args:
-        document: plain values.
-        root: what the document is called where it is wrong as a whole.
+    A plain request's `min_room_size` that is not given is at most the house's shorter side. `root` is what the document is called where it
+    is wrong as a whole.
 
     Raises:
         RequestError: a field is wrong; names it, with what is allowed.

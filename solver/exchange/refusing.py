@@ -21,13 +21,7 @@ KEY: Final = "[key]"
 
 
 def refusals(error: ValidationError, schema: Mapping[str, Any], document: object) -> list[tuple[str, str, str]]:
-    """Returns the field, what is wrong with it, and what is allowed, of the first MOST_TOLD fields that are wrong.
-
-    Args:
-        error: what was found.
-        schema: the JSON Schema of what is read.
-        document: what was to be read.
-    """
+    """Returns the field, what is wrong with it, and what is allowed by the schema, of the first MOST_TOLD fields that are wrong."""
     told: dict[str, tuple[str, str, str]] = {}
     for one in islice(error.errors(include_url=False), MOST_FOUND):
         entry = _refusal(one, schema, document)

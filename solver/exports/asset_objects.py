@@ -26,12 +26,7 @@ class AssetObject(NamedTuple):
 
 
 class AssetObjects:
-    """The OBJ files of one export.
-
-    Args:
-        assets: by name.
-        material_files: whether they name a .mtl file, which holds paint and picture.
-    """
+    """The OBJ files of one export; with `material_files` they name .mtl files, which hold paint and picture."""
 
     def __init__(self, assets: Mapping[str, Asset], material_files: bool) -> None:
         self._assets, self._material_files = assets, material_files

@@ -68,14 +68,10 @@ def z_up(x: float, y: float, z: float) -> Triple:
 
 
 def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, ...]:
-    """Returns what a body collides with.
+    """Returns what a body collides with; `carries` are the ids of all that carry something.
 
-    Furniture, people, and what carries other things collide with their parts, as things lie in shelves and between armrests; a
-    decoration that carries nothing is one box.
-
-    Args:
-        body: the body.
-        carries: ids of all that carry something.
+    Furniture, people, and what carries other things collide with their parts, as things lie in shelves and between armrests; a decoration
+    that carries nothing is one box.
     """
     if body.sort == "decoration" and body.id not in carries:
         return (Collider("box", (body.width, body.depth, body.height), (0.0, 0.0, body.height / 2)),)
@@ -155,12 +151,7 @@ def collider_of(part: BodyPart) -> Collider:
 
 
 def inertia_of(colliders: Sequence[Collider], mass: float) -> Inertia:
-    """Returns the inertia of a body of one density.
-
-    Args:
-        colliders: its solids, at least one.
-        mass: of all together, kg.
-    """
+    """Returns the inertia of a body of one density: at least one solid, `mass` kg together."""
     shares = [share for _, share in shared_mass(colliders, mass)]
     middle = _weighted(colliders, shares, mass)
     moments, products = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]

@@ -39,14 +39,7 @@ BodyOfScene = Furniture | Decoration | Dynamic
 
 
 class BodyMaker:
-    """Describes the bodies of one scene.
-
-    Args:
-        catalogs: the kinds, shapes and materials.
-        paints: those of the house's style.
-        elevations: the height of each level's floor, m.
-        free: what a simulator may move: nothing, light things that stand, or all that stands.
-    """
+    """Describes the bodies of one scene; `elevations` are those of its levels' floors, m, `free` is what a simulator may move."""
 
     def __init__(self, catalogs: Catalogs, paints: Paints, elevations: Mapping[int, float], free: Freedom = "light") -> None:
         self._book = book_of(catalogs)

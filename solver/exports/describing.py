@@ -25,13 +25,9 @@ ROUNDING_ERROR: Final = 1e-6
 
 
 def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings: Sequence[str] = ()) -> HouseModel:
-    """Describes a scene.
+    """Describes a scene, with `warnings`, in words, to stand in the files; `free` is what a simulator may move.
 
-    Args:
-        scene: any scene; what it leaves unsaid is described as it is drawn: floors at 0 m, walls as high as `size` says, else 2.8 m.
-        catalogs: what kinds of bodies look like and weigh.
-        free: what a simulator may move.
-        warnings: what is wrong with it, in words, to stand in the files.
+    What it leaves unsaid is described as it is drawn: floors at 0 m, walls as high as `size` says, else 2.8 m.
     """
     listed = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
     storeys = {level: Storey(height=storey_height(scene, level)) for level in {room.level for room in scene.rooms}} | listed

@@ -24,12 +24,7 @@ Boxes = npt.NDArray[np.int64]
 
 
 class FreePaths:
-    """The ways of a square over a floor.
-
-    Args:
-        floor: rectangles (x0, z0, x1, z1) that the square may cover, m; they may overlap.
-        side: of the square, m.
-    """
+    """The ways of a square, its side in m, over a floor: rectangles (x0, z0, x1, z1), m, that it may cover; they may overlap."""
 
     def __init__(self, floor: Iterable[Sequence[float]], side: float) -> None:
         inside = np.array([[steps(one) for one in box] for box in floor], dtype=np.int64).reshape(-1, 4)
@@ -43,12 +38,7 @@ class FreePaths:
         return len(self.taken) > 0 and not _inside(self.taken, np.array([spot], dtype=np.int64))[0]
 
     def nearest(self, middle: LatticeSpot, end: LatticeSpot) -> LatticeSpot | None:
-        """Returns the free point of a segment, and of its mirror image about its first point, that is nearest to that point.
-
-        Args:
-            middle: a point.
-            end: another one, to its east, west, north or south.
-        """
+        """Returns the free point of a segment along an axis, and of its mirror image about its first point, nearest to that point."""
         other = (2 * middle[0] - end[0], 2 * middle[1] - end[1])
         axis = 0 if middle[0] != end[0] else 1
         edges = [int(edge) for edge in {*self.taken[:, axis].tolist(), *self.taken[:, axis + 2].tolist()}] if len(self.taken) else []

@@ -31,12 +31,7 @@ class _CopiedNode(NamedTuple):
 
 
 class AssetNodes:
-    """The assets of one document.
-
-    Args:
-        book: the document.
-        assets: by name.
-    """
+    """The assets of one document, by name."""
 
     def __init__(self, book: GltfBook, assets: Mapping[str, Asset]) -> None:
         self._book, self._assets = book, assets

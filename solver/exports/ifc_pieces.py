@@ -23,12 +23,7 @@ _ROUND: Final = 6
 
 
 class IfcPieces:
-    """Makes the entities of one file.
-
-    Args:
-        file: an empty `ifcopenshell.file` of IFC4.
-        house: what tells this house from others: part of every identity.
-    """
+    """Makes the entities of one empty `ifcopenshell.file` of IFC4; `house`, part of every identity, tells it from others."""
 
     def __init__(self, file: Any, house: str) -> None:
         import ifcopenshell.guid  # noqa: PLC0415 (an extra)

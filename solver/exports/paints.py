@@ -60,12 +60,7 @@ _UNKNOWN = Material()
 
 
 class Paints:
-    """The paints of one style.
-
-    Args:
-        catalogs: the materials and styles.
-        style: the style's name; the materials as they are where it is none of the catalogs'.
-    """
+    """The paints of one style; the catalogs' materials as they are where they know no such style."""
 
     def __init__(self, catalogs: Catalogs, style: str | None) -> None:
         self._slots: dict[str, Material] = dict(catalogs.materials)

@@ -31,11 +31,7 @@ class Receptacle(NamedTuple):
 def receptacles_of(book: KindBook, sort: str, key: str | None, size: tuple[float, float, float]) -> tuple[Receptacle, ...]:
     """Returns what a body carries things on, its surfaces as the catalogs list them, then what is inside.
 
-    Args:
-        book: the kinds.
-        sort: furniture, decoration or dynamic: nothing stands on people and pets.
-        key: its kind; None and what is tipped carry nothing.
-        size: its width, depth and height, m; what is inside is known of bodies as large as their kind.
+    Nothing stands on people and pets, nor on what is tipped or of no kind. What is inside is known of bodies as large as their kind.
     """
     return () if key is None or sort == "dynamic" or key.endswith(UPRIGHT) else tuple(_found(book, sort, key, size))
 

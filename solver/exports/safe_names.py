@@ -6,11 +6,7 @@ import re
 
 
 class SafeNames:
-    """Gives names within one file: none twice.
-
-    Args:
-        forbidden: a pattern; each of its matches becomes `_`. Nothing is forbidden by default.
-    """
+    """Gives names within one file: none twice, and `_` for each match of the pattern that is forbidden, if there is one."""
 
     def __init__(self, forbidden: str | None = None) -> None:
         self._forbidden = re.compile(forbidden) if forbidden else None

@@ -28,12 +28,7 @@ _OPEN: Final = (1.0, None)
 
 
 def rows_of(scene: Scene, catalogs: Catalogs) -> dict[str, list[Row]]:
-    """Returns a home's rows by table: rooms, pieces, receptacles, doors, graph, fronts; each begins with the home's seed.
-
-    Args:
-        scene: generated, with its certificate.
-        catalogs: what kinds weigh.
-    """
+    """Returns a generated home's rows by table: rooms, pieces, receptacles, doors, graph, fronts; each begins with the home's seed."""
     certificate: Mapping[str, Any] = scene.certificate or {}
     reports: Mapping[str, Mapping[str, Any]] = certificate.get("rooms", {})
     openings = openings_of(scene.rooms, WallBands(scene.rooms, scene.wall_thickness), RoomFinder(scene.rooms))

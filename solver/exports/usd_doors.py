@@ -53,14 +53,7 @@ def _joint(leaf: DoorLeaf, name: str) -> str:
 
 
 def front_text(front: MovingPart, body: ModelBody, name: str, path: str) -> str:
-    """Returns a front, shut, its origin at its hinge; the joint to its furniture is inside.
-
-    Args:
-        front: the front.
-        body: what it is a front of.
-        name: of its prim, in /House/Fronts.
-        path: the prim of its furniture, which it does not touch.
-    """
+    """Returns a front, shut, its origin at its hinge; the joint to its furniture, the prim at `path`, is inside."""
     several = zip(front.parts, front.paints, front.solids, strict=True)
     parts = "".join(part_text(f"part_{number}", part, paint, solid) for number, (part, paint, solid) in enumerate(several))
     at = moved_by(z_up(body.x, body.y, body.z), body.turn, front.hinge)

@@ -125,13 +125,9 @@ def guide(name: str, solid: Collider) -> str:
 
 
 def part_text(name: str, part: BodyPart, paint: Paint, solid: Collider | None) -> str:
-    """Returns a part of a body, and what it collides as.
+    """Returns a part of a body, given in the scene's frame, and what it collides as.
 
-    Args:
-        name: the prim's name.
-        part: the part, in the scene's frame.
-        paint: its paint.
-        solid: what it collides as: the prim itself where it is that solid, else a guide beside it; None: it does not collide.
+    `solid` is the prim itself where it is that solid, else a guide beside it; None: it does not collide.
     """
     (width, height, depth), at, axis = part.size, z_up(*part.at), AXES[part.axis]
     size = width, depth, height

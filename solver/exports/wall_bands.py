@@ -29,12 +29,7 @@ _Stretch = tuple[float, float, float | None]
 
 
 class WallBands:
-    """The walls along the edges of rooms.
-
-    Args:
-        rooms: of a house.
-        thickness: the scene's, m.
-    """
+    """The walls along the edges of a house's rooms; `thickness` is the scene's, m."""
 
     def __init__(self, rooms: Sequence[Room], thickness: float) -> None:
         self.thickness = thickness

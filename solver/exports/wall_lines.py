@@ -125,11 +125,7 @@ def _placed(edge: OutlineEdge, origin: float, opening: Opening, bands: WallBands
 
 
 class RoomFinder:
-    """Finds the room of a level that holds a point of the plan.
-
-    Args:
-        rooms: the house's, the first that holds a point counts.
-    """
+    """Finds the room of a level that holds a point of the plan: the first one of the house's."""
 
     def __init__(self, rooms: Sequence[Room]) -> None:
         self._levels: dict[int, list[tuple[Room, float, float, float, float]]] = defaultdict(list)

@@ -45,12 +45,9 @@ class _Beside(NamedTuple):
 
 
 def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]], dearest: float) -> Iterator[Candidate]:
-    """Yields the candidates attached to another piece, each for one stance of that piece.
+    """Yields the candidates attached to another piece, each for one stance of that piece, those as dear as `dearest` left out.
 
-    Args:
-        listed: the piece.
-        every: its footings, each with the rectangles that hold relations to the room.
-        dearest: candidates that cost as much are not sought.
+    `every` are its footings, each with the rectangles that hold relations to the room.
     """
     for label in dict.fromkeys(label for pair in listed.pairs for label in listed.earlier(pair)):
         mine = [pair for pair in listed.pairs if label in listed.earlier(pair)]
@@ -79,10 +76,7 @@ def _resting_on(listed: ListedPiece, specs: Sequence[RelationSpec], label: str) 
 class _Frames:
     """The boxes of a piece's relations in the frame of another piece, each kind of frame worked out once.
 
-    Args:
-        listed: the piece.
-        pairs: those with the one other piece.
-        others: what its relations with other pieces cost here.
+    `pairs` are those with the one other piece, `others` what its relations with further pieces cost here.
     """
 
     def __init__(self, listed: ListedPiece, pairs: Sequence[PairRelation], others: float) -> None:
@@ -199,12 +193,7 @@ def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequen
 
 
 def between_others(listed: ListedPiece, placed: Mapping[str, Placed]) -> list[Candidate]:
-    """Returns candidates where as many relations as can be hold together with the other pieces where they are.
-
-    Args:
-        listed: the piece.
-        placed: where the other pieces stand, by label.
-    """
+    """Returns candidates where as many relations as can be hold together with the other pieces where they are."""
     found: list[tuple[float, Footing, Rect, Attach | None]] = []
     for footing, in_room in listed.places:
         places, tucked = in_room, list[tuple[Attach, Rect]]()
@@ -267,11 +256,7 @@ def _held_boxes(pair: PairRelation, own: Kind, other: Kind, turn: int) -> list[R
 def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], other: Kind, turn: int) -> list[Costed]:
     """Returns boxes in the other's frame, each holding at least one of the relations, cheapest first.
 
-    Args:
-        listed: the piece.
-        pairs: those with the other piece, each with whether the walls at their backs suit it.
-        other: the other's kind.
-        turn: the own rotation minus the other's.
+    Each relation comes with whether the walls at their backs suit it; `turn` is the own rotation minus the other's.
     """
     found: list[Costed] = [(ANY_PLACE, 0.0)]
     for pair, suits in pairs:

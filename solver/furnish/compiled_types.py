@@ -75,12 +75,9 @@ _known_kinds: dict[tuple[int, ...], tuple[tuple[object, ...], dict[str, Kind]]] 
 
 
 def compiled_type(room_type: RoomType | None, catalogs: Catalogs, name: str = "") -> CompiledType:
-    """Returns a room type of the catalogs for the core, the same object for the same one and catalogs.
+    """Returns a room type of the catalogs for the core, the same object for the same one and catalogs; None wants nothing.
 
-    Args:
-        room_type: None for one that wants nothing.
-        catalogs: where its kinds are.
-        name: what the catalogs call it, for what their profile asks for in such rooms.
+    `name` is what the catalogs call it, for what their profile asks for in such rooms.
     """
     made_from = (room_type, catalogs.furniture, catalogs.shapes, catalogs.profile)
     key = tuple(map(id, made_from))

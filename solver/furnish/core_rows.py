@@ -47,15 +47,7 @@ class Answer(NamedTuple):
 
 
 def room_rows(scope: Scope, zones: Sequence[Zone], area: float, state: int, counts_only: bool = False) -> bytes:
-    """Returns a room as bytes.
-
-    Args:
-        scope: the room.
-        zones: its space's.
-        area: between its wall lines, m2.
-        state: the stream's.
-        counts_only: no piece is to be furnished, only counted.
-    """
+    """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's. `counts_only`: pieces are only counted."""
     openings, exterior = scope.openings, scope.exterior
     walls = sum(1 << i for i, wall in enumerate(WALLS) if getattr(exterior, wall))
     rows = [_ROOM.pack(state, area, *scope.clear, scope.gap_mm, walls, len(openings), len(zones), counts_only)]

@@ -42,13 +42,9 @@ class FloorAbout(NamedTuple):
 
 
 def floors_about(spec: FurnitureSpec, solids: Sequence[Solid]) -> tuple[FloorAbout, ...]:
-    """Returns the floor that is better kept free about a kind, what its fronts open over last.
+    """Returns the floor that is better kept free about a kind with this shape, what its fronts open over last.
 
     Floor at its front that is worth much and as deep as its fronts need takes their place.
-
-    Args:
-        spec: the kind.
-        solids: its shape, a tuple.
     """
     width, own = (to_mm(length) for length in spec.size[:2])
     wished = [_wished(side, one, width if side in _LONG else own) for side, one in spec.comfort.items()]

@@ -78,14 +78,7 @@ def _seats(relation: str, host: Kind, own: Kind) -> int:
 
 
 def habits_of(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], catalogs: Catalogs, clear: Rect) -> Habits:
-    """Returns where the pieces stand that have no relations.
-
-    Args:
-        requests: as sent; those with relations keep to them.
-        kinds: of the requests and of what stands already, by id.
-        catalogs: the habits of kinds.
-        clear: the room's clear floor.
-    """
+    """Returns where the pieces stand that have no relations; `kinds` are theirs and those of what stands already, by id."""
     asked = {request.id for request in requests}
     copies = {request.id: request.labels for request in requests} | {name: (name,) for name in kinds if name not in asked}
     hosts = _Hosts({}, {})

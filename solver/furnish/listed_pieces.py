@@ -58,12 +58,7 @@ class ListedPieces:
         return sum(least.values()) + max(0.0, min(more, default=inf))
 
     def between(self, placed: Sequence[Placed], labels: Container[str]) -> tuple[Piece, ...]:
-        """Returns the pieces, the named ones with further candidates: where all their relations hold with the rest as it stands.
-
-        Args:
-            placed: where the pieces stand.
-            labels: whose candidates are sought.
-        """
+        """Returns the pieces, those labelled so with further candidates: where all their relations hold with the rest as it stands."""
         poses = {one.label: one for one in placed}
         return tuple(
             replace(piece, candidates=_by_cost(between_others(self.listed[piece.label], poses), piece.candidates))
@@ -92,29 +87,14 @@ class Listing(NamedTuple):
 
 
 def listed_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[Piece]) -> ListedPieces:
-    """Returns the pieces of a list, in its order, behind those that stand already, with few candidates each.
-
-    Args:
-        room: with its openings.
-        space: the room's `space_of`.
-        listing: what is asked for.
-        standing: what stands in the room already, one candidate each, which tells its stance.
-    """
+    """Returns the pieces of a list, in its order, behind those that stand already, one candidate each; of the others few each."""
     found = kept_pieces(room, space, listing, standing, FEW)
     assert found is not None, "few candidates are no more than are kept in all"
     return found
 
 
 def kept_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[Piece], kept: Kept) -> ListedPieces | None:
-    """Returns what `listed_pieces` does, with as many candidates as are kept; None where these are too many in all.
-
-    Args:
-        room: with its openings.
-        space: the room's `space_of`.
-        listing: what is asked for.
-        standing: what stands in the room already, one candidate each, which tells its stance.
-        kept: how many ways to stand are kept.
-    """
+    """Returns what `listed_pieces` does, with as many candidates as are kept; None where these are too many in all."""
     requests, kinds, habits = listing
     scope = scope_of(room, space)
     pieces = list(standing)
@@ -154,10 +134,7 @@ def kept_pieces(room: Room, space: Space, listing: Listing, standing: Sequence[P
 def _owing(label: str, spec: RelationSpec, meant: Mapping[str, Sequence[str]]) -> list[str]:
     """Returns the pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
 
-    Args:
-        label: whose relation it is.
-        spec: the relation.
-        meant: the labels that each name of an `of` stands for.
+    `meant` are the labels that each name of an `of` stands for.
     """
     others = [other for name in spec.of for other in meant.get(name, ()) if other != label]
     return others if spec.type != "on" and (len(others) == 1 or RELATIONS[spec.type].with_all) else []

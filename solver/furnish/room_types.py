@@ -19,13 +19,9 @@ from solver.streams import Stream
 
 
 def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> tuple[Piece, ...]:
-    """Returns what a room wants, required pieces first, each with its candidates.
+    """Returns what a room wants, required pieces first, each with its candidates; of a type the catalogs do not know nothing.
 
-    Args:
-        room: with its type and openings; a type the catalogs do not know wants nothing.
-        space: the room's `space_of`.
-        catalogs: what there is, and the rules.
-        stream: the room's own; it draws optional pieces and which of equal walls is preferred.
+    The room's own stream draws optional pieces and which of equal walls is preferred.
 
     Raises:
         CoreFailed: an error within the core.
@@ -40,14 +36,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 
 
 def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
-    """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants.
-
-    Args:
-        room: with its type and openings; a type the catalogs do not know wants nothing.
-        space: the room's `space_of`.
-        catalogs: what there is, and the rules.
-        stream: the room's own; it stays as it is.
-    """
+    """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
     known = compiled_type(catalogs.rooms.get(room.type), catalogs, room.type)
     rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
     return WantedRows(space, known.data, rows + place_rows(space), TypeNames(known))
@@ -56,12 +45,7 @@ def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) ->
 def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream, wanted: Sequence[Piece]) -> tuple[tuple[str, str], ...]:
     """Returns the pieces of a room's type of which fewer are wanted than it lists, each with the reason for a person.
 
-    Args:
-        room: the room.
-        space: the room's `space_of`.
-        catalogs: what there is, and the rules.
-        stream: as it was given to `wanted_pieces`, new.
-        wanted: what that returned.
+    `wanted` is what `wanted_pieces` returned, `stream` as it was given to it, new.
 
     Raises:
         CoreFailed: an error within the core.

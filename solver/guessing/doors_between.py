@@ -18,8 +18,7 @@ _OUT: Final[dict[str, HouseSpot]] = {"north": (0, -1), "south": (0, 1), "west": 
 def doors_between(rooms: Sequence[Room]) -> Iterator[tuple[int, int, Opening]]:
     """Yields doors and passages between two rooms, by the rooms' places in the list: as they say, by their id in both, or as they lie.
 
-    Args:
-        rooms: of a home; what one room alone lists leads into the room indoors whose floor is right behind it, but the main entrance.
+    What one room alone lists leads into the room indoors whose floor is right behind it, but the main entrance.
     """
     places = {room.id: k for k, room in enumerate(rooms)}
     by_id: dict[str, int] = {}

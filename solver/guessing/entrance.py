@@ -18,10 +18,6 @@ def with_entrance(scene: Scene, catalogs: Catalogs) -> tuple[Scene, ChosenEntran
     """Returns a scene with a main entrance, where it has none and a door leads outside; and which door was chosen.
 
     Rooms of the same storey that no door joins to its room are another dwelling, and get one, too, where they are several.
-
-    Args:
-        scene: with its rooms' types.
-        catalogs: by which rooms one comes in.
     """
     if any(opening.main_entrance for room in scene.rooms for opening in room.openings):
         return scene, None

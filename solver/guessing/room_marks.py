@@ -44,11 +44,7 @@ class RoomMarks:
 
 
 def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
-    """Returns what can be told of each room.
-
-    Args:
-        rooms: with furniture under the catalogs' names.
-    """
+    """Returns what can be told of each room; its furniture is under the catalogs' names."""
     joints = list(doors_between(rooms))
     ways, inner = _ways(joints, len(rooms)), {opening.id for _, _, opening in joints}
     found = [_marks(room, ways[k], inner) for k, room in enumerate(rooms)]

@@ -23,12 +23,9 @@ UNCOUNTED: Final = "hallway"
 
 
 class RoomNumbers:
-    """Costs of how many rooms there are of each type.
+    """Costs of how many rooms there are of each type, in the catalogs' order, in a home with so many indoors.
 
-    Args:
-        catalogs: the room types, in the order in which counts have them, and what numbers of them cost.
-        indoors: rooms of the home that lie indoors.
-        program: how many rooms of each word there are, where that is known; the types of a word count as one.
+    `program` says how many rooms of each word there are, where that is known; the types of a word count as one.
     """
 
     def __init__(self, catalogs: Catalogs, indoors: int, program: Mapping[str, int] | None) -> None:
@@ -54,11 +51,7 @@ class RoomNumbers:
         return self._told.get(mark, UNSAID).cost
 
     def more(self, counts: Counts) -> Costs:
-        """Returns the cost of one more room of each type in homes of so many rooms.
-
-        Args:
-            counts: homes by types.
-        """
+        """Returns the cost of one more room of each type in homes of so many rooms; a row a home."""
         if self._program is None:
             return np.where(counts >= self._usual, self._one_more, 0.0) + np.where(counts == 0, self._rare, 0.0)
         wrong = self._cost("miscounted")
@@ -66,11 +59,7 @@ class RoomNumbers:
         return np.asarray(wants @ self._words.T, dtype=np.float64)
 
     def missing(self, counts: Counts) -> Costs:
-        """Returns the cost of what whole homes lack, one each.
-
-        Args:
-            counts: homes by types.
-        """
+        """Returns the cost of what whole homes lack, one each."""
         found = np.zeros(len(counts))
         if self._program is not None or not self._is_several:
             return found

@@ -17,15 +17,10 @@ from solver.scene import EXTERIOR, Room, Scene, robot_width_of
 
 
 def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None = None) -> tuple[RoomGuess, ...]:
-    """Guesses the types of the rooms whose type the catalogs do not know.
+    """Guesses the types of the rooms whose type the catalogs do not know; furniture is under the catalogs' names.
 
-    Args:
-        scene: with furniture under the catalogs' names.
-        catalogs: the room types, and what others call them.
-        program: how many rooms of each word the home has, where that is known.
-
-    Returns:
-        A guess for each such room; rooms that are called by what we have no type for keep that, and shafts are of none.
+    Rooms that are called by what we have no type for keep that, and shafts are of none. `program` says how many rooms of each word the home
+    has, where that is known.
     """
     homes = [scene] if program is not None else _dwellings(scene)
     guesses = {guess.room: guess for home in homes for guess in _guessed(home, catalogs, program)}

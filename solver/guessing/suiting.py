@@ -35,12 +35,7 @@ Amounts = dict[Mark, float]
 
 
 class Suiting:
-    """Costs of types in the rooms of one plan.
-
-    Args:
-        marks: what can be told of the rooms.
-        catalogs: the room types, and what each mark costs.
-    """
+    """Costs of types in the rooms of one plan, by what can be told of them."""
 
     def __init__(self, marks: Sequence[RoomMarks], catalogs: Catalogs) -> None:
         self.marks, self.catalogs, self.kinds = marks, catalogs, catalogs.rooms

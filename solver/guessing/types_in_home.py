@@ -23,10 +23,8 @@ Types = NDArray[np.int64]
 class TypesInHome:
     """The types of a home's rooms, and what they cost. A room of a kind that we have no type for is as if it were not there.
 
-    Args:
-        suiting: of the rooms.
-        fixed: types that are known, by room; empty for a kind that we have no type for.
-        program: how many rooms of each word there are, where that is known.
+    `fixed` are types that are known, by room, empty for such a kind; `program` says how many rooms of each word there are, where that is
+    known.
     """
 
     def __init__(self, suiting: Suiting, fixed: Mapping[int, str], program: Mapping[str, int] | None = None) -> None:

@@ -111,11 +111,7 @@ class SolvedRoom:
 def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
     """Returns what the last search of a core found, or an earlier solution of it; the core lets go of what searching took.
 
-    Args:
-        core: whose last problem is that of the decisions.
-        decisions: one a piece.
-        walk: whether only walkable placements were looked for; else it is tested.
-        solution: an earlier one.
+    The decisions are those of its last problem. `walk`: only walkable placements were looked for; else it is tested.
 
     Raises:
         ValueError: nothing was found.

@@ -12,11 +12,7 @@ ROOM_WORK = 400_000.0
 
 
 class CallWork:
-    """The work of one call, in QPs of a small room.
-
-    Args:
-        most: how much it may do in all.
-    """
+    """The work of one call, in QPs of a small room, and how much it may be at most."""
 
     def __init__(self, most: float) -> None:
         self.most, self.done = most, 0.0
@@ -37,11 +33,7 @@ _call: ContextVar[CallWork | None] = ContextVar("work of the call", default=None
 
 @contextmanager
 def work_of_call(most: float) -> Iterator[CallWork]:
-    """Has all searches within a block share one limit.
-
-    Args:
-        most: the work that they may do in all; infinite to count only.
-    """
+    """Has all searches within a block share one limit, the work that they may do in all; infinite to count only."""
     work = CallWork(most)
     before = _call.set(work)
     try:

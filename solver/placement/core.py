@@ -51,22 +51,14 @@ class Limits:
 
 
 class Core:
-    """The kernel's work space of one room.
-
-    Args:
-        encoded: the room.
-    """
+    """The kernel's work space of one room."""
 
     def __init__(self, encoded: Encoded) -> None:
         self.encoded = encoded
         self.engine: Engine = encoded.engine
 
     def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
-        """Asks for all pieces at once, whatever is required.
-
-        Returns:
-            Decisions of the best way for all to stand, or None; and whether that answer is exact.
-        """
+        """Asks for all pieces at once, whatever is required: decisions of the best way, or None; and whether that answer is exact."""
         count, tree = len(self.encoded.pieces), self.engine.tree
         tree.budget[0] = budget.left
         own = (limits.required, limits.required_qps, layout.MANY)
@@ -168,12 +160,7 @@ class Core:
         return self.footprints(range(first, len(self.encoded.pieces)), rounded(self.engine.nodes.best))
 
     def footprints(self, pieces: Sequence[int], p: Sequence[Sequence[int]] | None = None) -> list[Rect]:
-        """Returns the footprints of decided pieces.
-
-        Args:
-            pieces: their numbers.
-            p: positions by axis and variable, mm; those that were settled last where None.
-        """
+        """Returns the footprints of decided pieces, at positions by axis and variable, mm; at those that were settled last where None."""
         own = self.engine.work.body_part[list(pieces)]
         xs, zs = self.engine.grid.positions.tolist() if p is None else p
         found = []
@@ -192,14 +179,8 @@ class Core:
     def settle(self, positions: Positions, solution: Solution, walk: bool, tidy: bool) -> tuple[bool, float]:
         """Puts the assembled problem on whole millimetres; `places` tells where everything then is.
 
-        Args:
-            positions: of the final solve, m.
-            solution: the search's.
-            walk: whether it is walkable.
-            tidy: whether slivers are closed or opened.
-
-        Returns:
-            Whether all is walkable, and by how much tidying made the terms dearer.
+        Positions are the final solve's, m, the solution and whether it is walkable the search's; `tidy`: slivers are closed or opened.
+        Returns whether all is walkable, and by how much tidying made the terms dearer.
 
         Raises:
             AssertionError: the positions break a rule, which those of a search never do.
@@ -213,11 +194,7 @@ class Core:
     def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
 
-        Args:
-            places: of each piece; None for one that stands where another takes it.
-
-        Returns:
-            The places found; None where the pieces could not stand and be walked between at those given.
+        One that stands where another takes it has no place. None where the pieces could not stand and be walked between at those given.
         """
         positions = self.engine.grid.positions
         for part, place in zip(self.engine.work.parts[self.engine.work.body_part[: len(places)]].tolist(), places, strict=True):

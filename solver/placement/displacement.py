@@ -55,12 +55,9 @@ def can_be_used(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:
 
 
 def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect | None]) -> SolvedRoom | None:
-    """Moves pieces back from their places towards where they are wished; None if they cannot be used between there.
+    """Moves pieces, one candidate each, back from their places to where they are wished; None if they cannot be used between there.
 
-    Args:
-        space: the room's.
-        pieces: with one candidate each.
-        places: of each piece; None for one that stands where another takes it.
+    One that stands where another takes it has no place.
     """
     core = Core(encode(space, pieces, "test"))
     decisions = core.first_decisions()

@@ -43,15 +43,9 @@ def _floor(space: Space, shapes: Sequence[tuple[int, int]]) -> Piece:
 
 
 def places_round_a_floor(space: Space, pieces: Sequence[Piece], budget: Budget) -> Iterator[tuple[WalkablePlace, ...]]:
-    """Looks for places round an empty rectangle, of several shapes.
+    """Yields where all pieces are, in their order, round an empty rectangle, by those of several shapes that help.
 
-    Args:
-        space: the room's.
-        pieces: all of them are asked for.
-        budget: the work it may cost.
-
-    Yields:
-        Where the pieces are, in their order, by the shapes that help. Whether a person comes there is not tested.
+    Whether a person comes there is not tested.
     """
     for shape in _shapes(space):
         found = _places_round(space, pieces, shape, budget)

@@ -45,14 +45,9 @@ class ArrangedRoom(NamedTuple):
 
 
 def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wide: bool) -> ArrangedRoom:
-    """Arranges a whole room; the final placement is left in its engine.
+    """Arranges a whole room, required pieces first, by the seven numbers of `Limits`; the placement is left in its engine.
 
-    Args:
-        room: required pieces first.
-        limits: the seven numbers of `Limits`.
-        budget: the work it may cost.
-        walk: whether doors and use sides must be joined.
-        wide: whether ways from door to door are to be wider than who walks.
+    `walk`: doors and use sides must be joined; `wide`: ways from door to door are to be wider than who walks.
 
     Raises:
         CoreFull: the core's memory is too small for it.
@@ -112,15 +107,8 @@ def hand_over(engine: Engine, solution: Solution) -> None:
 def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk: bool, tidy: bool) -> tuple[int, float]:
     """Puts the assembled problem on whole millimetres, which are left in grid.positions.
 
-    Args:
-        engine: the work space.
-        positions: of the final solve, by axis and variable, m.
-        solution: the search's, whose own positions are snapped where the walk hangs on the last millimetre.
-        walk: whether the solution is walkable.
-        tidy: whether slivers are tidied away.
-
-    Returns:
-        WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
+    Positions are the final solve's, by axis and variable, m; the search's own are snapped where the walk hangs on the last millimetre.
+    Returns WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
     """
     hand_over(engine, solution)
     for axis, final in enumerate(positions):
@@ -130,12 +118,7 @@ def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk
 
 
 def final_problem(engine: Engine, solution: Solution) -> Ints:
-    """Returns the numbers of a room's final problem, as `struct FinalProblem` of solver/core/placement/confirm.hpp has them.
-
-    Args:
-        engine: the work space.
-        solution: what the search found, whose choices are made.
-    """
+    """Returns the numbers of a room's final problem, with the choices of a solution, as `struct FinalProblem` of confirm.hpp has them."""
     hand_over(engine, solution)
     instance, mark = engine.instance, engine.instance.mark()
     address = int(instance.call("final_problem", engine.desk))
@@ -148,14 +131,8 @@ def final_problem(engine: Engine, solution: Solution) -> Ints:
 def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> Ints:
     """Says what holds at an answer to a room's final problem; all positions, m, are left in call.finals.
 
-    Args:
-        engine: the work space.
-        solution: what the search found.
-        x: by column, m.
-        y: by row, m^-1.
-
-    Returns:
-        One row each, as `struct HoldingRow` of solver/core/placement/confirm.hpp says.
+    The answer is `x` by column, m, and `y` by row, m^-1. Returns one row each, as `struct HoldingRow` of solver/core/placement/confirm.hpp
+    says.
     """
     hand_over(engine, solution)
     instance, mark = engine.instance, engine.instance.mark()
@@ -186,13 +163,7 @@ def new_proof(engine: Engine, most: int) -> int:
 def prove(engine: Engine, nodes: int, most: int) -> tuple[int, int]:
     """Proves that the assembled pieces cannot be used together, or finds where they can: that is then in grid.positions.
 
-    Args:
-        engine: the work space.
-        nodes: the proof's space.
-        most: nodes that may be looked at.
-
-    Returns:
-        IMPOSSIBLE, POSSIBLE or UNKNOWN, and how many nodes were looked at.
+    Looks at `most` nodes at most, in the space at `nodes`. Returns IMPOSSIBLE, POSSIBLE or UNKNOWN, and how many nodes were looked at.
     """
     verdict = int(engine.instance.call("prove", engine.desk, nodes, most))
     return verdict, int(engine.call.report[0])

@@ -172,10 +172,7 @@ SHOWN_BYTES: Final = 12
 class Engine:
     """All work space of one room: arrays in the memory of an instance of the core, made when they are first named.
 
-    Args:
-        instance: whose memory.
-        desk: the room's address there.
-        end: the address behind which nothing of the room is; the arrays that would lie there are empty.
+    `desk` is the room's address there, `end` that behind which nothing of the room is; arrays that would lie there are empty.
     """
 
     def __init__(self, instance: CoreInstance, desk: int, end: int | None = None) -> None:

@@ -46,15 +46,9 @@ class Shortfall:
 def shortfall(space: Space, pieces: Sequence[Piece], can_stand: CanStand, placing: Placing) -> Shortfall | None:
     """Finds the least length by which a room must grow along one axis for infeasible pieces to be feasible.
 
-    Args:
-        space: the room's.
-        pieces: infeasible in it.
-        can_stand: the search's verdict.
-        placing: the search's placement, asked for at most once.
-
-    Returns:
-        The shorter of both axes' (x where equal); None where growing along one axis does not help, where more is missing than
-        there is (it is not one length that such a room lacks), or a limit was hit.
+    `can_stand` is the search's verdict, `placing` its placement, asked for at most once. Returns the shorter of both axes' (x where equal);
+    None where growing along one axis does not help, where more is missing than there is (it is not one length that such a room lacks), or a
+    limit was hit.
     """
     best: tuple[int, int] | None = None
     for axis in (0, 1):

@@ -66,13 +66,7 @@ def as_wished(space: Space, pieces: Sequence[Piece]) -> Found | None:
 
 @dataclass(frozen=True)
 class Neighbourhood:
-    """A room whose pieces stand somewhere, some of them in conflict.
-
-    Args:
-        space: the room's.
-        pieces: parents before what is attached to them.
-        base: where they stand.
-    """
+    """A room whose pieces stand somewhere (`base`), some of them in conflict; parents before what is attached to them."""
 
     space: Space
     pieces: tuple[Piece, ...]
@@ -179,13 +173,7 @@ class Neighbourhood:
 def freed_search(space: Space, pieces: Sequence[Piece], budget: Budget) -> Iterator[Found]:
     """Frees more and more pieces from where they are wished until all can stand and be used; then some more, for what is cheaper.
 
-    Args:
-        space: the room's.
-        pieces: parents before what is attached to them.
-        budget: the work it may cost.
-
-    Yields:
-        What is found.
+    Yields what is found. Parents come before what is attached to them.
     """
     wished = as_wished(space, pieces)
     if wished is None:

@@ -63,12 +63,7 @@ class OsqpAnswer(NamedTuple):
 
 
 def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings: Mapping[str, float]) -> OsqpAnswer:
-    """Solves a programme.
-
-    Args:
-        programme: what to solve.
-        begun_at: where x and y begin; None: at nought.
-        settings: OSQP's, by name; the others are its defaults.
+    """Solves a programme, from where x and y begin (None: at nought), with settings by name; the others are OSQP's defaults.
 
     Raises:
         AttributeError: there is no setting of that name.

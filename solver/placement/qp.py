@@ -118,15 +118,7 @@ def _confirmed(room: Solved, judged: Judged, x: Floats, y: Floats) -> Confirmed:
 
 
 def solved_house(core: CoreInstance, problems: Sequence[int]) -> HouseAnswer | None:
-    """Solves the final problems of a house's rooms as one.
-
-    Args:
-        core: in whose memory they are.
-        problems: their addresses there.
-
-    Returns:
-        None where OSQP does not report success.
-    """
+    """Solves the final problems of a house's rooms, at these addresses in a core's memory, as one; None where OSQP has no success."""
     rooms, count = core.write(np.array(problems, dtype=np.int64).tobytes()), len(problems)
     house = int(core.call("join", rooms, count))
     size, columns, rows, squares, entries = np.frombuffer(core.read(house, _HEAD), dtype=np.int64).tolist()

@@ -28,12 +28,9 @@ class FinishedRoom:
 
 
 def standing(piece: Furniture, clear: Rect, heights: Sequence[float] = ()) -> Standing:
-    """Returns a piece of a scene as it stands.
+    """Returns a piece of a scene as it stands: its bounding rectangle counts, its front is that of the nearest right angle.
 
-    Args:
-        piece: at any rotation: its bounding rectangle counts, its front is that of the nearest right angle.
-        clear: the room's clear rectangle.
-        heights: of the surfaces it has above its underside, m.
+    `clear` is the room's clear rectangle, `heights` are those of its surfaces above its underside, m.
     """
     width, depth = (math.ceil(round(length, 6)) for length in extents(piece.width * 1000, piece.depth * 1000, piece.rotation))
     x, z = round(piece.x * 2000), round(piece.z * 2000)

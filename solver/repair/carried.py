@@ -107,12 +107,7 @@ def without(room: Room, gone: Container[str]) -> Room:
 
 
 def changed_from_the_floor_up(room: Room, change: Callable[[Body, Mapping[str, Body]], Body]) -> Room:
-    """Returns the room with its bodies changed, each after what carries it.
-
-    Args:
-        room: as it is.
-        change: what becomes of a body that has gone along with what carries it; also given all bodies as they are by then.
-    """
+    """Returns the room with its bodies changed, each after what carries it; `change` is also given all bodies as they are by then."""
     parents, sent = parents_of(room), {body.id: body for body in all_bodies(room)}
     now: dict[str, Body] = dict(sent)
     for body in sorted(sent.values(), key=lambda body: len(below(body.id, parents))):
@@ -152,13 +147,7 @@ def _pose(body: Body) -> tuple[float, float, float, float]:
 
 
 def seated_along(people: Iterable[Dynamic], before: Iterable[Room], after: Iterable[Room]) -> tuple[Dynamic, ...]:
-    """Takes those who sit along with their seats; who has lost the seat stands up.
-
-    Args:
-        people: of a scene.
-        before: its rooms as they sat.
-        after: the same rooms now; some furniture may be gone.
-    """
+    """Takes those who sit along with their seats, from rooms before to the same rooms after; who has lost the seat stands up."""
     sent = {piece.id: piece for room in before for piece in room.furniture}
     now = {piece.id: piece for room in after for piece in room.furniture}
     return tuple(

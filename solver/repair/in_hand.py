@@ -43,13 +43,7 @@ class InHand:
 
 
 def in_hand(problem: RoomProblem, label: str, people: Sequence[Dynamic]) -> InHand | None:
-    """Returns what may move while a piece is dragged; None where it cannot move by itself: it is locked, flat, or stands on another.
-
-    Args:
-        problem: the room; its settings name the piece as moved.
-        label: the piece's id.
-        people: of the room.
-    """
+    """Returns what may move while a piece is dragged; None where it cannot move by itself: it is locked, flat, or stands on another."""
     bodies: dict[str, Body] = {body.id: body for body in all_bodies(problem.room)}
     tables = tables_of(problem.room.furniture)
     pieces = []

@@ -31,12 +31,8 @@ class Crowd:
 def people_out_of_the_way(problem: RoomProblem, people: Sequence[Dynamic], closed: bool) -> Crowd:
     """Moves those who break a rule, or keep others from something, to the nearest free place; the others stay. Who sat stands up.
 
-    Without those for whom there is none all others have their places. They themselves go where nobody is, if there is such a place.
-
-    Args:
-        problem: a furnished room, with its errors. Those who are locked stay.
-        people: of the room.
-        closed: whether something in it is out of reach.
+    Without those for whom there is none all others have their places. They themselves go where nobody is, if there is such a place. Those
+    who are locked stay. `closed`: something in the room is out of reach.
     """
     stuck = frozenset[str]()
     while (crowd := _without(stuck, problem, people, closed)).stuck:

@@ -41,14 +41,7 @@ class LastAnswer:
         return frozenset(piece.label for piece in self.pieces if piece.label in self.poses and piece.label not in self.moved)
 
     def near(self, free: Collection[str] = ()) -> tuple[Piece, ...] | None:
-        """Restricts pieces to the wall, the rotation and the neighbourhood of their last poses.
-
-        Args:
-            free: labels of pieces that may stand anywhere nevertheless.
-
-        Returns:
-            The restricted pieces; None where one of them can have no such way.
-        """
+        """Restricts pieces but those `free` to wall, rotation and neighbourhood of their last poses; None where one has no such way."""
         bound = self.bound.difference(free)
         found = [replace(piece, candidates=self._near(piece)) if piece.label in bound else piece for piece in self.pieces]
         return None if any(not piece.candidates for piece in found) else tuple(found)

@@ -61,12 +61,8 @@ class _Known:
 def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
     """Returns the room with all that floats where something carries it; locked bodies stay.
 
-    What stands on something already goes where on it there is room. Furniture on others that the user moved goes there too
-    where it is in the way. A ring of things that carry each other is opened: the first of them stands on the floor.
-
-    Args:
-        problem: its errors say what floats.
-        moved: ids of what was just moved.
+    What stands on something already goes where on it there is room. Furniture on others that the user just moved goes there too where it is
+    in the way. A ring of things that carry each other is opened: the first of them stands on the floor.
     """
     room, settings = problem.room, problem.settings
     wrong = {label for issue in problem.errors for label in issue.ids}

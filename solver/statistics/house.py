@@ -73,13 +73,7 @@ class House:
 
 
 def house_of(scene: Scene, issues: Sequence[Issue], measures: Mapping[str, Any]) -> House:
-    """Returns what a house shows.
-
-    Args:
-        scene: generated, with its certificate.
-        issues: what the validator says of it.
-        measures: of the scene, with the catalogs (`validate.metrics`).
-    """
+    """Returns what a generated house shows; `measures` are those of the scene with the catalogs (`validate.metrics`)."""
     certificate: Mapping[str, Any] = scene.certificate or {}
     rooms = tuple(_room(room, scene, issues, measures["rooms"][room.id], certificate["rooms"][room.id]) for room in scene.rooms)
     style = (scene.request or {}).get("style")

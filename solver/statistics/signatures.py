@@ -16,12 +16,8 @@ def room_signature(furniture: Iterable[Furniture]) -> str:
 def graph_signature(labels: Mapping[str, str], edges: Sequence[tuple[str, str]]) -> str:
     """Returns a word that is the same for graphs that differ in the names and order of their nodes only.
 
-    By colour refinement (Weisfeiler and Lehman 1968): a node's colour is its label, then again and again its own colour with
-    those of its neighbours. Few graphs that differ get one word; so it never counts too many.
-
-    Args:
-        labels: of the nodes, by their names.
-        edges: pairs of names.
+    By colour refinement (Weisfeiler and Lehman 1968): a node's colour is its label, then again and again its own colour with those of its
+    neighbours. Few graphs that differ get one word; so it never counts too many.
     """
     beside: dict[str, list[str]] = {name: [] for name in labels}
     for one, other in edges:

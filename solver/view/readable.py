@@ -23,14 +23,9 @@ _NESTED: Final = "decorations"
 
 
 def view(scene: Scene, areas: Mapping[str, float]) -> tuple[str, tuple[str | None, ...]]:
-    """Writes a scene for a person to read.
+    """Writes a scene for a person to read; `areas` are rooms' clear floors by their ids, m2.
 
-    Args:
-        scene: the scene.
-        areas: rooms' clear floors by their ids, m2.
-
-    Returns:
-        The text, and for each of its lines the id of the body it shows, or None.
+    Returns the text, and for each of its lines the id of the body it shows, or None.
     """
     return written([*_header(scene), *_plan(scene), TextLine(""), *_rooms(scene, areas), *_adjacency(scene)])
 

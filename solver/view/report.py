@@ -37,16 +37,10 @@ class _Findings(NamedTuple):
 def report(
     scene: Scene, areas: Mapping[str, float], issues: Sequence[Issue], flagged: Sequence[str] = ()
 ) -> tuple[str, tuple[str | None, ...]]:
-    """Writes all there is to know about a scene and what is wrong with it.
+    """Writes all there is to know about a scene and what is wrong with it; `areas` are rooms' clear floors by their ids, m2.
 
-    Args:
-        scene: the scene.
-        areas: rooms' clear floors by their ids, m2.
-        issues: what the validator says of it.
-        flagged: ids of bodies that a person finds problematic.
-
-    Returns:
-        The text, and for each of its lines the id of the body it speaks of, or None.
+    `flagged` are ids of bodies that a person finds problematic. Returns the text, and for each of its lines the id of the body it speaks
+    of, or None.
     """
     found = _sorted_out(areas, issues, flagged)
     rooms = [line for room in scene.rooms for line in _room(room, people_in(scene, room), scene, found)]

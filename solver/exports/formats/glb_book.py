@@ -108,13 +108,7 @@ class GltfBook:
         return first
 
     def file(self, root: int | None, warnings: Iterable[str], scene: str) -> bytes:
-        """Returns the whole as a .glb.
-
-        Args:
-            root: the number of the node that all others are under; None: there is none.
-            warnings: what is wrong with the house.
-            scene: the scene's document, JSON.
-        """
+        """Returns the whole as a .glb with the scene's JSON in it; `root` is the node that all others are under, if there is any."""
         views, content = self._views()
         told = ",".join(map(quoted, warnings))
         under = "" if root is None else f'"nodes":[{root}],'
