@@ -6,10 +6,11 @@ Comes in and goes out: integers (mm) and `Rect`.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Final, NamedTuple, TypeVar
 
 Number = TypeVar("Number", int, float)
+Corner = TypeVar("Corner")
 
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
 ALONG_X: Final = ("north", "south")
@@ -71,8 +72,12 @@ def extents(width: float, depth: float, rotation: float) -> tuple[float, float]:
 
 def doubled_area(corners: Sequence[tuple[float, float]]) -> float:
     """Returns twice the area within corners (x, z), in squares of their unit: positive where they go clockwise seen from above."""
-    following = (*corners[1:], *corners[:1])
-    return sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in zip(corners, following, strict=True))
+    return sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in edges_round(corners))
+
+
+def edges_round(corners: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
+    """Returns the edges between corners, each as its two ends, the last of which leads back to the first corner."""
+    return zip(corners, (*corners[1:], *corners[:1]), strict=True)
 
 
 def walls_beside(wall: str) -> tuple[str, str]:

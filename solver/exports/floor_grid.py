@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from solver.demanded import demand
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody
+from solver.geometry import edges_round
 
 _SAME: Final = 1e-6
 """Shares of a cell that are nothing: coordinates are whole half millimetres."""
@@ -90,7 +91,7 @@ def floor_mask(grid: FloorGrid, room: FloorPlate) -> Mask:
     demand(PASS_WORK * grid.rows * grid.columns * (1 + len(room.corners) / 2))
     mask = np.zeros(grid.shape, dtype=np.bool_)
     east = grid.x + grid.columns * grid.cell
-    for (x0, z0), (x1, z1) in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):
+    for (x0, z0), (x1, z1) in edges_round(room.corners):
         if x0 == x1:  # east of each edge that runs north and south the floor begins or ends
             mask[grid.centred(x0, min(z0, z1), east, max(z0, z1))] ^= True
     return mask
@@ -98,20 +99,11 @@ def floor_mask(grid: FloorGrid, room: FloorPlate) -> Mask:
 
 def mark_body(grid: FloorGrid, taken: Mask, body: ModelBody) -> None:
     """Marks the cells that share area with a body's turned footprint, not with its parts."""
-    window = grid.touched(*footprint(body))
+    window = grid.touched(*body.footprint)
     if body.turn % 90 == 0:
         taken[window] = True
     elif not taken[window].all():  # most of what is turned lies on something that is marked already
         taken[window] |= inside(grid, body, window, touching=True)
-
-
-def footprint(body: ModelBody) -> tuple[float, float, float, float]:
-    """Returns the rectangle along the axes round a body's turned footprint: west, north, east, south."""
-    turn = math.radians(body.turn)
-    sine, cosine = abs(math.sin(turn)), abs(math.cos(turn))
-    half_x = (cosine * body.width + sine * body.depth) / 2
-    half_z = (sine * body.width + cosine * body.depth) / 2
-    return body.x - half_x, body.z - half_z, body.x + half_x, body.z + half_z
 
 
 def inside(grid: FloorGrid, body: ModelBody, window: tuple[slice, slice], touching: bool) -> Mask:
@@ -137,7 +129,7 @@ def obstacles(model: HouseModel, level: int, grid: FloorGrid, height: float) -> 
     low, high = floor + WALKED_ON, floor + height
     boxes = [(box.x0, box.z0, box.x1, box.z1) for box in solid_boxes(model) if box.y0 < high and box.y1 > low]
     standing = [one for one in model.bodies if one.y < high and one.y + one.height > low and one.sort != "dynamic" and not one.flat]
-    boxes += [footprint(body) for body in standing if body.turn % 90 == 0]
+    boxes += [body.footprint for body in standing if body.turn % 90 == 0]
     for window in grid.all_touched(boxes):
         taken[window] = True
     for body in standing:
@@ -150,8 +142,3 @@ def solid_boxes(model: HouseModel) -> Iterator[Cuboid]:
     """Yields the boxes of walls and of what is fitted to them, thresholds left out."""
     yield from (wall.box for wall in model.walls)
     yield from (fitting.box for fitting in model.fittings if fitting.surface != "threshold")
-
-
-def levels_of(model: HouseModel) -> list[int]:
-    """Returns the levels that have rooms, the lowest first; 0 where there is none."""
-    return sorted({room.level for room in model.rooms}) or [0]

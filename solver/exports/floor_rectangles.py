@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
+from solver.geometry import edges_round
+
 FloorRectangle = tuple[float, float, float, float]
 """West, north, east, south: x0, z0, x1, z1 in the house, m."""
 
 
 def rectangles_of(corners: Sequence[tuple[float, float]]) -> list[FloorRectangle]:
     """Returns rectangles that tile what an outline encloses, from north to south, each as deep as it can be."""
-    edges = [(a, b) for a, b in zip(corners, (*corners[1:], corners[0]), strict=True) if a[0] == b[0]]
+    edges = [(a, b) for a, b in edges_round(corners) if a[0] == b[0]]
     done: list[FloorRectangle] = []
     growing: dict[tuple[float, float], float] = {}
     levels = sorted({z for _, z in corners})

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import cos, radians, sin
 from typing import NamedTuple
 
 from solver.exports.model import BodyFront, ModelBody, Point
@@ -36,9 +35,8 @@ def held_in(held: Mapping[str, HeldThing], piece: str, front: str) -> list[HeldT
 
 def _held(body: ModelBody, piece: ModelBody) -> HeldThing | None:
     """Returns a body as what lies in the drawer of a piece in whose tray its middle is; None where it is in none."""
-    turn, dx, dz = radians(piece.turn), body.x - piece.x, body.z - piece.z
-    at = dx * cos(turn) - dz * sin(turn), body.y - piece.y, dx * sin(turn) + dz * cos(turn)
-    middle = at[0], at[1] + body.height / 2, at[2]
+    (across, along), up = piece.local(body.x, body.z), body.y - piece.y
+    at, middle = (across, up, along), (across, up + body.height / 2, along)
     for front in piece.fronts:
         if front.slides and _is_in(middle, piece, front):
             x, y, z = (round(own - hinge, 6) for own, hinge in zip(at, front.hinge, strict=True))

@@ -8,6 +8,7 @@ seen from above, 0 facing south (+z). Each format converts it once, in its modul
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
@@ -107,6 +108,18 @@ class ModelBody(NamedTuple):
     fronts: tuple[BodyFront, ...] = ()
     asset: str | None = None
 
+    @property
+    def footprint(self) -> tuple[float, float, float, float]:
+        """The rectangle along the axes round its turned footprint: west, north, east, south, m."""
+        sine, cosine = abs(math.sin(math.radians(self.turn))), abs(math.cos(math.radians(self.turn)))
+        half_x, half_z = (cosine * self.width + sine * self.depth) / 2, (sine * self.width + cosine * self.depth) / 2
+        return self.x - half_x, self.z - half_z, self.x + half_x, self.z + half_z
+
+    def local(self, x: float, z: float) -> tuple[float, float]:
+        """Returns a point of the house from the middle of its footprint, in its own frame, m: to its right, to its front."""
+        turn, dx, dz = math.radians(self.turn), x - self.x, z - self.z
+        return dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
+
 
 class PanelHole(NamedTuple):
     """An opening in a wall panel: along the wall's line in the house, and above the panel's foot, m."""
@@ -184,6 +197,12 @@ class PlacedOpening:
     open: float = 0.0
     rooms: tuple[str | None, str | None] = (None, None)
 
+    @property
+    def middle(self) -> tuple[float, float]:
+        """Its middle on its line, (x, z), m."""
+        along = (self.start + self.end) / 2
+        return (along, self.line) if self.axis == "x" else (self.line, along)
+
 
 @dataclass(frozen=True)
 class DoorLeaf:
@@ -208,6 +227,16 @@ class DoorLeaf:
     parts: tuple[BodyPart, ...]
     paints: tuple[Paint, ...]
     open: float = 0.0
+
+    @property
+    def wide_open(self) -> float:
+        """Its turn about +y where it is open as far as it goes, degrees; closed where it rolls."""
+        return self.closed + (self.swing if self.motion == "swing" else 0.0)
+
+    def middle(self, turn: float) -> tuple[float, float]:
+        """Returns where the middle of its width is, (x, z), m, when it is turned so."""
+        angle, half = math.radians(turn), self.width / 2
+        return self.hinge[0] + math.cos(angle) * half, self.hinge[2] - math.sin(angle) * half
 
     @property
     def opened(self) -> float:
@@ -257,6 +286,15 @@ class HouseModel:
     """Every category that the catalogs know, in order."""
     assets: Mapping[str, Asset] = field(default_factory=dict)
     """The own assets that bodies are shown as, by name."""
+
+    def railings(self, room: FloorPlate) -> list[Cuboid]:
+        """Returns the parts of the railings of a room's storey."""
+        return [one.box for one in self.fittings if one.surface == "railing" and room.elevation <= one.box.y0 < room.ceiling]
+
+    @property
+    def levels(self) -> list[int]:
+        """The levels that have rooms, the lowest first; 0 where there is none."""
+        return sorted({room.level for room in self.rooms}) or [0]
 
     @property
     def leaves_by_opening(self) -> dict[str, list[DoorLeaf]]:

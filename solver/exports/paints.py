@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Final
 
 from catalogs import Catalogs
 from catalogs.shapes import Material
+from solver.body_parts import BodyPart
 from solver.exports.model import Paint
 
 ACCENT_SLOT: Final = "rug_border"
@@ -27,6 +29,14 @@ SURFACES: Final = {
 }
 """What is fitted to walls."""
 WALL_ROUGHNESS: Final = {"plaster": 0.95, "wallpaper": 0.9, "wood": 0.7, "tile": 0.35, "brick": 0.95, "concrete": 0.9}
+
+
+def by_paint(parts: Iterable[BodyPart], paints: Iterable[Paint]) -> dict[Paint, tuple[BodyPart, ...]]:
+    """Returns parts by their paints, in the order of the first of each."""
+    found: dict[Paint, tuple[BodyPart, ...]] = {}
+    for part, paint in zip(parts, paints, strict=True):
+        found[paint] = (*found.get(paint, ()), part)
+    return found
 
 
 def channels(color: str) -> tuple[int, int, int]:

@@ -9,6 +9,7 @@ from typing import Final, Literal
 
 from solver.exports.model import FloorPlate, PlacedOpening
 from solver.exports.plan_rooms import Dimension, PlanBox, number_box
+from solver.geometry import edges_round
 
 NEAREST: Final = 0.05
 """Marks of a chain that are closer than this, m, are one."""
@@ -77,7 +78,7 @@ def _rooms(facades: Facades, side: Facade, low: float, high: float) -> tuple[flo
     sign = 1 if side in ("north", "west") else -1
     edges = []
     for plate in facades.plates:
-        for a, b in zip(plate.corners, (*plate.corners[1:], plate.corners[0]), strict=True):
+        for a, b in edges_round(plate.corners):
             if a[across] == b[across] and (b[along] - a[along]) * (1 if across == 1 else -1) * sign > 0:
                 edges.append((min(a[along], b[along]), max(a[along], b[along]), a[across] * sign, plate.id))
     cuts = sorted({end for edge in edges for end in edge[:2]})

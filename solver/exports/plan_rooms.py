@@ -8,7 +8,7 @@ from itertools import combinations, pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
-from solver.geometry import bounds_of_points, doubled_area, square_metres
+from solver.geometry import bounds_of_points, doubled_area, edges_round, square_metres
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
@@ -101,7 +101,7 @@ def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel], half: float) -
     walls = [panel for panel in panels if panel.level == plate.level]
     corners = _turning(plate.corners)
     lines = []
-    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+    for (x0, z0), (x1, z1) in edges_round(corners):
         along_x = abs(x1 - x0) >= abs(z1 - z0)
         line, low, high = (z0, min(x0, x1), max(x0, x1)) if along_x else (x0, min(z0, z1), max(z0, z1))
         inward = (1 if x1 > x0 else -1) if along_x else (-1 if z1 > z0 else 1)
@@ -127,8 +127,7 @@ def _turning(corners: Sequence[tuple[float, float]]) -> list[tuple[float, float]
 def chord(corners: Sequence[tuple[float, float]], axis: Literal["x", "z"], at: float) -> tuple[float, float] | None:
     """Returns the longest stretch along an axis within corners at a coordinate across it."""
     along, across = (0, 1) if axis == "x" else (1, 0)
-    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
-    crossed = sorted(a[along] for a, b in pairs if min(a[across], b[across]) < at < max(a[across], b[across]))
+    crossed = sorted(a[along] for a, b in edges_round(corners) if min(a[across], b[across]) < at < max(a[across], b[across]))
     spans = list(zip(crossed[::2], crossed[1::2], strict=False))
     return max(spans, key=lambda span: span[1] - span[0], default=None)
 

@@ -47,7 +47,7 @@ def storeys_of(model: HouseModel, scale: int | None = None, called: Mapping[str,
 
     `called` says what room types are named, where not in English.
     """
-    levels = sorted({room.level for room in model.rooms}) or [0]
+    levels = model.levels
     return [_storey(_Asked(model, scale, called or {}), level, len(levels) > 1) for level in levels]
 
 
@@ -60,14 +60,6 @@ def open_leaf(leaf: DoorLeaf) -> OpenLeaf:
     far = (near[1][0] + dx * width, near[1][1] + dz * width), (near[0][0] + dx * width, near[0][1] + dz * width)
     tips = [(x + math.cos(at) * width, z - math.sin(at) * width) for at in (shut, opened)]
     return OpenLeaf((*near, *far), tips[0], tips[1])
-
-
-def footprint(body: ModelBody) -> PlanBox:
-    """Returns the box of the floor that a body covers."""
-    turn = math.radians(body.turn)
-    cos, sin = abs(math.cos(turn)), abs(math.sin(turn))
-    half_x, half_z = (body.width * cos + body.depth * sin) / 2, (body.width * sin + body.depth * cos) / 2
-    return body.x - half_x, body.z - half_z, body.x + half_x, body.z + half_z
 
 
 def drawing_ranks(bodies: Sequence[ModelBody]) -> dict[str, float]:
@@ -89,8 +81,7 @@ def drawing_ranks(bodies: Sequence[ModelBody]) -> dict[str, float]:
 
 def covers(carrier: ModelBody, body: ModelBody) -> bool:
     """Tells whether a part of what carries a body lies over its middle."""
-    turn, dx, dz = math.radians(carrier.turn), body.x - carrier.x, body.z - carrier.z
-    x, z = dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
+    x, z = carrier.local(body.x, body.z)
     top = body.y + body.height - carrier.y
     return any(
         part.at[1] + part.size[1] / 2 > top and abs(x - part.at[0]) < part.size[0] / 2 and abs(z - part.at[2]) < part.size[2] / 2
@@ -100,9 +91,13 @@ def covers(carrier: ModelBody, body: ModelBody) -> bool:
 
 def opening_box(opening: PlacedOpening, share: float = 1.0) -> PlanBox:
     """Returns the floor that an opening takes of its wall, or the middle `share` of it."""
-    half = opening.thickness / 2 * share
-    low, high = opening.line - half, opening.line + half
-    return (opening.start, low, opening.end, high) if opening.axis == "x" else (low, opening.start, high, opening.end)
+    return on_line(opening.axis, (opening.start, opening.end), opening.line, opening.thickness / 2 * share)
+
+
+def on_line(axis: str, along: tuple[float, float], line: float, half: float) -> PlanBox:
+    """Returns the floor that a stretch of a line along an axis takes, by half its thickness, m."""
+    (start, end), low, high = along, line - half, line + half
+    return (start, low, end, high) if axis == "x" else (low, start, high, end)
 
 
 class _Asked(NamedTuple):
@@ -142,18 +137,15 @@ def _walls(model: HouseModel, level: int) -> list[PlanBox]:
     found: list[PlanBox] = []
     for panel in model.panels:
         if panel.level == level:
-            low, high = panel.line - panel.thickness / 2, panel.line + panel.thickness / 2
-            for start, end in between(panel.start, panel.end, sorted((hole.start, hole.end) for hole in panel.holes)):
-                found.append((start, low, end, high) if panel.axis == "x" else (low, start, high, end))
+            holes = sorted((hole.start, hole.end) for hole in panel.holes)
+            found += [on_line(panel.axis, span, panel.line, panel.thickness / 2) for span in between(panel.start, panel.end, holes)]
     return found
 
 
 def _railings(model: HouseModel, rooms: list[FloorPlate]) -> list[PlanBox]:
     if not rooms:
         return []
-    low, high = rooms[0].elevation, rooms[0].ceiling
-    boxes = [one.box for one in model.fittings if one.surface == "railing" and low <= one.box.y0 < high]
-    return list(dict.fromkeys((box.x0, box.z0, box.x1, box.z1) for box in boxes))
+    return list(dict.fromkeys((box.x0, box.z0, box.x1, box.z1) for box in model.railings(rooms[0])))
 
 
 def _obstacles(
@@ -163,7 +155,7 @@ def _obstacles(
     found: dict[str, list[Obstacle]] = {room.id: [] for room in rooms}
     for body in bodies:
         if body.sort == "furniture" and body.y + body.height > 0.1 and body.room:
-            found[body.room].append((*footprint(body), 1.0))
+            found[body.room].append((*body.footprint, 1.0))
     rooms_of = {opening.id: opening.rooms for opening in openings}
     for leaf in leaves:
         for room in rooms_of[leaf.opening]:

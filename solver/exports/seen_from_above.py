@@ -65,12 +65,10 @@ def _box(box: Cuboid, paint: Paint, floor: float) -> Iterator[SeenShape]:
 
 def _leaf(leaf: DoorLeaf, floor: float) -> Iterator[SeenShape]:
     """Yields the parts of a leaf, turned open about its hinge."""
-    turn = leaf.closed + (leaf.swing if leaf.motion == "swing" else 0.0)
-    x, y, z = leaf.hinge
-    if 0.0 <= y - floor < CUT:
-        half = leaf.width / 2
-        middle = _Pose(x + math.cos(math.radians(turn)) * half, y - floor, z - math.sin(math.radians(turn)) * half, turn)
-        yield from _parts(leaf.parts, leaf.paints, middle)
+    above = leaf.hinge[1] - floor
+    if 0.0 <= above < CUT:
+        x, z = leaf.middle(leaf.wide_open)
+        yield from _parts(leaf.parts, leaf.paints, _Pose(x, above, z, leaf.wide_open))
 
 
 def _parts(parts: Sequence[BodyPart], paints: Sequence[Paint], pose: _Pose) -> Iterator[SeenShape]:

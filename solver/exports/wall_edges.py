@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from solver.geometry import doubled_area
+from solver.geometry import doubled_area, edges_round
 from solver.scene import Room
 
 PlanAxis = Literal["x", "z"]
@@ -37,8 +37,7 @@ def edges_of(room: Room) -> list[OutlineEdge]:
     """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
     corners = room.corners
     clockwise = doubled_area(corners) >= 0
-    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
-    return [_edge(room, a, b, clockwise, number) for number, (a, b) in enumerate(pairs)]
+    return [_edge(room, a, b, clockwise, number) for number, (a, b) in enumerate(edges_round(corners))]
 
 
 def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool, number: int) -> OutlineEdge:

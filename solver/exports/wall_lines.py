@@ -13,11 +13,11 @@ from typing import Literal, NamedTuple
 
 from solver.demanded import demand
 from solver.exports.model import PlacedOpening
-from solver.exports.wall_bands import EDGE_WORK, WallBands, thick
+from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, WallBands, thick
 from solver.exports.wall_edges import Line, OutlineEdge, PlanAxis, edges_of, on_lattice
+from solver.geometry import bounds_of_points, edges_round
 from solver.scene import Opening, Room
 
-_NEGLIGIBLE = 1e-6
 _BEFORE = 0.2
 """How far before a wall the room is looked for that an opening leads to, m."""
 
@@ -90,7 +90,7 @@ def _spot(edges: Sequence[OutlineEdge], sides: Sequence[OutlineEdge], opening: O
         return None
     rectangle = next(edge for edge in sides if edge.side == opening.wall)
     at = rectangle.start + opening.position
-    here = [e for e in edges if e.side == opening.wall and e.start <= at + _NEGLIGIBLE and at <= e.end + _NEGLIGIBLE]
+    here = [e for e in edges if e.side == opening.wall and e.start <= at + NEGLIGIBLE and at <= e.end + NEGLIGIBLE]
     outermost = min(here, key=lambda edge: abs(edge.line[2] - rectangle.line[2]), default=rectangle)
     return outermost, rectangle.start
 
@@ -130,7 +130,8 @@ class RoomFinder:
     def __init__(self, rooms: Sequence[Room]) -> None:
         self._levels: dict[int, list[tuple[Room, float, float, float, float]]] = defaultdict(list)
         for room in rooms:
-            self._levels[room.level].append((room, *_bounds(room)))
+            west, north, east, south = bounds_of_points(room.corners)
+            self._levels[room.level].append((room, room.x + west, room.z + north, room.x + east, room.z + south))
 
     def at(self, level: int, x: float, z: float) -> Room | None:
         """Returns the room that holds a point, m; None outside."""
@@ -147,18 +148,11 @@ class RoomFinder:
         return self.at(level, across + away, along), self.at(level, across - away, along)
 
 
-def _bounds(room: Room) -> tuple[float, float, float, float]:
-    corners = room.corners
-    xs, zs = [x for x, _ in corners], [z for _, z in corners]
-    return room.x + min(xs), room.z + min(zs), room.x + max(xs), room.z + max(zs)
-
-
 def _encloses(room: Room, x: float, z: float) -> bool:
     """Tells whether a point relative to a room's corner is within its outline."""
-    corners = room.corners
-    demand(EDGE_WORK * len(corners))
+    demand(EDGE_WORK * len(room.corners))
     inside = False
-    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+    for (x0, z0), (x1, z1) in edges_round(room.corners):
         if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):
             inside = not inside
     return inside

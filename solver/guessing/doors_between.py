@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from solver.geometry import doubled_area
+from solver.geometry import doubled_area, edges_round
 from solver.scene import Opening, Room
 
 HouseSpot = tuple[float, float]
@@ -79,7 +79,7 @@ def _centre(room: Room, opening: Opening) -> tuple[HouseSpot, HouseSpot] | None:
 def _edges(corners: Sequence[HouseSpot]) -> Iterator[tuple[float, float, float, HouseSpot]]:
     """Yields of each edge where it begins and ends along its axis, its line across that, and the way out of the room."""
     turn = 1 if doubled_area(corners) > 0 else -1
-    for (x0, z0), (x1, z1) in zip(corners, (*corners[1:], corners[0]), strict=True):
+    for (x0, z0), (x1, z1) in edges_round(corners):
         if abs(x1 - x0) > abs(z1 - z0):
             yield min(x0, x1), max(x0, x1), z0, (0, -turn if x1 > x0 else turn)
         else:

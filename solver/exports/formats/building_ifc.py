@@ -181,10 +181,7 @@ class _Building:
         one = self.make_one
         for level, storey in self.storeys.items():
             room = next((room for room in self.model.rooms if room.level == level), None)
-            if room is None:
-                continue
-            boxes = [fit.box for fit in self.model.fittings if fit.surface == "railing" and room.elevation <= fit.box.y0 < room.ceiling]
-            if boxes:
+            if room and (boxes := self.model.railings(room)):
                 items = [one.painted(one.block(*_block(box, room.elevation)), SURFACES["railing"]) for box in boxes]
                 at = one.placed(storey.ObjectPlacement, (0.0, 0.0, 0.0))
                 said = {"ObjectPlacement": at, "Representation": one.shape(items), "PredefinedType": "GUARDRAIL"}

@@ -20,7 +20,7 @@ from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
 from solver.exports.glb_merging import AssetNodes
 from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
-from solver.exports.paints import PLAIN_CEILING
+from solver.exports.paints import PLAIN_CEILING, by_paint
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files
 
@@ -113,7 +113,7 @@ class _Writer:
         """Returns the node of a hinge, its +x along the closed leaf; the leaf is the node below."""
         key = leaf.parts, leaf.paints
         if key not in self._meshes:
-            self._meshes[key] = self.book.mesh(leaf.look, [(_leaf(some), paint) for paint, some in _by_paint(leaf).items()])
+            self._meshes[key] = self.book.mesh(leaf.look, [(_leaf(some), paint) for paint, some in by_paint(*key).items()])
         half = round(leaf.width / 2, 6)
         child = self.book.node(f'{{"name":{quoted(leaf.id + "/leaf")},"translation":[{half},0,0],"mesh":{self._meshes[key]}}}')
         turns = leaf.motion == "swing"
@@ -184,13 +184,6 @@ def _groups(parts: tuple[BodyPart, ...], size: tuple[float, float, float], front
         _Group(numbers[0], geometry_of(scaled(joined(surface_of(parts[number]) for number in numbers), share)))
         for numbers in slots.values()
     )
-
-
-def _by_paint(leaf: DoorLeaf) -> dict[Paint, tuple[BodyPart, ...]]:
-    found: dict[Paint, list[BodyPart]] = {}
-    for part, paint in zip(leaf.parts, leaf.paints, strict=True):
-        found.setdefault(paint, []).append(part)
-    return {paint: tuple(parts) for paint, parts in found.items()}
 
 
 @lru_cache(maxsize=512)

@@ -17,6 +17,7 @@ from solver.body_parts import BodyPart
 from solver.exports.formats import glb
 from solver.exports.formats.glb_book import GltfBook, geometry_of
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
+from solver.exports.paints import by_paint
 from solver.exports.safe_names import SafeNames
 from solver.exports.solid_meshes import joined, surface_of
 from solver.exports.writers import ExportSettings, Files
@@ -88,13 +89,10 @@ class _Objects:
 
     def hung(self, leaf: DoorLeaf) -> HabitatJson:
         """Returns a leaf's instance: open where it swings, shut where it rolls."""
-        turn = leaf.closed + (leaf.swing if leaf.motion == "swing" else 0.0)
-        x, y, z = leaf.hinge
-        half = leaf.width / 2
-        at = (x + cos(radians(turn)) * half, y, z - sin(radians(turn)) * half)
+        (x, z), y = leaf.middle(leaf.wide_open), leaf.hinge[1]
         template = self._template((leaf.parts, leaf.paints), _ObjectLook(leaf.look, "door", leaf.mass, 0.6), leaf.parts, leaf.paints)
         says: HabitatJson = {"id": leaf.id, "name": leaf.look, "category": "door", "sort": "leaf", "closed": round(leaf.closed, 6)}
-        return _instance(template, at, turn, "KINEMATIC", says | {"swing": leaf.swing if leaf.motion == "swing" else 0.0})
+        return _instance(template, (x, y, z), leaf.wide_open, "KINEMATIC", says | {"swing": leaf.swing if leaf.motion == "swing" else 0.0})
 
     def _template(self, key: tuple[object, ...], look: _ObjectLook, parts: Sequence[BodyPart], paints: Sequence[Paint]) -> str:
         """Returns the name of a look's template, whose files are written where it is new."""
@@ -121,11 +119,8 @@ def _instance(template: str, at: tuple[float, float, float], turn: float, motion
 @lru_cache(maxsize=2048)
 def _asset(name: str, parts: tuple[BodyPart, ...], paints: tuple[Paint, ...]) -> bytes:
     """Returns a GLB of parts in metres, around the middle of the footprint at the underside."""
-    painted: dict[Paint, list[BodyPart]] = {}
-    for part, paint in zip(parts, paints, strict=True):
-        painted.setdefault(paint, []).append(part)
     book = GltfBook()
-    mesh = book.mesh(name, [(geometry_of(joined(map(surface_of, some))), paint) for paint, some in painted.items()])
+    mesh = book.mesh(name, [(geometry_of(joined(map(surface_of, some))), paint) for paint, some in by_paint(parts, paints).items()])
     return book.file(book.node(f'{{"name":"{name}","mesh":{mesh}}}'), (), "null")
 
 

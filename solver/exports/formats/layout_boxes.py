@@ -10,7 +10,6 @@ import io
 import json
 import math
 import re
-import zipfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
@@ -22,12 +21,11 @@ from solver.exports.floor_grid import FloorGrid, floor_mask
 from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import FloorPlate, HouseModel, ModelBody
 from solver.exports.safe_names import SafeNames
-from solver.exports.writers import ExportSettings, Files
+from solver.exports.writers import ExportSettings, Files, zipped
 
 ROOM_SIDE: Final = 6.1
 """Half of the side of the square round a room's middle that `room_layout` shows, m: ATISS's for living rooms, as ours are mixed."""
 PIXELS: Final = 256
-_EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 Arrays = dict[str, npt.NDArray[Any]]
 
 
@@ -130,10 +128,9 @@ def _statistics(
 
 def packed_arrays(arrays: Mapping[str, npt.NDArray[Any]]) -> bytes:
     """Returns arrays as an .npz file of the same bytes for the same values."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, values in arrays.items():
-            entry = io.BytesIO()
-            np.lib.format.write_array(entry, np.asanyarray(values), allow_pickle=False)
-            archive.writestr(zipfile.ZipInfo(f"{name}.npy", _EPOCH), entry.getvalue(), zipfile.ZIP_DEFLATED, 6)
-    return content.getvalue()
+    files = {}
+    for name, values in arrays.items():
+        entry = io.BytesIO()
+        np.lib.format.write_array(entry, np.asanyarray(values), allow_pickle=False)
+        files[f"{name}.npy"] = entry.getvalue()
+    return zipped(files)

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from solver.exports.floor_cells import largest_stretch, squared_distances
-from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, levels_of, obstacles
+from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, obstacles
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_storeys import opening_box
 from solver.exports.writers import ExportSettings, Files
@@ -36,7 +36,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     files: Files = {}
     rooms: list[dict[str, object]] = []
     maps: list[dict[str, object]] = []
-    for number, level in enumerate(levels_of(model)):
+    for number, level in enumerate(model.levels):
         name = f"map_level_{level}" if number else "map"
         grid = grid_of(model, level, RESOLUTION, MARGIN)
         taken = obstacles(model, level, grid, ROBOT_HEIGHT)
@@ -128,8 +128,7 @@ def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[
 
 def _door(one: PlacedOpening, leaves: Sequence[DoorLeaf]) -> dict[str, object]:
     """Returns an opening that is gone through; its yaw looks through it, towards the first of its rooms."""
-    middle = (one.start + one.end) / 2
-    x, z = (middle, one.line) if one.axis == "x" else (one.line, middle)
+    x, z = one.middle
     door: dict[str, object] = {
         "id": one.id,
         "kind": one.kind,

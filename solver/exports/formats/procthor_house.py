@@ -18,6 +18,7 @@ from solver.exports.model import FloorPlate, HouseModel, ModelBody, PlacedOpenin
 from solver.exports.paints import PLAIN_WALL, channels
 from solver.exports.wall_bands import NEGLIGIBLE
 from solver.exports.writers import ExportSettings, Files
+from solver.geometry import edges_round
 
 SCHEMA: Final = "1.0.0"
 SOLID: Final = "PureWhite"
@@ -112,7 +113,7 @@ def _room(room: FloorPlate) -> HouseJson:
 
 def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
     """Yields a room's outline cut where a neighbour's wall ends and between openings: AI2-THOR cuts one hole into a wall."""
-    for a, b in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):
+    for a, b in edges_round(room.corners):
         axis = "x" if a[1] == b[1] else "z"
         along = 0 if axis == "x" else 1
         line, low, high = a[1 - along], min(a[along], b[along]), max(a[along], b[along])
@@ -136,7 +137,7 @@ def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
 
 def _ends(room: FloorPlate, along: int, line: float) -> Iterator[float]:
     """Yields where a room's walls on a line end."""
-    for a, b in zip(room.corners, (*room.corners[1:], room.corners[0]), strict=True):
+    for a, b in edges_round(room.corners):
         if a[1 - along] == b[1 - along] == line:
             yield from (a[along], b[along])
 

@@ -7,14 +7,13 @@ Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`; small 
 from __future__ import annotations
 
 import math
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final
 
 from solver.body_parts import BodyPart
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint, PlacedOpening, WallPanel
-from solver.exports.paints import SURFACES, channels
+from solver.exports.paints import SURFACES, by_paint, channels
 from solver.exports.plan_rooms import words_of
 from solver.exports.solid_meshes import surface_of
 from solver.exports.writers import ExportSettings, Files, zipped
@@ -49,9 +48,7 @@ class _Models:
         if key not in self.known:
             folder = str(len(self.known))
             self.known[key] = f"{folder}/model.obj"
-            groups: dict[Paint, list[BodyPart]] = defaultdict(list)
-            for part, paint in zip(parts, paints, strict=True):
-                groups[paint].append(part)
+            groups = by_paint(parts, paints)
             self.files[f"{folder}/model.obj"] = "".join(_triangles(groups, size)).encode()
             self.files[f"{folder}/model.mtl"] = "".join(_material(n, paint) for n, paint in enumerate(groups)).encode()
         return self.known[key]
@@ -139,8 +136,7 @@ def _piece(tag: str, box: _Piece, name: str, said: Mapping[str, str], sash: str 
 
 def _opening(opening: PlacedOpening, leaves: Sequence[DoorLeaf], shelf: _Models, level: str) -> str:
     """Returns a door, window or passage: its frame, its leaves or pane, and the sashes that the plan draws."""
-    turn, middle = (0.0, (opening.start + opening.end) / 2) if opening.axis == "x" else (90.0, (opening.start + opening.end) / 2)
-    x, z = (middle, opening.line) if opening.axis == "x" else (opening.line, middle)
+    (x, z), turn = opening.middle, 0.0 if opening.axis == "x" else 90.0
     width, height, thickness = opening.end - opening.start, opening.head - opening.sill, opening.thickness
     box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, "")
     parts, paints = _frame(opening.kind, box)
@@ -198,8 +194,7 @@ def _railings(model: HouseModel, shelf: _Models, level_of: Mapping[int, str]) ->
     """Yields a piece for the railings of each storey."""
     for level, words in level_of.items():
         room = next(room for room in model.rooms if room.level == level)
-        boxes = [one.box for one in model.fittings if one.surface == "railing" and room.elevation <= one.box.y0 < room.ceiling]
-        if boxes:
+        if boxes := model.railings(room):
             whole = Cuboid(*(min(box[i] for box in boxes) for i in range(3)), *(max(box[i] for box in boxes) for i in range(3, 6)))
             (x, _, z), (width, height, depth) = whole.middle, whole.size
             parts = [BodyPart("box", box.size, _from(box, whole), "y", 1.0, "body") for box in boxes]

@@ -16,11 +16,11 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image
 
-from solver.exports.floor_grid import WALKED_ON, FloorGrid, floor_mask, footprint, grid_of, inside, levels_of, obstacles
+from solver.exports.floor_grid import WALKED_ON, FloorGrid, floor_mask, grid_of, inside, obstacles
 from solver.exports.home_picture import picture_of
 from solver.exports.model import HouseModel, ModelBody
 from solver.exports.paints import channels
-from solver.exports.plan_storeys import covers, opening_box
+from solver.exports.plan_storeys import covers, on_line, opening_box
 from solver.exports.writers import ExportSettings, Files
 
 PIXEL: Final = 0.02
@@ -42,7 +42,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     classes = {name: number for number, name in enumerate(known | dict.fromkeys(body.category for body in model.bodies))}
     files: Files = {}
     maps: list[dict[str, object]] = []
-    for number, level in enumerate(levels_of(model)):
+    for number, level in enumerate(model.levels):
         end = f"_level_{level}.png" if number else ".png"
         grid = grid_of(model, level, PIXEL, MARGIN)
         semantic, instance, rooms = _maps(model, level, grid, classes)
@@ -69,7 +69,8 @@ def _maps(model: HouseModel, level: int, grid: FloorGrid, classes: Mapping[str, 
             semantic[floor] = classes["outdoor_floor" if room.outdoor else "bare_floor"]
     for panel in model.panels:
         if panel.level == level:
-            semantic[_strip(grid, panel.axis, (panel.start, panel.end), (panel.line, panel.thickness))] = classes["wall"]
+            strip = on_line(panel.axis, (panel.start, panel.end), panel.line, panel.thickness / 2)
+            semantic[grid.centred(*strip)] = classes["wall"]
     for fitting in model.fittings:
         if fitting.surface == "railing":
             semantic[grid.touched(fitting.box.x0, fitting.box.z0, fitting.box.x1, fitting.box.z1)] = classes["wall"]
@@ -107,17 +108,10 @@ def _tops(bodies: Sequence[ModelBody]) -> dict[str, float]:
 
 def _mark(grid: FloorGrid, body: ModelBody, *layers: tuple[Numbers, int]) -> None:
     """Writes a number into each layer where a body's footprint holds the middle of a pixel."""
-    window = grid.centred(*footprint(body))
+    window = grid.centred(*body.footprint)
     where = ... if body.turn % 90 == 0 else inside(grid, body, window, touching=False)
     for layer, number in layers:
         layer[window][where] = number
-
-
-def _strip(grid: FloorGrid, axis: str, along: tuple[float, float], across: tuple[float, float]) -> tuple[slice, slice]:
-    """Returns the pixels of a stretch of wall: from and to along it; its line and thickness."""
-    (start, end), (line, thickness) = along, across
-    low, high = line - thickness / 2, line + thickness / 2
-    return grid.centred(start, low, end, high) if axis == "x" else grid.centred(low, start, high, end)
 
 
 def _class_colors(classes: Mapping[str, int]) -> list[str]:
