@@ -1,18 +1,19 @@
-"""The fronts of a body as simulators have them: links of their own on joints; and what of the body stays.
+"""What moves in a house as simulators have it, the fronts of bodies and the leaves of doors: links of their own on joints.
 
-z is up, as in colliders: a hinge's frame is that of its body, moved to the hinge.
+z is up, as in colliders: a hinge's frame is that of what it hangs on, moved to the hinge.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection
 from functools import lru_cache
+from math import radians
 from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
-from solver.exports.colliders import Collider, Triple, collider_of, colliders_of, shares_of, z_up
-from solver.exports.model import BodyFront, ModelBody, Paint
+from solver.exports.colliders import Collider, Triple, collider_of, colliders_of, leaf_colliders, parts_of_hung_leaf, shares_of, z_up
+from solver.exports.model import BodyFront, DoorLeaf, ModelBody, Paint
 
 Z_UP: Final[dict[Axis, tuple[Axis, Literal[1, -1]]]] = {"x": ("x", 1), "y": ("z", 1), "z": ("y", -1)}
 """What an axis is called where z is up, and whether it points the other way there."""
@@ -25,16 +26,21 @@ SLIDE_DAMPING: Final = 8.0
 """What slows a drawer, N s/m: runners with rollers."""
 SLIDE_FRICTION: Final = 2.0
 """What holds it where it is, N."""
+LEAF_DAMPING: Final = 1.5
+"""What slows a leaf, N m s/rad."""
+LEAF_FRICTION: Final = 0.4
+"""What holds it where it is, N m."""
 
 
 class MovingPart(NamedTuple):
-    """A front as a link.
+    """A front or a leaf as a link.
 
-    Its body's id and its own name; where its hinge is in its body, its axis and limits (degrees or m), shut at 0; its mass, kg; its
-    solids, and its parts with their paints, from the hinge (parts in the scene's frame).
+    Its name in the house, and on what it hangs; where its hinge is there, its axis and limits (degrees or m), shut at 0; its mass, kg; its
+    solids, and its parts with their paints, from the hinge (parts in the scene's frame); what slows and holds it (N m s/rad, N m or N s/m,
+    N); the turn of its frame about z, degrees, where it has any.
     """
 
-    body: str
+    id: str
     name: str
     slides: bool
     hinge: Triple
@@ -44,16 +50,25 @@ class MovingPart(NamedTuple):
     solids: tuple[Collider, ...]
     parts: tuple[BodyPart, ...]
     paints: tuple[Paint, ...]
+    damping: float
+    friction: float
+    turn: float | None = None
 
     @property
-    def id(self) -> str:
-        """Its name in the house."""
-        return f"{self.body}/{self.name}"
+    def way(self) -> str:
+        """What its joint is called after it."""
+        return "slide" if self.slides else "hinge"
 
     @property
     def joint(self) -> str:
-        """The name of its joint."""
-        return f"{self.id}/{'slide' if self.slides else 'hinge'}"
+        """What URDF and SDF call such a joint."""
+        return "prismatic" if self.slides else "revolute"
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """Its limits, radians or m."""
+        low, high = self.limits
+        return self.limits if self.slides else (radians(low), radians(high))
 
 
 class StillPart(NamedTuple):
@@ -80,9 +95,18 @@ def moving_parts(body: ModelBody) -> list[MovingPart]:
         axis, side = Z_UP[front.axis]
         low, high = sorted((0.0, side * front.end))
         parts, paints, solids = _moving(body.parts, body.paints, front)
-        mass = share * body.mass
-        found.append(MovingPart(body.id, front.name, front.slides, z_up(*front.hinge), axis, (low, high), mass, solids, parts, paints))
+        moved = front.name, front.slides, z_up(*front.hinge), axis, (low, high), share * body.mass, solids, parts, paints
+        slowed = (SLIDE_DAMPING, SLIDE_FRICTION) if front.slides else (TURN_DAMPING, TURN_FRICTION)
+        found.append(MovingPart(f"{body.id}/{front.name}", *moved, *slowed))
     return found
+
+
+def moving_leaf(leaf: DoorLeaf) -> MovingPart:
+    """Returns a leaf, which hangs on the house: it turns, or slides up."""
+    slides = leaf.motion != "swing"
+    low, high = sorted((0.0, leaf.height if slides else leaf.swing))
+    form = leaf.mass, leaf_colliders(leaf), parts_of_hung_leaf(leaf), leaf.paints
+    return MovingPart(leaf.id, leaf.id, slides, z_up(*leaf.hinge), "z", (low, high), *form, LEAF_DAMPING, LEAF_FRICTION, leaf.closed)
 
 
 @lru_cache(maxsize=1 << 12)

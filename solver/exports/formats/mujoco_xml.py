@@ -19,9 +19,7 @@ from solver.exports.colliders import (
     box_between,
     carriers,
     floor_boxes,
-    leaf_colliders,
     painted_halves,
-    parts_of_hung_leaf,
     z_up,
 )
 from solver.exports.in_drawers import HeldThing, held_in, held_things
@@ -33,6 +31,7 @@ from solver.exports.moving_parts import (
     TURN_FRICTION,
     UNIT,
     MovingPart,
+    moving_leaf,
     moving_parts,
     still_part,
 )
@@ -165,36 +164,36 @@ class _Bodies(NamedTuple):
         name = self.names.take(body.id)
         joint = "" if body.fixed else f'<freejoint name="{xml_text(name)}"/>'
         shown = self._shown(name, self.looks.asset(body) if body.asset else self.looks.parts(still.parts, still.paints))
-        fronts = "".join([self._front(one, name, friction) for one in moving_parts(body)])
+        fronts = "".join([self._front(one, (body.id, name), friction) for one in moving_parts(body)])
         return f"{_opened(name, at, turn)}{joint}{touching}{shown}{fronts}</body>"
 
     def _shown(self, name: str, looks: str) -> str:
         """Returns what a body looks like, as a body in it: MuJoCo bounds all geoms of whatever touches anything in every step."""
         return f'<body name="{xml_text(self.names.take(f"{name}/looks"))}">{looks}</body>' if looks else ""
 
-    def _front(self, front: MovingPart, body: str, friction: str) -> str:
-        """Returns a front on its joint, in the body of that name, and what is held in it; zero is shut."""
-        name = self.names.take(front.id)
+    def _front(self, front: MovingPart, of: tuple[str, str], friction: str) -> str:
+        """Returns a front on its joint, in the body of a piece, by that one's id and its own name, and what is held in it; zero is shut."""
+        (piece, body), name = of, self.names.take(front.id)
         self.apart.append((body, name))
-        classed = "slides" if front.slides else "turns"
-        limits = f'axis="{UNIT[front.axis]}" range="{xml_numbers(*front.limits)}"'
-        joint = f'<joint name="{xml_text(name)}/{"slide" if front.slides else "hinge"}" class="{classed}" {limits}/>'
+        joint = _joint(front, name, "slides" if front.slides else "turns")
         touching = touching_geoms(front.solids, front.mass, "collider", friction)
-        inside = "".join(self._placed(one.body, z_up(*one.at), one.turn) for one in held_in(self.held, front.body, front.name))
+        inside = "".join(self._placed(one.body, z_up(*one.at), one.turn) for one in held_in(self.held, piece, front.name))
         shown = self._shown(name, self.looks.parts(front.parts, front.paints))
         return f"{_opened(name, front.hinge, 0.0)}{joint}{touching}{shown}{inside}</body>"
 
     def leaf(self, leaf: DoorLeaf) -> str:
         """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
-        name = self.names.take(leaf.id)
-        if leaf.motion == "swing":
-            ends = sorted((0.0, leaf.swing))
-            joint = f'<joint name="{xml_text(name)}/hinge" class="leaf" axis="0 0 1" range="{xml_numbers(*ends)}"/>'
-        else:
-            joint = f'<joint name="{xml_text(name)}/slide" class="leaf" type="slide" axis="0 0 1" range="{xml_numbers(0, leaf.height)}"/>'
-        touching = touching_geoms(leaf_colliders(leaf), leaf.mass, "leaf")
-        shown = self._shown(name, self.looks.parts(parts_of_hung_leaf(leaf), leaf.paints))
-        return f"{_opened(name, z_up(*leaf.hinge), leaf.closed)}{joint}{touching}{shown}</body>"
+        name, part = self.names.take(leaf.id), moving_leaf(leaf)
+        joint = _joint(part, name, 'leaf" type="slide' if part.slides else "leaf")
+        touching = touching_geoms(part.solids, part.mass, "leaf")
+        shown = self._shown(name, self.looks.parts(part.parts, part.paints))
+        return f"{_opened(name, part.hinge, leaf.closed)}{joint}{touching}{shown}</body>"
+
+
+def _joint(part: MovingPart, name: str, classed: str) -> str:
+    """Returns the joint of what moves, in a body of that name."""
+    limits = f'axis="{UNIT[part.axis]}" range="{xml_numbers(*part.limits)}"'
+    return f'<joint name="{xml_text(name)}/{part.way}" class="{classed}" {limits}/>'
 
 
 def _contacts(pairs: Collection[tuple[str, str]]) -> Iterator[str]:

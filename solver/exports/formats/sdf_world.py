@@ -17,24 +17,12 @@ from solver.exports.colliders import (
     carriers,
     floor_boxes,
     inertia_of,
-    leaf_colliders,
     painted_halves,
-    parts_of_hung_leaf,
     z_up,
 )
 from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import (
-    SLIDE_DAMPING,
-    SLIDE_FRICTION,
-    TURN_DAMPING,
-    TURN_FRICTION,
-    UNIT,
-    MovingPart,
-    StillPart,
-    moving_parts,
-    still_part,
-)
+from solver.exports.moving_parts import UNIT, MovingPart, StillPart, moving_leaf, moving_parts, still_part
 from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
@@ -50,7 +38,6 @@ _QUARTER: Final = f"{math.pi / 2:.9g}"
 _TURNED: Final = {"x": f"0 {_QUARTER} 0", "y": f"{_QUARTER} 0 0", "z": "0 0 0"}
 _LIGHT: Final = '<light name="sun" type="directional"><cast_shadows>true</cast_shadows><direction>0.3 0.4 -1</direction></light>'
 STATIC: Final = "<static>true</static>"
-_JOINT: Final = "<dynamics><damping>1.5</damping><friction>0.4</friction></dynamics>"
 
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
@@ -116,7 +103,7 @@ class _World:
         names.take("link")
         for front in moving_parts(body):
             name = names.take(front.name)
-            links += self._link(name, front, body, BODIES, front.hinge) + _front_joint(front, name)
+            links += self._link(name, front, body, BODIES, front.hinge) + _joint(front, f"{name}_joint", ("link", name))
             links += "".join(model + _held_joint(inside, name) for inside, model in held.get(front.name, ()))
         fixed = '<joint name="fixed" type="fixed"><parent>world</parent><child>link</child></joint>' if body.fronts else STATIC
         _, opened = self._opened(body.id, (body.x, body.y, body.z), body.turn)
@@ -138,18 +125,11 @@ class _World:
         return found
 
     def _leaf(self, leaf: DoorLeaf) -> str:
-        solids = leaf_colliders(leaf)
-        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(parts_of_hung_leaf(leaf), leaf.paints, strict=True))
-        touching = (_touching(solid, LEAVES) for solid in solids)
-        link = f'<link name="link">{_inertial(solids, leaf.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
-        swings = leaf.motion == "swing"
-        low, high = sorted((0.0, math.radians(leaf.swing))) if swings else (0.0, leaf.height)
-        limit = f"<limit><lower>{low:.9g}</lower><upper>{high:.9g}</upper></limit>"
-        joint = (
-            f'<joint name="{"hinge" if swings else "slide"}" type="{"revolute" if swings else "prismatic"}"><parent>world</parent>'
-            f"<child>link</child><axis><xyz>0 0 1</xyz>{limit}{_JOINT}</axis></joint>"
-        )
-        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)[1]}{link}{joint}</model>"
+        part = moving_leaf(leaf)
+        seen = (self._seen(self.meshes.shown(shown), paint) for shown, paint in zip(part.parts, part.paints, strict=True))
+        touching = (_touching(solid, LEAVES) for solid in part.solids)
+        link = f'<link name="link">{_inertial(part.solids, part.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
+        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)[1]}{link}{_joint(part, part.way, ('world', 'link'))}</model>"
 
     def _opened(self, called: str, at: Triple, turn: float) -> tuple[str, str]:
         """Returns the name of a model, and its begin: the name, its id, where it is."""
@@ -173,15 +153,14 @@ def _held_joint(name: str, front: str) -> str:
     return f'<joint name="{name}_held" type="fixed">{inside}</joint>'
 
 
-def _front_joint(front: MovingPart, name: str) -> str:
-    """Returns the joint between a front and its body, in the front's frame; shut is 0."""
-    low, high = front.limits if front.slides else map(math.radians, front.limits)
-    damping, friction = (SLIDE_DAMPING, SLIDE_FRICTION) if front.slides else (TURN_DAMPING, TURN_FRICTION)
+def _joint(part: MovingPart, name: str, ends: tuple[str, str]) -> str:
+    """Returns the joint of what moves, in its own frame, between a parent and a child; shut is 0."""
+    (low, high), (parent, child) = part.reach, map(xml_text, ends)
     limit = f"<limit><lower>{low:.9g}</lower><upper>{high:.9g}</upper></limit>"
-    dynamics = f"<dynamics><damping>{damping:g}</damping><friction>{friction:g}</friction></dynamics>"
+    dynamics = f"<dynamics><damping>{part.damping:g}</damping><friction>{part.friction:g}</friction></dynamics>"
     return (
-        f'<joint name="{xml_text(name)}_joint" type="{"prismatic" if front.slides else "revolute"}"><parent>link</parent>'
-        f"<child>{xml_text(name)}</child><axis><xyz>{UNIT[front.axis]}</xyz>{limit}{dynamics}</axis></joint>"
+        f'<joint name="{xml_text(name)}" type="{part.joint}"><parent>{parent}</parent><child>{child}</child>'
+        f"<axis><xyz>{UNIT[part.axis]}</xyz>{limit}{dynamics}</axis></joint>"
     )
 
 

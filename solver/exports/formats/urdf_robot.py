@@ -16,24 +16,12 @@ from solver.exports.colliders import (
     carriers,
     floor_boxes,
     inertia_of,
-    leaf_colliders,
     painted_halves,
-    parts_of_hung_leaf,
     z_up,
 )
 from solver.exports.in_drawers import held_things
-from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import (
-    SLIDE_DAMPING,
-    SLIDE_FRICTION,
-    TURN_DAMPING,
-    TURN_FRICTION,
-    UNIT,
-    MovingPart,
-    StillPart,
-    moving_parts,
-    still_part,
-)
+from solver.exports.model import HouseModel, ModelBody, Paint
+from solver.exports.moving_parts import UNIT, MovingPart, StillPart, moving_leaf, moving_parts, still_part
 from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
@@ -44,7 +32,6 @@ from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 LinkForm = Collider | StretchedMesh
 _QUARTER: Final = f"{math.pi / 2:.9g}"
 _TURNED: Final = {"x": f' rpy="0 {_QUARTER} 0"', "y": f' rpy="{_QUARTER} 0 0"', "z": ""}
-DAMPING: Final = 'damping="1.5" friction="0.4"'
 
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
@@ -72,7 +59,7 @@ class _Robot:
             parent = self._fronts[thing.piece, thing.front] if thing else house
             placed = _origin(z_up(*thing.at), thing.turn) if thing else _origin(z_up(body.x, body.y, body.z), body.turn)
             links.append(self._body(body, still_part(body, carry), parent, placed))
-        links += [self._leaf(leaf, house) for leaf in model.leaves]
+        links += [self._moving(moving_leaf(leaf), house)[1] for leaf in model.leaves]
         yield '<?xml version="1.0" encoding="utf-8"?>'
         yield f'<robot name="{xml_text(model.name)}">'
         yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
@@ -100,35 +87,24 @@ class _Robot:
         link = self._links.take(body.id)
         touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in still.solids)
         made = self._link(link, still.solids, still.mass, (*touching, *self._looks(still)))
-        fronts = "".join([self._front(front, link) for front in moving_parts(body)])
+        fronts = ""
+        for front in moving_parts(body):
+            named, text = self._moving(front, link)
+            self._fronts[body.id, front.name], fronts = named, f"{fronts}\n{text}"
         return made + self._joint(f"{body.id}/fixed", "fixed", (parent, link), placed) + fronts
 
-    def _front(self, front: MovingPart, parent: str) -> str:
-        """Returns the link of a front and its joint to its body."""
-        link = self._fronts[front.body, front.name] = self._links.take(front.id)
-        touching = (self._touching(self.meshes.touched(solid)) for solid in front.solids)
-        made = self._link(link, front.solids, front.mass, (*touching, *self._looks(front)))
-        low, high = front.limits if front.slides else map(math.radians, front.limits)
-        damping, friction = (SLIDE_DAMPING, SLIDE_FRICTION) if front.slides else (TURN_DAMPING, TURN_FRICTION)
+    def _moving(self, part: MovingPart, parent: str) -> tuple[str, str]:
+        """Returns the name of the link of what moves; the link with its joint to what it hangs on."""
+        link, (low, high) = self._links.take(part.id), part.reach
+        touching = (self._touching(self.meshes.touched(solid)) for solid in part.solids)
+        made = self._link(link, part.solids, part.mass, (*touching, *self._looks(part)))
         limit = f'<limit lower="{low:.9g}" upper="{high:.9g}" effort="100" velocity="3"/>'
-        dynamics = f'<dynamics damping="{damping:g}" friction="{friction:g}"/>'
-        moving = f'{_origin(front.hinge, 0.0)}<axis xyz="{UNIT[front.axis]}"/>{limit}{dynamics}'
-        return "\n" + made + self._joint(front.joint, "prismatic" if front.slides else "revolute", (parent, link), moving)
+        dynamics = f'<dynamics damping="{part.damping:g}" friction="{part.friction:g}"/>'
+        moving = f'{_origin(part.hinge, part.turn or 0.0)}<axis xyz="{UNIT[part.axis]}"/>{limit}{dynamics}'
+        return link, made + self._joint(f"{part.id}/{part.way}", part.joint, (parent, link), moving)
 
     def _looks(self, seen: MovingPart | StillPart) -> Iterator[str]:
         return (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
-
-    def _leaf(self, leaf: DoorLeaf, house: str) -> str:
-        link, solids = self._links.take(leaf.id), leaf_colliders(leaf)
-        seen = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(parts_of_hung_leaf(leaf), leaf.paints, strict=True))
-        made = self._link(link, solids, leaf.mass, (*(self._touching(solid) for solid in solids), *seen))
-        if leaf.motion == "swing":
-            name, kind, ends = f"{leaf.id}/hinge", "revolute", sorted((0.0, math.radians(leaf.swing)))
-        else:
-            name, kind, ends = f"{leaf.id}/slide", "prismatic", [0.0, leaf.height]
-        limit = f'<limit lower="{ends[0]:.9g}" upper="{ends[1]:.9g}" effort="100" velocity="3"/>'
-        moving = f'{_origin(z_up(*leaf.hinge), leaf.closed)}<axis xyz="0 0 1"/>{limit}<dynamics {DAMPING}/>'
-        return made + self._joint(name, kind, (house, link), moving)
 
     def _link(self, name: str, solids: tuple[Collider, ...], mass: float, looks: Iterable[str]) -> str:
         body = inertia_of(solids, mass)
