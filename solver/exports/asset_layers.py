@@ -8,10 +8,9 @@ from typing import Final
 from catalogs.assets.asset_entry import Asset
 from solver.exports.asset_files import fit_of
 from solver.exports.asset_surfaces import AssetSurface, surfaces_of
-from solver.exports.colliders import Triple, z_up
 from solver.exports.model import ModelBody
 from solver.exports.paints import linear
-from solver.exports.usd_text import prim, stretched, triple, triples
+from solver.exports.usd_text import prim, stretched, triangles, triple
 
 FOLDER: Final = "assets"
 _HEAD: Final = '#usda 1.0\n(\ndefaultPrim = "Asset"\nkilogramsPerUnit = 1\nmetersPerUnit = 1\nupAxis = "Z"\n)\n'
@@ -72,17 +71,9 @@ _PICTURE: Final = (
 
 
 def _mesh(number: int, surface: AssetSurface) -> str:
-    points: list[Triple] = [z_up(*point) for point in surface.points.tolist()]
-    normals = [z_up(*(round(value, 4) for value in normal)) for normal in surface.normals.tolist()]
-    ends = [[pick(point[i] for point in points) for i in range(3)] for pick in (min, max)]
     places = ""
     if surface.places is not None:
         listed = ", ".join(f"({u:.6g}, {v:.6g})" for u, v in surface.places.tolist())
         places = f'texCoord2f[] primvars:st = [{listed}] (\ninterpolation = "vertex"\n)\n'
-    inside = (
-        f"float3[] extent = {triples(ends)}\nint[] faceVertexCounts = {[3] * len(surface.triangles)}\n"
-        f"int[] faceVertexIndices = {surface.triangles.reshape(-1).tolist()}\nrel material:binding = </Asset/Looks/look_{number}>\n"
-        f'normal3f[] normals = {triples(normals)} (\ninterpolation = "vertex"\n)\npoint3f[] points = {triples(points)}\n{places}'
-        f'uniform token subdivisionScheme = "none"\n'
-    )
+    inside = triangles(surface, f"rel material:binding = </Asset/Looks/look_{number}>\n", places)
     return prim("Mesh", f"mesh_{number}", ("MaterialBindingAPI",), inside)

@@ -10,7 +10,7 @@ from catalogs.assets.asset_entry import Asset
 from catalogs.assets.glb_bounds import MATERIALS
 from catalogs.assets.glb_file import GlbFault
 from solver.exports.asset_files import AssetFile, AssetFit, asset_file, changed
-from solver.exports.formats.glb_book import GltfBook
+from solver.exports.formats.glb_book import GltfBook, added
 
 _DEEPEST: Final = 8
 """How deep a material may be."""
@@ -112,14 +112,14 @@ class _Copying:
             if primitive.get("mode", 4) != 4:
                 says["mode"] = primitive["mode"]
             primitives.append(says)
-        return self._book.mesh_of(_text({"primitives": primitives}))
+        return added(self._book.meshes, _text({"primitives": primitives}))
 
     def _accessors(self, accessor: Mapping[str, Any]) -> int:
         if _QUANTIZED in self._file.document.get("extensionsUsed", ()):
             self._book.extensions.add(_QUANTIZED)
         says = {key: accessor[key] for key in _ACCESSOR if key in accessor}
         view = self._copied("bufferViews", accessor["bufferView"])
-        return self._book.accessor(_text({"bufferView": view, "byteOffset": accessor.get("byteOffset", 0), **says}))
+        return added(self._book.accessors, _text({"bufferView": view, "byteOffset": accessor.get("byteOffset", 0), **says}))
 
     def _bufferViews(self, view: Mapping[str, Any]) -> int:
         start = view.get("byteOffset", 0)
@@ -151,19 +151,14 @@ class _Copying:
 
     def _textures(self, texture: Mapping[str, Any]) -> int:
         says = {key: self._copied(group, texture[key]) for key, group in (("source", "images"), ("sampler", "samplers")) if key in texture}
-        return _added(self._book.textures, _text(says))
+        return added(self._book.textures, _text(says))
 
     def _images(self, image: Mapping[str, Any]) -> int:
         says = {"bufferView": self._copied("bufferViews", image["bufferView"]), "mimeType": image["mimeType"]}
-        return _added(self._book.images, _text(says))
+        return added(self._book.images, _text(says))
 
     def _samplers(self, sampler: Mapping[str, Any]) -> int:
-        return _added(self._book.samplers, _text({key: value for key, value in sampler.items() if isinstance(value, int)}))
-
-
-def _added(entries: list[str], text: str) -> int:
-    entries.append(text)
-    return len(entries) - 1
+        return added(self._book.samplers, _text({key: value for key, value in sampler.items() if isinstance(value, int)}))
 
 
 def _text(says: Mapping[str, Any]) -> str:

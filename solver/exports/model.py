@@ -9,7 +9,7 @@ seen from above, 0 facing south (+z). Each format converts it once, in its modul
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
@@ -286,6 +286,12 @@ class HouseModel:
     """Every category that the catalogs know, in order."""
     assets: Mapping[str, Asset] = field(default_factory=dict)
     """The own assets that bodies are shown as, by name."""
+
+    def origin(self) -> Iterator[str]:
+        """Yields in words which seed and catalog made it, and its warnings."""
+        made = self.scene.generator or {}
+        yield f"seed {self.scene.seed}, Compose {made.get('version')}, catalog {made.get('catalog')}"
+        yield from (f"warning: {warning}" for warning in self.warnings)
 
     def railings(self, room: FloorPlate) -> list[Cuboid]:
         """Returns the parts of the railings of a room's storey."""

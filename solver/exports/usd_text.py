@@ -6,13 +6,16 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from math import cos, radians, sin
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from solver.body_parts import BodyPart
 from solver.exports.colliders import AXES, Collider, Triple, z_up
 from solver.exports.model import Paint
 from solver.exports.paints import channels, linear
-from solver.exports.solid_meshes import surface_of
+from solver.exports.solid_meshes import SolidSurface, surface_of
+
+if TYPE_CHECKING:
+    from solver.exports.asset_surfaces import AssetSurface
 
 LOOKS: Final = "/House/Looks"
 _ESCAPED: Final = re.compile(r'[\x00-\x1f\x7f"\\]')
@@ -178,18 +181,22 @@ def _long(form: str, axis: str, radius: float, length: float) -> str:
     )
 
 
-def _mesh(name: str, part: BodyPart, paint: Paint, collides: bool) -> str:
-    """Returns a block with soft edges or a tapered cylinder; the block collides as a box."""
-    surface = surface_of(part)
+def triangles(surface: SolidSurface | AssetSurface, binding: str, more: str = "") -> str:
+    """Returns what a mesh holds of a surface in the scene's frame; its binding, and what comes after its points."""
     points = [z_up(*point) for point in surface.points.tolist()]
     normals = [z_up(*(round(value, 4) for value in normal)) for normal in surface.normals.tolist()]
     ends = [[pick(point[i] for point in points) for i in range(3)] for pick in (min, max)]
-    inside = (
+    return (
         f"float3[] extent = {triples(ends)}\nint[] faceVertexCounts = {[3] * len(surface.triangles)}\n"
-        f"int[] faceVertexIndices = {surface.triangles.reshape(-1).tolist()}\n{bound(paint)}"
+        f"int[] faceVertexIndices = {surface.triangles.reshape(-1).tolist()}\n{binding}"
         f'normal3f[] normals = {triples(normals)} (\ninterpolation = "vertex"\n)\npoint3f[] points = {triples(points)}\n'
-        f'uniform token subdivisionScheme = "none"\n'
+        f'{more}uniform token subdivisionScheme = "none"\n'
     )
+
+
+def _mesh(name: str, part: BodyPart, paint: Paint, collides: bool) -> str:
+    """Returns a block with soft edges or a tapered cylinder; the block collides as a box."""
+    inside = triangles(surface_of(part), bound(paint))
     if not collides:
         return prim("Mesh", name, ("MaterialBindingAPI",), inside)
     schemas = "MaterialBindingAPI", "PhysicsCollisionAPI", "PhysicsMeshCollisionAPI"

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cached_property
 from math import prod
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from solver.core import CoreInstance
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
+Seen = TypeVar("Seen")
 
 ORIGIN: Final = -1
 ABSENT: Final = -1
@@ -169,6 +170,11 @@ SHOWN_BYTES: Final = 12
 """What the core tells of one array: its address, rows and columns, 32 bits each."""
 
 
+def _seen(part: type[Seen]) -> cached_property[Seen]:
+    """Returns a part of an engine, made when it is first named."""
+    return cached_property(lambda engine: part(*engine.arrays(part)))
+
+
 class Engine:
     """All work space of one room: arrays in the memory of an instance of the core, made when they are first named.
 
@@ -180,37 +186,15 @@ class Engine:
         self._memory = instance.lent()[:end]
         self._shown = np.frombuffer(instance.read(desk, SHOWN_BYTES * COUNT), dtype=np.int32).reshape(-1, 3)
 
-    @cached_property
-    def room(self) -> RoomSeen:
-        """What is read of the room again."""
-        return RoomSeen(*self._arrays(RoomSeen))
+    room = _seen(RoomSeen)
+    work = _seen(Work)
+    nodes = _seen(Nodes)
+    grid = _seen(GridSeen)
+    tree = _seen(Tree)
+    call = _seen(CallRows)
 
-    @cached_property
-    def work(self) -> Work:
-        """The problem."""
-        return Work(*self._arrays(Work))
-
-    @cached_property
-    def nodes(self) -> Nodes:
-        """What the last search found."""
-        return Nodes(*self._arrays(Nodes))
-
-    @cached_property
-    def grid(self) -> GridSeen:
-        """Positions to ask about."""
-        return GridSeen(*self._arrays(GridSeen))
-
-    @cached_property
-    def tree(self) -> Tree:
-        """The best-first search."""
-        return Tree(*self._arrays(Tree))
-
-    @cached_property
-    def call(self) -> CallRows:
-        """What calls hand over and bring back."""
-        return CallRows(*self._arrays(CallRows))
-
-    def _arrays(self, part: type[Any]) -> Iterator[NDArray[Any]]:
+    def arrays(self, part: type[Any]) -> Iterator[NDArray[Any]]:
+        """Yields the arrays of a part."""
         first = sum(len(before._fields) for before in SEEN[: SEEN.index(part)])
         names: tuple[str, ...] = part._fields
         for name, (address, rows, columns) in zip(names, self._shown[first : first + len(names)].tolist(), strict=True):

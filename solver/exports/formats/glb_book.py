@@ -47,10 +47,10 @@ class GltfBook:
     def __init__(self) -> None:
         self._content: tuple[list[bytes], list[bytes], list[bytes]] = ([], [], [])
         self._lengths = [0, 0, 0]
-        self._accessors: list[str] = []
+        self.accessors: list[str] = []
         self._placed: dict[int, tuple[Geometry, int]] = {}
         self._materials: dict[Paint | str, int] = {}
-        self._meshes: list[str] = []
+        self.meshes: list[str] = []
         self._nodes: list[str] = []
         self._foreign: list[tuple[bytes, str]] = []
         """Views of other files: their bytes, and what is said of them after their place."""
@@ -67,42 +67,30 @@ class GltfBook:
             material = self.material(paint)
             attributes = f'"attributes":{{"POSITION":{first},"NORMAL":{first + 1}}}'
             primitives.append(f'{{{attributes},"indices":{first + 2},"material":{material}}}')
-        self._meshes.append(f'{{"name":{quoted(name)},"primitives":[{",".join(primitives)}]}}')
-        return len(self._meshes) - 1
+        return added(self.meshes, f'{{"name":{quoted(name)},"primitives":[{",".join(primitives)}]}}')
 
     def view(self, content: bytes, says: str) -> int:
         """Adds a view of its own and returns its number; `says` are further members, each after a comma."""
         self._foreign.append((content, says))
         return len(_VIEWS) + len(self._foreign) - 1
 
-    def accessor(self, text: str) -> int:
-        """Adds an accessor, a JSON object's text, and returns its number."""
-        self._accessors.append(text)
-        return len(self._accessors) - 1
-
     def material(self, look: Paint | str) -> int:
         """Adds a material, a paint or a JSON object's text, and returns its number; equal ones are one."""
         return self._materials.setdefault(look, len(self._materials))
 
-    def mesh_of(self, text: str) -> int:
-        """Adds a mesh, a JSON object's text, and returns its number."""
-        self._meshes.append(text)
-        return len(self._meshes) - 1
-
     def node(self, text: str) -> int:
         """Adds a node, a JSON object's text, and returns its number."""
-        self._nodes.append(text)
-        return len(self._nodes) - 1
+        return added(self._nodes, text)
 
     def _place(self, geometry: Geometry) -> int:
         """Returns the number of the first of a geometry's three accessors."""
         known = self._placed.get(id(geometry))
         if known:
             return known[1]
-        first = len(self._accessors)
+        first = len(self.accessors)
         self._placed[id(geometry)] = geometry, first
         for view, (content, rest) in enumerate(zip(geometry.content, geometry.accessors, strict=True)):
-            self._accessors.append(f'{{"bufferView":{view},"byteOffset":{self._lengths[view]},{rest}}}')
+            self.accessors.append(f'{{"bufferView":{view},"byteOffset":{self._lengths[view]},{rest}}}')
             self._content[view].append(content)
             self._lengths[view] += len(content)
         return first
@@ -114,9 +102,9 @@ class GltfBook:
         under = "" if root is None else f'"nodes":[{root}],'
         lists = {
             "nodes": self._nodes,
-            "meshes": self._meshes,
+            "meshes": self.meshes,
             "materials": [look if isinstance(look, str) else _material(look) for look in self._materials],
-            "accessors": self._accessors,
+            "accessors": self.accessors,
             "textures": self.textures,
             "images": self.images,
             "samplers": self.samplers,
@@ -127,7 +115,7 @@ class GltfBook:
             "scene": "0",
             "scenes": f'[{{"name":"house",{under}"extras":{{"scene":{scene}}}}}]',
             **{key: _listed(items) for key, items in lists.items() if items},
-            **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(map(len, content))}}}]'} if self._accessors else {}),
+            **({"bufferViews": _listed(views), "buffers": f'[{{"byteLength":{sum(map(len, content))}}}]'} if self.accessors else {}),
         }
         text = "{" + ",".join(f'"{key}":{value}' for key, value in parts.items()) + "}"
         return _packed(text.encode(), content)
@@ -147,6 +135,12 @@ class GltfBook:
             content.append(part)
             end += len(part)
         return views, content
+
+
+def added(entries: list[str], text: str) -> int:
+    """Adds an entry to a list of a document, a JSON object's text, and returns its number."""
+    entries.append(text)
+    return len(entries) - 1
 
 
 def _listed(items: Iterable[str]) -> str:

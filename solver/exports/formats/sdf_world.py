@@ -23,7 +23,6 @@ from solver.exports.colliders import (
 from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, moving_leaf, moving_parts, still_part
-from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
@@ -59,7 +58,7 @@ class _World:
         carry, house = carriers(model.bodies), self._models.take("house")
         yield '<?xml version="1.0" encoding="utf-8"?>'
         yield '<sdf version="1.9" xmlns:compose="compose-scene">'
-        yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
+        yield from (f"<!-- {xml_comment(words)} -->" for words in model.origin())
         yield f'<world name="{xml_text(model.name)}">{_LIGHT}'
         yield f'<model name="{house}"><static>true</static><link name="link">{"".join(_numbered(self._shell(model)))}</link></model>'
         held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}

@@ -22,7 +22,6 @@ from solver.exports.colliders import (
 from solver.exports.in_drawers import held_things
 from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, moving_leaf, moving_parts, still_part
-from solver.exports.origin import words_of
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
@@ -62,7 +61,7 @@ class _Robot:
         links += [self._moving(moving_leaf(leaf), house)[1] for leaf in model.leaves]
         yield '<?xml version="1.0" encoding="utf-8"?>'
         yield f'<robot name="{xml_text(model.name)}">'
-        yield from (f"<!-- {xml_comment(words)} -->" for words in words_of(model))
+        yield from (f"<!-- {xml_comment(words)} -->" for words in model.origin())
         for paint, name in self._materials.items():
             rgba = xml_numbers(*(channel / 255 for channel in channels(paint.color)), paint.opacity)
             yield f'<material name="{name}"><color rgba="{rgba}"/></material>'
