@@ -21,12 +21,9 @@ ANY: Final = "*"
 
 
 class Callers:
-    """Lets requests through to the routes.
+    """Lets requests through to the routes that name this service, and come from no foreign page.
 
-    Args:
-        app: the routes.
-        hosts: the names of this service, without ports; with `ANY` among them every name is right.
-        origins: other places whose pages may ask, such as https://homes.example.
+    `hosts` are its names, without ports; with `ANY` among them every name is right. `origins` are other places whose pages may ask.
     """
 
     def __init__(self, app: ASGIApp, hosts: Collection[str], origins: Collection[str] = ()) -> None:

@@ -64,9 +64,7 @@ from solver.view import report, view
 class Call:
     """A call: a function from a body and the catalogs to an answer, asked with a document and answering with one.
 
-    Args:
-        work: the function; its first parameter and what it returns say which types the documents have.
-        reads: makes the body of a document; by default what its type says.
+    The types of the function (`work`) say which documents; `reads` makes the body of one, by default as its type says.
     """
 
     work: Callable[..., Any]

@@ -344,8 +344,7 @@ def _add_dataset(commands: Commands) -> None:
 def parser(everything: bool = True) -> ArgumentParser:
     """Returns the parser of the whole command line, the commands in the order of their use: what takes long comes last.
 
-    Args:
-        everything: whether `serve` has its options, too, for which types must be loaded.
+    `everything`: `serve` has its options, too, for which types must be loaded.
     """
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)

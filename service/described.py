@@ -38,12 +38,8 @@ class DescribedCalls:
     def call(self, method: str, path: str, answers: Any = None, **described: Any) -> Callable[[Answering], Answering]:
         """Declares a call by what answers it: its name and its docstring are the call's.
 
-        Args:
-            method: of HTTP.
-            path: below the prefix.
-            answers: the type of the answer's document, where it is one.
-            described: `takes`, the types of what it takes, by name, those that need not be there with their default; all else as
-                `APIRouter.add_api_route` takes it.
+        `answers` is the type of the answer's document, where it is one; `takes` are the types of what it takes, by name, those that need
+        not be there with their default; all else is as `APIRouter.add_api_route` takes it.
         """
         takes = described.pop("takes", {})
 

@@ -27,12 +27,9 @@ NORMAL_JUDGING: Final = 1_000_000
 
 @dataclass(frozen=True)
 class Terms:
-    """What whoever runs the service allows.
+    """What whoever runs the service allows: the work of a normal call, in QPs of a small room; the greatest effort; and `judging`.
 
-    Args:
-        work: of a normal call, in QPs of a small room.
-        most: the greatest effort that may be asked for.
-        judging: work that a call of any effort may do beside its searches: what cannot end early with a lesser answer.
+    That is work that a call of any effort may do beside its searches: what cannot end early with a lesser answer.
     """
 
     work: float = NORMAL_WORK

@@ -37,13 +37,9 @@ MADE_FROM: Final = "made_from.json"
 
 @dataclass(frozen=True)
 class HouseSet:
-    """A folder of houses that differ by their seeds alone.
+    """A folder of houses that differ by their seeds alone, one file a seed; made where there is none.
 
-    Args:
-        request: of every house; its own seed does not count.
-        folder: one file a seed; made where there is none.
-        format: yaml or json.
-        engine: of the final QP.
+    `request` is that of every house, its own seed does not count; `format` is yaml or json, `engine` that of the final QP.
     """
 
     request: Mapping[str, Any]

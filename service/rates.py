@@ -17,9 +17,7 @@ DAY_S: Final = 86_400
 class Allowance:
     """What one caller may do; 0 where there is no limit.
 
-    Args:
-        calls: calls a minute, that many at once.
-        work_s: seconds of work a day, of the calendar in UTC.
+    Calls a minute, that many at once; seconds of work a day, of the calendar in UTC.
     """
 
     calls: int = 0

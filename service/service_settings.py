@@ -80,13 +80,9 @@ class WrongSetting(ComposeError):
 
 @dataclass(frozen=True)
 class Setting:
-    """One setting, as `--help` and options know it.
+    """One setting, as `--help` and options know it: its field's name, what it means, its value where nobody says anything.
 
-    Args:
-        name: the field's.
-        words: what it means.
-        default: its value where nobody says anything.
-        is_list: whether it may be given several times (with commas between, in the environment).
+    `is_list`: it may be given several times (with commas between, in the environment).
     """
 
     name: str

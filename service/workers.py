@@ -26,14 +26,10 @@ GIVES_WAY: Final = 10
 
 
 class Lane(NamedTuple):
-    """A bounded number of processes with a bounded line before them.
+    """A bounded number of processes, so nice, with a bounded line before them.
 
-    Args:
-        slots: for the calls that run.
-        waiting: how many more may wait.
-        nice: how nice its processes are.
-        idle: those that do nothing now.
-        coming: those that are being started.
+    `slots` are for the calls that run, `waiting` is how many more may wait; `idle` are the processes that do nothing now, `coming` those
+    that are being started.
     """
 
     slots: CapacityLimiter

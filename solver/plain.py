@@ -13,12 +13,7 @@ MAX_NESTING: Final = 64
 
 
 class Wrong(Exception):
-    """A value is wrong; collects the way to it while the readers unwind.
-
-    Args:
-        problem: what is wrong with it.
-        allowed: what would be accepted.
-    """
+    """A value is wrong; collects the way to it while the readers unwind."""
 
     def __init__(self, problem: str, allowed: str = "") -> None:
         self.problem, self.allowed = problem, allowed

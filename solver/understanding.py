@@ -16,12 +16,7 @@ from solver.scene import Decoration, Furniture, Room, Scene
 
 @dataclass(frozen=True)
 class Understood:
-    """A scene in the catalogs' words.
-
-    Args:
-        scene: with names and kinds of the catalogs.
-        understood_as: by id, the kind of every piece that was called otherwise.
-    """
+    """A scene in the catalogs' words; and by id, the kind of every piece that was called otherwise."""
 
     scene: Scene
     understood_as: Mapping[str, str]

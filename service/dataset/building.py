@@ -29,13 +29,9 @@ class Built(NamedTuple):
 
 
 def build(plan: DatasetPlan, seeds: tuple[int, int], workers: int, address: str | None = None) -> Built:
-    """Makes what of a dataset is not there yet.
+    """Makes what of a dataset, from its first to its last seed, is not there yet.
 
-    Args:
-        plan: what to make.
-        seeds: the first and the last.
-        workers: processes of this machine; of a local cluster.
-        address: of a Ray cluster, or `local`; None: processes of this machine, without Ray.
+    By `workers` processes of this machine; with an `address` on a Ray cluster, `local` for one here with so many processors.
 
     Raises:
         FieldError: the folder holds something else, or cannot be written to.

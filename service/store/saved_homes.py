@@ -24,12 +24,7 @@ SHOWN: Final = tuple(column for column in HOMES.c if column.name not in ("pictur
 
 @dataclass(frozen=True)
 class Keeping:
-    """How much each owner may keep.
-
-    Args:
-        homes: how many homes.
-        bytes: of all their versions, packed, and their pictures.
-    """
+    """How much each owner may keep: homes, and bytes of all their versions, packed, and their pictures."""
 
     homes: int = 1000
     bytes: int = 500_000_000

@@ -48,12 +48,9 @@ class JobResult:
 
 
 class SavedJobs:
-    """The jobs of a store.
+    """The jobs of a store. After `lease_s` without a word of its runner a job is carried on by another.
 
-    Args:
-        database: the store.
-        lease_s: after how long without a word of its runner a job is carried on by another, s.
-        clock: nanoseconds since 1970, UTC.
+    The clock counts nanoseconds since 1970, UTC.
     """
 
     def __init__(self, database: Database, lease_s: float = LEASE_S, clock: Callable[[], int] = time.time_ns) -> None:

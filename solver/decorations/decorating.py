@@ -20,12 +20,9 @@ PAIR_WORK: Final = 0.4
 
 
 class BareRoom(NamedTuple):
-    """A room to be decorated.
+    """A room to be decorated: furnished at right angles; what decorated it before goes.
 
-    Args:
-        room: furnished at right angles; what decorated it before goes.
-        space: its clear rectangle, and what its doors and windows keep free.
-        stream: of random numbers, the room's own.
+    `space` is its clear rectangle, and what its doors and windows keep free; `stream` is the room's own.
     """
 
     room: Room

@@ -47,14 +47,9 @@ _MOST_CATALOGS: Final = 16
 
 @dataclass(frozen=True, eq=False)
 class CompiledType:
-    """A room type for the core.
+    """A room type for the core: its bytes, and the pieces and kinds that its rows speak of.
 
-    Args:
-        data: its bytes.
-        specs: the pieces that its rows speak of.
-        kinds: the kinds that its rows speak of.
-        looks: how furniture of these looks.
-        made_from: the room type and what it was compiled with.
+    `looks` is how furniture of these looks, `made_from` the room type and what it was compiled with.
     """
 
     data: bytes

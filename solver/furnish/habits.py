@@ -34,11 +34,9 @@ _ONE_EACH: Final = {"under": 1, "on": 1, "opposite": 1, "in_front_of": 1, "besid
 
 @dataclass(frozen=True)
 class Habits:
-    """Where pieces stand that say nothing of it.
+    """Where pieces stand that say nothing of it, by label: by which relations, and on which part of the floor.
 
-    Args:
-        relations: by label.
-        cells: by label, the part of the floor where a piece stands best that stands free and near nothing.
+    That is where a piece stands best that stands free and near nothing.
     """
 
     relations: Mapping[str, tuple[RelationSpec, ...]] = field(default_factory=dict)

@@ -73,12 +73,9 @@ def _by_cost(*found: Sequence[Candidate]) -> tuple[Candidate, ...]:
 
 
 class Listing(NamedTuple):
-    """What is asked for.
+    """What is asked for, each piece after those its relations refer to; a relation to a later one is left to the caller.
 
-    Args:
-        requests: each after those its relations refer to; a relation to a later one is left to the caller.
-        kinds: of the requests and of what stands already, by id.
-        habits: where those stand best that say nothing of it.
+    `kinds` are theirs and those of what stands already, by id; `habits` say where those stand best that say nothing of it.
     """
 
     requests: Sequence[PieceRequest]

@@ -22,12 +22,9 @@ _use_sides: Final = lru_cache(maxsize=4)(Catalogs.use_sides)
 
 @dataclass(frozen=True)
 class Household:
-    """What decides who is in a house.
+    """What decides who is in a house: its seed, or that of what is done anew, and the catalogs.
 
-    Args:
-        seed: of the house, or of what is done anew.
-        catalogs: who may be there, their sizes and colours, and which sides of furniture are used.
-        space_of: tells of a room its clear rectangle, doorways and the width of who walks; asked where somebody may come.
+    `space_of` tells of a room its clear rectangle, doorways and the width of who walks; asked where somebody may come.
     """
 
     seed: int
@@ -36,13 +33,10 @@ class Household:
 
 
 def peopled(rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> tuple[Dynamic, ...]:
-    """Returns the people and pets of a house.
+    """Returns the people and pets of furnished rooms.
 
-    Args:
-        rooms: furnished; they are peopled.
-        household: what decides who comes.
-        before: who was in the house, where only some of its rooms are peopled anew: those elsewhere stay as they are, and who
-            belongs to the home, as pets do, and was in one of these rooms comes back to one of them. None: the house is new.
+    `before` is who was in the house where only some of its rooms are peopled anew: those elsewhere stay as they are, and who belongs to the
+    home, as pets do, and was in one of these rooms comes back to one of them.
     """
     ids = {room.id for room in rooms}
     drawing = _Drawing(rooms, household, [one for one in before or () if one.room not in ids])

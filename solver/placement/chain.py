@@ -44,14 +44,10 @@ class _Thing:
 
 
 def chain(space: Space, pieces: Sequence[Piece], placed: Sequence[Placed], axis: int, going: tuple[int, int]) -> tuple[Length, ...]:
-    """Returns the lengths of the shortest chain of touching things from wall to wall along an axis; empty where there is none.
+    """Returns the lengths of the shortest chain of touching things from wall to wall along an axis (0: x); empty where there is none.
 
-    Args:
-        space: the room's.
-        pieces: as wanted; what may stand in one place only counts as fixed.
-        placed: all of them.
-        axis: 0 for x, 1 for z.
-        going: where things begin to touch the near wall, and from where on they hang on the far one.
+    All pieces are placed; what may stand in one place only counts as fixed. `going`: where things begin to touch the near wall, and from
+    where on they hang on the far one.
     """
     things = [*_bodies(pieces, placed, axis), *_zones(space, axis)]
     things += list(_stands(space, pieces, placed, axis))

@@ -73,8 +73,7 @@ class Core:
     def joined(self, first: int, limits: Limits, budget: Budget) -> Ints | None:
         """Asks for all pieces from number `first` on, used and walked between, beside those before it, which have one way each.
 
-        Returns:
-            Decisions of the best way found for all to stand, or None.
+        Returns decisions of the best way found for all to stand, or None.
         """
         start, tree = self.blank(), self.engine.tree
         for piece in range(first):

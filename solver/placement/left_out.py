@@ -42,13 +42,10 @@ def named_parent(parent: str, is_gone: bool) -> str:
 
 
 def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping[str, int], room: str) -> str:
-    """Says how much room the smallest variant of a piece needs and how much there is.
+    """Says how much room the smallest variant of a piece needs, by its kind and size, and how much there is.
 
-    Args:
-        least: its kind and size.
-        parent: at whose slot it stands, in words.
-        longest: free stretches of wall at its depth and height, mm, if any variant stands at a wall.
-        room: the room's size and what it holds.
+    `parent` is at whose slot it stands, in words; `longest` are the free stretches of wall at its depth and height, mm, if any variant
+    stands at a wall; `room` is the room's size and what it holds.
     """
     kind, (width, depth, _) = least
     size = f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"

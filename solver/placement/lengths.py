@@ -28,13 +28,10 @@ ALONG = ("from west to east", "from north to south")
 
 @dataclass(frozen=True)
 class Shortfall:
-    """By how much a room is too short for some pieces.
+    """By how much a room is too short for some pieces along the axis (0: x, 1: z) where that is least, in whole millimetres.
 
-    Args:
-        axis: 0 for x, 1 for z: along which it is least.
-        missing_mm: the least whole millimetres by which it must be longer.
-        clear_mm: what is clear along that axis.
-        lengths: from wall to wall, which add up to clear_mm + missing_mm; empty where no single chain says why.
+    `clear_mm` is what is clear along it. `lengths` are those from wall to wall, which add up to clear_mm + missing_mm; none where no single
+    chain says why.
     """
 
     axis: int

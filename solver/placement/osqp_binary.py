@@ -30,11 +30,7 @@ _SOLVED: Final = 1
 class SparseColumns(NamedTuple):
     """A sparse matrix by columns, its parts under the names that scipy gives them.
 
-    Args:
-        shape: how many rows and columns.
-        data: values.
-        indices: their rows, ascending in a column.
-        indptr: where each column begins and the last ends.
+    `indices` are the rows of `data`, ascending in a column; `indptr` is where each column begins and the last ends.
     """
 
     shape: tuple[int, int]

@@ -145,13 +145,10 @@ class Solution:
 
 @dataclass(frozen=True)
 class Force:
-    """What keeps a variable from going where it is drawn.
+    """What keeps a variable from going where it is drawn: a difference row; a bound is one against ORIGIN.
 
-    Args:
-        row: the difference row; a bound is a row against ORIGIN.
-        per_m: what a metre more room would save, m^-1.
-        choice: the number of the room's choice that took the row; None for bounds and what always holds.
-        bound: whether it is a bound of the variable.
+    `per_m` is what a metre more room would save, m^-1; `choice` the number of the room's choice that took the row, None for what always
+    holds.
     """
 
     row: DifferenceRow
@@ -162,13 +159,10 @@ class Force:
 
 @dataclass(frozen=True)
 class Confirmed:
-    """A room's final positions, m, and how exactly they are the optimum.
+    """A room's final positions, m, by axis and variable, and how exactly they are the optimum; None where the solver does not say.
 
-    Args:
-        positions: by axis and variable.
-        residuals: None where the solver says nothing of them.
-        holding: of every row that holds something axis, i, j, s, the number of its choice, or -1, whether it is a bound, and what a metre
-            more room would save: a float in the bits of a whole number.
+    `holding` has of every row that holds something axis, i, j, s, the number of its choice, or -1, whether it is a bound, and what a metre
+    more room would save: a float in the bits of a whole number.
     """
 
     positions: Positions

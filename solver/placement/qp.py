@@ -60,9 +60,7 @@ class Solved(Protocol):
 class OptimumRefuted(Exception):
     """OSQP finds another optimum than the one that was called proven: a fault of ours.
 
-    Args:
-        problem: the room's; where it is not laid out for reading, the numbers of `struct FinalProblem`.
-        solution: what was called its optimum; None where it is among these.
+    Where the problem is not laid out for reading it is the numbers of `struct FinalProblem`, and the solution is among these.
     """
 
     def __init__(self, problem: Problem | bytes, solution: Solution | None = None) -> None:

@@ -115,11 +115,7 @@ def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals
 class _Placing:
     """The pieces of a room that stand, as the core told them; called, it makes them.
 
-    Args:
-        names: what the numbers mean.
-        wanted: what the wanted pieces are called by.
-        ways: how those that stand were placed.
-        standing: the same as bodies.
+    `wanted` is what the wanted pieces are called by, `ways` is how those that stand were placed, `standing` the same as bodies.
     """
 
     names: RowNames

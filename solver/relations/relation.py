@@ -29,11 +29,8 @@ NEAR_PULL, ALIGN_PULL = 0.2, 0.5
 class Tolerance(NamedTuple):
     """How exactly a relation is meant.
 
-    Args:
-        nearly_mm: how far from a corner or a middle still counts as there.
-        flush_mm: how far apart backs or fronts in line may be.
-        inside_mm: how far inside any other bound.
-        shared: least part of the shorter one's length that two pieces side by side share.
+    Still there is what is `nearly_mm` from a corner or a middle, `flush_mm` out of line with another's back or front, `inside_mm` inside
+    any other bound; two pieces side by side share at least this part of the shorter one's length (`shared`).
     """
 
     nearly_mm: int

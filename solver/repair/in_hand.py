@@ -27,13 +27,10 @@ PERSON_WEIGHT = 0.05
 
 @dataclass(frozen=True)
 class InHand:
-    """What may move in a room.
+    """What may move in a room: pieces, each with its ways, parents before what is attached to them, and the number of the one in hand.
 
-    Args:
-        pieces: of the placement problem, each with its ways; parents before what is attached to them.
-        held: the number of the piece in hand.
-        reaches: how far each piece may go between frames, mm.
-        riders: by id of everything in the room that moves: the number of the piece, standing free, that takes it along.
+    `reaches` is how far each piece may go between frames, mm; `riders` has by id of everything in the room that moves the number of the
+    piece, standing free, that takes it along.
     """
 
     pieces: tuple[Piece, ...]

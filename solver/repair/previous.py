@@ -21,13 +21,9 @@ Poses = Mapping[str, Pose]
 
 @dataclass(frozen=True)
 class LastAnswer:
-    """The last answer, as seen from the next question.
+    """The last answer, as seen from the next question: its poses by id, of a room's pieces in its clear rectangle.
 
-    Args:
-        pieces: all pieces of the room.
-        clear: its clear rectangle.
-        poses: of the last answer, by id.
-        moved: ids of what was just moved: that is not bound to its pose.
+    What was just `moved` is not bound to its pose.
     """
 
     pieces: Sequence[Piece]
@@ -54,8 +50,7 @@ class LastAnswer:
     def places(self) -> tuple[tuple[Piece, Rect | None], ...] | None:
         """Returns every piece in the way it stood in, and its place; none for those that stand where another takes them.
 
-        Returns:
-            In the pieces' order, those without a pose where they are wished; None where one has no such way.
+        In the pieces' order, those without a pose where they are wished; None where one has no such way.
         """
         found = []
         for piece in self.pieces:

@@ -43,13 +43,10 @@ MOST_BESIDE = 20
 
 @dataclass(frozen=True)
 class _Known:
-    """What decides where a room's floating furniture goes.
+    """What decides where a room's floating furniture goes; `moved` are ids of what was just moved.
 
-    Args:
-        problem: the room.
-        moved: ids of what was just moved.
-        carriers: by name of a piece, the names of what carries it by some room type's rules.
-        bound: names of pieces that no room type wants elsewhere than on another.
+    `carriers` are by name of a piece the names of what carries it by some room type's rules, `bound` names of pieces that no room type
+    wants elsewhere than on another.
     """
 
     problem: RoomProblem

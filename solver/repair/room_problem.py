@@ -17,13 +17,7 @@ Edge = tuple[str, int, int, int]
 
 @dataclass(frozen=True)
 class Walls:
-    """The walls of a room, mm.
-
-    Args:
-        clear: the bounding rectangle of the wall lines, half a wall in.
-        half_mm: half a wall's thickness.
-        edges: its wall lines.
-    """
+    """The walls of a room, mm: half their thickness, the wall lines, and the rectangle around these, half a wall in (`clear`)."""
 
     clear: Rect
     half_mm: int
@@ -43,15 +37,10 @@ class Walls:
 
 @dataclass(frozen=True)
 class RoomProblem:
-    """A room to be repaired.
+    """A room to be repaired, as sent: where its furniture may stand, at which walls, and what the validator says of it.
 
-    Args:
-        room: as sent.
-        space: where its furniture may stand.
-        walls: what its furniture may stand at.
-        settings: what stays, what was moved, where all was in the last answer, and what the repair may cost.
-        errors: what the validator says of it.
-        ceiling: how high it is, m; without end where nothing says it, and outdoors.
+    `settings` say what stays, what was moved, where all was in the last answer, and what the repair may cost. `ceiling` is how high it is,
+    m; without end where nothing says it, and outdoors.
     """
 
     room: Room

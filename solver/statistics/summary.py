@@ -15,16 +15,11 @@ SHOWN: Final = 20
 
 
 def summary(houses: Sequence[House], rules: Iterable[str]) -> Document:
-    """Returns what houses show together.
+    """Returns what houses, one at least, show together; `rules` are all there are, so that those nothing breaks are named too.
 
-    Args:
-        houses: one at least.
-        rules: all that the validator knows, so that those nothing breaks are named too.
-
-    Returns:
-        `count`; `home`: a spread (p10, median, p90, mean) for every figure of a house; `shares` of the houses; `variety`: how many
-        different graphs; `use_sides` wanted and reached; `styles`; `rules`: for each its issues, and the houses they are in;
-        `issues`: the first of them with their seeds; `rooms`: the same by room type; `left_out`: pieces left out by the reason why.
+    `count`; `home`: a spread (p10, median, p90, mean) for every figure of a house; `shares` of the houses; `variety`: how many different
+    graphs; `use_sides` wanted and reached; `styles`; `rules`: for each its issues, and the houses they are in; `issues`: the first of them
+    with their seeds; `rooms`: the same by room type; `left_out`: pieces left out by the reason why.
     """
     return {
         "count": len(houses),
