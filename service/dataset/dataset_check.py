@@ -7,7 +7,7 @@ import tarfile
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from hashlib import sha256
+from hashlib import file_digest, sha256
 from pathlib import Path
 from typing import Any, Final
 
@@ -16,7 +16,7 @@ import pyarrow.parquet as pq
 from catalogs import Catalogs
 from service.dataset.dataset_plan import again, made_home, split_of
 from service.dataset.dataset_reading import rows_of_houses
-from service.dataset.manifest import manifest_of, records_of
+from service.dataset.manifest import digest_of, manifest_of, records_of
 from service.dataset.table_schemas import SCHEMAS
 from solver.exchange import load_text, read_scene
 from solver.plain import Document
@@ -68,13 +68,11 @@ def _chosen(seeds: list[int], sample: int | None) -> set[int]:
 
 
 def _of_manifest(manifest: Document, records: list[Document]) -> Iterator[str]:
-    digest, counts = sha256(), Counter[str]()
+    digest, counts = digest_of(records), Counter[str]()
     for record in records:
-        for seed, one in record["digests"].items():
-            digest.update(f"{seed} {one}\n".encode())
         counts.update(record["rows"])
-    if digest.hexdigest() != manifest["digest"]:
-        yield f"the homes' digest is {digest.hexdigest()[:16]}, and the manifest says {manifest['digest'][:16]}"
+    if digest != manifest["digest"]:
+        yield f"the homes' digest is {digest[:16]}, and the manifest says {manifest['digest'][:16]}"
     if dict(counts) != manifest["rows"]:
         yield f"the shards hold {dict(counts)} rows, and the manifest says {manifest['rows']}"
 
@@ -103,11 +101,8 @@ def _of_files(folder: Path, record: Document) -> Iterator[str]:
 
 
 def _digest(path: Path) -> str:
-    digest = sha256()
     with path.open("rb") as file:
-        while content := file.read(1 << 20):
-            digest.update(content)
-    return digest.hexdigest()
+        return file_digest(file, sha256).hexdigest()
 
 
 def _of_row(row: Document, digests: dict[int, str]) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, Final
@@ -65,10 +65,16 @@ def manifest_of(folder: Path) -> Document:
     return found
 
 
-def write_manifest(folder: Path, identity: Mapping[str, Any], records: Iterable[Document]) -> Document:
+def digest_of(records: Iterable[Document]) -> str:
+    """Returns the digest of all homes of shards, by their own."""
+    lines = (f"{seed} {digest}\n" for record in records for seed, digest in record["digests"].items())
+    return sha256("".join(lines).encode()).hexdigest()
+
+
+def write_manifest(folder: Path, identity: Mapping[str, Any], records: Sequence[Document]) -> Document:
     """Writes what all shards amount to, and returns it."""
     counts: dict[str, Counter[str]] = {name: Counter() for name in _OF_SHARDS}
-    digest, ranges = sha256(), list[list[int]]()
+    ranges = list[list[int]]()
     for record in records:
         for name, found in counts.items():
             found.update(record[name])
@@ -76,10 +82,8 @@ def write_manifest(folder: Path, identity: Mapping[str, Any], records: Iterable[
             ranges[-1][1] = record["last"]
         else:
             ranges.append([record["first"], record["last"]])
-        for seed, one in record["digests"].items():
-            digest.update(f"{seed} {one}\n".encode())
     told = {name: dict(sorted(found.items())) for name, found in counts.items()}
-    manifest = {**identity, "seeds": ranges, "homes": sum(counts["splits"].values()), **told, "digest": digest.hexdigest()}
+    manifest = {**identity, "seeds": ranges, "homes": sum(counts["splits"].values()), **told, "digest": digest_of(records)}
     write_whole(folder / MANIFEST, (json.dumps(manifest, indent=2) + "\n").encode())
     return manifest
 

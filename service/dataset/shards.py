@@ -13,7 +13,7 @@ import tarfile
 from collections import Counter
 from contextlib import ExitStack
 from functools import cache, partial
-from hashlib import sha256
+from hashlib import file_digest, sha256
 from importlib.machinery import BuiltinImporter
 from pathlib import Path
 from typing import Final
@@ -125,9 +125,7 @@ class _ShardFiles:
         files = {}
         for name, part in sorted(self._parts.items()):
             with part.open("rb+") as file:
-                digest = sha256()
-                while content := file.read(1 << 20):
-                    digest.update(content)
+                digest = file_digest(file, sha256)
                 os.fsync(file.fileno())
             files[name] = {"sha256": digest.hexdigest(), "bytes": part.stat().st_size}
             part.replace(self.plan.folder / name)

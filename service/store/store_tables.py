@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 from sqlalchemy import BigInteger, Column, ForeignKey, Index, Integer, LargeBinary, MetaData, Table, Text
+from sqlalchemy.types import TypeEngine
 
 TABLES: Final = MetaData()
 
-OWNERS: Final = Table(
-    "owners",
-    TABLES,
-    Column("name", Text, primary_key=True),
-    Column("homes", Integer, nullable=False),
-    Column("bytes", BigInteger, nullable=False),
-)
+
+def _said(kind: type[TypeEngine[Any]], *names: str) -> list[Column[Any]]:
+    """Returns columns that are never null."""
+    return [Column(name, kind, nullable=False) for name in names]
+
+
+OWNERS: Final = Table("owners", TABLES, Column("name", Text, primary_key=True), *_said(Integer, "homes"), *_said(BigInteger, "bytes"))
 """What each owner has: counted where it is changed, so that a limit holds however many save at once."""
 HOMES: Final = Table(
     "homes",
     TABLES,
     Column("id", Text, primary_key=True),
-    Column("owner", Text, nullable=False),
-    Column("name", Text, nullable=False),
-    Column("notes", Text, nullable=False),
-    Column("tags", Text, nullable=False),
-    Column("words", Text, nullable=False),
-    Column("created", BigInteger, nullable=False),
-    Column("changed", BigInteger, nullable=False),
-    Column("revision", Integer, nullable=False),
-    Column("version", Integer, nullable=False),
-    Column("rooms", Integer, nullable=False),
+    *_said(Text, "owner", "name", "notes", "tags", "words"),
+    *_said(BigInteger, "created", "changed"),
+    *_said(Integer, "revision", "version", "rooms"),
     Column("picture", LargeBinary),
     Column("picture_type", Text),
     Index("homes_by_change", "owner", "changed", "id"),
@@ -43,25 +37,20 @@ VERSIONS: Final = Table(
     TABLES,
     Column("home", Text, ForeignKey("homes.id", ondelete="CASCADE"), primary_key=True),
     Column("number", Integer, primary_key=True),
-    Column("made", BigInteger, nullable=False),
-    Column("scene", LargeBinary, nullable=False),
+    *_said(BigInteger, "made"),
+    *_said(LargeBinary, "scene"),
 )
 """`scene` is its JSON, packed by zlib."""
 JOBS: Final = Table(
     "jobs",
     TABLES,
     Column("id", Text, primary_key=True),
-    Column("owner", Text, nullable=False),
-    Column("call", Text, nullable=False),
-    Column("asked", LargeBinary, nullable=False),
-    Column("state", Text, nullable=False),
-    Column("count", Integer, nullable=False),
-    Column("done", Integer, nullable=False),
-    Column("refused", Integer, nullable=False),
-    Column("created", BigInteger, nullable=False),
-    Column("changed", BigInteger, nullable=False),
-    Column("beat", BigInteger, nullable=False),
-    Column("runner", Text, nullable=False),
+    *_said(Text, "owner", "call"),
+    *_said(LargeBinary, "asked"),
+    *_said(Text, "state"),
+    *_said(Integer, "count", "done", "refused"),
+    *_said(BigInteger, "created", "changed", "beat"),
+    *_said(Text, "runner"),
     Index("jobs_by_state", "state", "created"),
 )
 """`asked` is a JSON list of the bodies of its calls, packed by zlib; `beat` is when `runner`, who runs it, last said that it lives."""
@@ -70,8 +59,8 @@ RESULTS: Final = Table(
     TABLES,
     Column("job", Text, ForeignKey("jobs.id", ondelete="CASCADE"), primary_key=True),
     Column("number", Integer, primary_key=True),
-    Column("status", Integer, nullable=False),
-    Column("media_type", Text, nullable=False),
-    Column("content", LargeBinary, nullable=False),
+    *_said(Integer, "status"),
+    *_said(Text, "media_type"),
+    *_said(LargeBinary, "content"),
 )
 """`content` is what was answered, packed by zlib."""
