@@ -41,6 +41,12 @@ def test_a_default_house_has_no_error(seed: int) -> None:
     assert sum(len(room.furniture) for room in made.scene.rooms) >= 40
 
 
+@pytest.mark.parametrize("fields", [{"seed": 147}, {"seed": 147, "outdoor": True}, {"seed": 54, "min_room_size": 2.4}])
+def test_tall_doors_open_beside_the_board_of_a_window(fields: dict[str, Any]) -> None:
+    """What only just fits between a passage and a wall stood flush with that wall, and its door met the sill board there."""
+    assert [issue.message for issue in generate(Request(**fields)).issues] == []
+
+
 @examples(20)
 @given(
     seed=st.integers(0, 2**53 - 1),

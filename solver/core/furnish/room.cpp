@@ -4,6 +4,8 @@ namespace furnish {
 
 // Depth of the floor before a garage door where only cars are wished.
 constexpr i64 GATE_MM = 1000;
+// How far sill boards stand out into a room (solver/wall_fittings.py).
+constexpr i64 SILL_PROUD_MM = 30;
 
 WallOccupancy::WallOccupancy(const Scope& scope) : scope_(scope) {
   for (const Opened& one : scope.openings) {
@@ -21,6 +23,23 @@ static bool meets_any(const Rect& footprint, const List<Rect>& rects) {
 bool WallOccupancy::is_occupied(const Rect& footprint) const { return meets_any(footprint, taken_); }
 
 bool WallOccupancy::is_before_gate(const Rect& footprint) const { return meets_any(footprint, gates_); }
+
+Rect opened_within(const Scope& scope, i64 height) {
+  Rect within = scope.clear;
+  bool above = false;
+  for (const Zone& zone : scope.zones) above = above || (zone.above >= 0 && zone.above < height);
+  for (const Opened& one : scope.openings) {
+    if (!above || one.kind != Opening::window) continue;
+    const Rect off = scope.clear.shrunk(SILL_PROUD_MM);
+    switch (one.wall) {
+      case Wall::north: within.z0 = off.z0; break;
+      case Wall::south: within.z1 = off.z1; break;
+      case Wall::east: within.x1 = off.x1; break;
+      default: within.x0 = off.x0;
+    }
+  }
+  return within;
+}
 
 List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
   stable_sort(blocked, [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });

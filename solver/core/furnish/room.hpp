@@ -55,6 +55,9 @@ struct Scope {
   }
 };
 
+// Where fronts of a piece so high open and meet no sill board: off the walls with windows, where it reaches above a sill.
+Rect opened_within(const Scope& scope, i64 height);
+
 // What intervals leave free of a whole interval, from its low end up; they are sorted.
 List<Interval> gaps_between(Interval whole, Span<Interval> blocked);
 

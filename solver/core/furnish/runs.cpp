@@ -33,6 +33,7 @@ class RunPlanner {
   bool has_aisle(const Legs& legs) const;
   bool place(const Legs& legs, Span<Candidate> places) const;
   void add_member(i32 word, const Traits& said);
+  List<Interval> stretches(Wall wall, i32 number) const;
   void add_effects(i32 word);
   void add_follower(const Leaving& wish, i32 kind);
   Subject subject(i32 word);
@@ -101,7 +102,7 @@ void RunPlanner::add_member(i32 word, const Traits& said) {
     List<Interval>* free = &free_[4 * variant.kind];
     for (Wall wall : WALLS) {
       List<Interval>& found = free[static_cast<i32>(wall)];
-      if (found.size() == 0) found = walls_.stretches(wall, kind, false);
+      if (found.size() == 0) found = stretches(wall, variant.kind);
     }
     items[k] = {word, variant.kind, variant.cost, kind.width, kind.depth, works ? kind.width : 0, said, {nullptr, nullptr}, free};
   }
@@ -114,6 +115,18 @@ void RunPlanner::add_member(i32 word, const Traits& said) {
       item.traits.set(static_cast<Trait>(CORNER_TRAIT + all[k].corner), 1);
     }
   }
+}
+
+// The clear stretches of a wall for a kind, less what its fronts would not open in.
+List<Interval> RunPlanner::stretches(Wall wall, i32 number) const {
+  const Kind& kind = type_.kinds[number];
+  List<Interval> found = walls_.stretches(wall, kind, false);
+  for (const Comfort& comfort : type_.comforts_of(kind)) {
+    if (!comfort.opens) continue;
+    const Interval within = opened_within(scope_, kind.height).along(wall);
+    for (Interval& one : found) one = {most(one.low, within.low), least(one.high, within.high)};
+  }
+  return found;
 }
 
 // Keeps what the rules of a piece ask of the room alone.

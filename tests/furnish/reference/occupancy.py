@@ -2,8 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 from solver.geometry import Rect, gaps_between, strip
-from solver.pieces import Space
+from solver.pieces import Piece, Space
+from solver.relations.subject import Scope
+
+SILL_PROUD_MM = 30
+"""How far sill boards stand out into a room."""
+
+
+def off_boards(scope: Scope, space: Space, height_mm: int) -> Rect:
+    """Returns where fronts of a piece so high open and meet no sill board: off the walls with windows, where it reaches above a sill."""
+    if not any(0 <= zone.above_mm < height_mm for zone in space.zones):
+        return scope.clear
+    x0, z0, x1, z1 = scope.clear
+    walls = {one.wall for one in scope.opened("window")}
+    west, north, east, south = (SILL_PROUD_MM * (wall in walls) for wall in ("west", "north", "east", "south"))
+    return Rect(x0 + west, z0 + north, x1 - east, z1 - south)
+
+
+def opened_off_boards(piece: Piece, within: Callable[[str], Rect | None]) -> Piece:
+    """Returns a wanted piece; if it is floor that fronts open over, within what is so for the kind that it is about."""
+    if not piece.label.startswith("floor opened over"):
+        return piece
+    ways = [one if one.under or not one.attach else replace(one, within=within(one.attach.parent_kind)) for one in piece.candidates]
+    return replace(piece, candidates=tuple(ways))
 
 
 class TakenWalls:
@@ -12,10 +37,11 @@ class TakenWalls:
     Args:
         space: the room's clear rectangle, zones and doorways.
         gates: the floor before garage doors; no rule keeps it free, but it is no place for a shelf either.
+        opened: where the fronts of a kind open; None for one that has none.
     """
 
-    def __init__(self, space: Space, gates: tuple[Rect, ...] = ()) -> None:
-        self.space, self.gates = space, gates
+    def __init__(self, space: Space, gates: tuple[Rect, ...], opened: Callable[[str], Rect | None]) -> None:
+        self.space, self.gates, self.opened = space, gates, opened
         self._taken: list[Rect] = []
 
     def stretches(self, wall: str, depth_mm: int, height_mm: int, occupied: bool = True) -> list[tuple[int, int]]:

@@ -85,7 +85,7 @@ class _Planner:
     def __init__(self, scope: Scope, walls: TakenWalls, run: Run, pieces: Mapping[str, CountedPiece]) -> None:
         self.scope, self.run, self.pieces = scope, run, pieces
         self._walls = walls
-        self._free: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
+        self._free: dict[tuple[str, str], list[tuple[int, int]]] = {}
         names = {name for order in run.orders for name in order if name in pieces}
         self._costs = {name: self._asked(pieces[name]) for name in names}
 
@@ -96,11 +96,13 @@ class _Planner:
         return [effect.cost_of for effect in effects if effect.cost_of]
 
     def free(self, wall: str, kind: Kind) -> list[tuple[int, int]]:
-        """Returns the clear stretches of a wall for a kind."""
+        """Returns the clear stretches of a wall for a kind, less what its fronts would not open in."""
         _, depth, height = kind.size
-        key = (wall, depth, height)
+        key = (wall, kind.name)
         if key not in self._free:
-            self._free[key] = self._walls.stretches(wall, depth, height, occupied=False)
+            low, high = (self._walls.opened(kind.name) or self.scope.clear).along(wall)
+            stretches = self._walls.stretches(wall, depth, height, occupied=False)
+            self._free[key] = [(max(start, low), min(stop, high)) for start, stop in stretches]
         return self._free[key]
 
     def drawn(self, stream: Stream) -> Drawn:

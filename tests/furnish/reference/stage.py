@@ -8,11 +8,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType
 from solver.furnish import scope_of
-from solver.geometry import Rect, rotate, strip, turned, wall_faced
+from solver.furnish.floor_about import floors_about
+from solver.geometry import Rect, rotate, strip, to_mm, turned, wall_faced
 from solver.pieces import Candidate, Piece, Space, Stand
 from solver.relations import RELATIONS
 from solver.relations.subject import Kind, Parent, Scope, Subject
@@ -21,7 +23,7 @@ from solver.streams import Stream
 from tests.furnish.reference.comfort import with_comfort
 from tests.furnish.reference.drawn import CountedPiece, Preferences, count, drawn_preferences, ordered
 from tests.furnish.reference.effects import Effect, beside_windows, effect_of
-from tests.furnish.reference.occupancy import TakenWalls
+from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off_boards
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
 from tests.furnish.reference.slots import faces
@@ -62,7 +64,8 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
         return ()
     scope = scope_of(room, space)
     gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in scope.opened("garage_door"))
-    furnisher = _Furnisher(scope, TakenWalls(space, gates), catalogs)
+    opened = partial(_opened_within, scope, space, catalogs)
+    furnisher = _Furnisher(scope, TakenWalls(space, gates, opened), catalogs)
     counted = _counted(room_type, catalogs, room.floor_m2, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
@@ -75,7 +78,15 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
             if not furnisher.add(one, number, drawn_preferences(stream), run.get(one.spec.piece)):
                 break
     worktop = room_type.run.worktop if room_type.run else ()
-    return with_comfort(furnisher.pieces, catalogs, {name for order in orders for name in order}, worktop)
+    wanted = with_comfort(furnisher.pieces, catalogs, {name for order in orders for name in order}, worktop)
+    return tuple(opened_off_boards(piece, opened) for piece in wanted)
+
+
+def _opened_within(scope: Scope, space: Space, catalogs: Catalogs, kind: str) -> Rect | None:
+    """Returns where the fronts of a kind open; None for one that has none."""
+    spec = catalogs.furniture.get(kind)
+    opens = spec and any(one.opens for one in floors_about(spec, catalogs.shapes.get(kind, ())))
+    return off_boards(scope, space, to_mm(spec.size[2])) if spec and opens else None
 
 
 def _counted(room_type: RoomType, catalogs: Catalogs, area: float, stream: Stream) -> list[CountedPiece]:
