@@ -16,7 +16,7 @@ from solver.floorplan import FloorPlan, draw
 from solver.request import Request
 from solver.scene import EXTERIOR
 from tests.floorplan import checks, homes
-from tests.sweeps import examples
+from tests.sweeps import examples, times
 
 CATALOGS = load_catalogs()
 IMPLIED = {"bedrooms": 1, "bathrooms": 1, "living_room": 1, "kitchen": 1, "foyer": 1}
@@ -207,3 +207,12 @@ def test_a_studio_furnished_anew_keeps_a_bed() -> None:
     again = reroll(scene, [living], seed=5).scene
     room = next(room for room in again.rooms if room.id == living)
     assert any(body.name in ("bed", "single_bed") for body in room.furniture)
+
+
+@pytest.mark.parametrize("robot_width", [0.9, 1.0, 1.1, 1.3])
+def test_who_only_just_fits_into_a_hallway_stands_in_it(robot_width: float) -> None:
+    for seed in range(times(300, 100)):
+        for programme in ("family", "large"):
+            plan = planned(seed=seed, program=programme, robot_width=robot_width)
+            halls = [(one.width - 0.1 - robot_width, one.depth - 0.1 - robot_width) for one in plan.rooms if one.type == "hallway"]
+            assert all(min(hall) > 0 and hall[0] * hall[1] > 0.25 - 1e-9 for hall in halls), seed

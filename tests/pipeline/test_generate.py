@@ -67,7 +67,7 @@ def test_any_request_gives_a_house_without_errors(**fields: Any) -> None:
     assert read_scene(load_text(text, "yaml")) == made.scene
 
 
-@pytest.mark.parametrize("robot_width", [1.0, 1.2])
+@pytest.mark.parametrize("robot_width", [1.0, 1.2, 1.3])
 @pytest.mark.parametrize("program", ["family", "studio", None])
 def test_doors_are_as_wide_as_what_has_to_pass_them(program: str | None, robot_width: float) -> None:
     for seed in range(500, 503):
@@ -75,6 +75,7 @@ def test_doors_are_as_wide_as_what_has_to_pass_them(program: str | None, robot_w
         assert [issue.message for issue in made.issues if issue.severity == "error"] == []
         doors = [one.width for room in made.scene.rooms for one in room.openings if one.kind == "door"]
         assert doors and min(doors) == max(0.9, robot_width)
+        assert min(one.width for room in made.scene.rooms for one in room.openings if one.kind == "passage") >= robot_width
 
 
 def test_the_same_request_gives_the_same_bytes_in_this_process_and_in_company() -> None:

@@ -6,7 +6,8 @@ namespace homes {
 
 namespace {
 
-// A room outside its limits of area, width or aspect.
+// A room outside its limits of area, width or aspect; a hallway less than two thirds longer than it is wide, in which whoever only just fits
+// has nowhere to go.
 constexpr f64 SHORT = 20.0;
 // A room that can only be entered through one that should not be walked through; an own bathroom away from its bedroom.
 constexpr f64 UNREACHED = 30.0;
@@ -116,6 +117,12 @@ f64 Judge::sizes(const Sheet& sheet, i64& short_rooms) const {
       const f64 missed = most(ratio(size.least, most<i64>(floor, 1)), ratio(floor, size.most));
       cost += SHORT * (1.0 + most(missed, ratio(size.width, most<i64>(low, 1))) - 1.0);
     }
+  }
+  for (i32 i = 0; i < sheet.hallways; i++) {
+    const Rect& box = sheet.boxes[sheet.rooms + i];
+    if (3 * most(box.width(), box.depth()) >= 5 * least(box.width(), box.depth())) continue;
+    short_rooms++;
+    cost += SHORT;
   }
   return cost;
 }

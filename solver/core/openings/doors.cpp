@@ -45,7 +45,7 @@ Forms forms_of(const House& house, const Joint& joint, i64 number) {
     forms.add(with_leaf(door, second));
   }
   const bool wide = joint.length() >= (a.has(HALLWAY) && b.has(HALLWAY) ? house.header.hallway : WIDE_WALL_MM);
-  const i64 widths[] = {wide ? WIDE_MM : house.header.leaf, house.header.leaf};
+  const i64 widths[] = {wide ? most(WIDE_MM, house.header.leaf) : house.header.leaf, house.header.leaf};
   for (const i64 width : widths) {
     forms.add({CutKind::passage, number, joint.a, joint.wall, joint.b, 0, width, NONE, 0});
   }

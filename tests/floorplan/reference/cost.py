@@ -18,7 +18,7 @@ from tests.floorplan.reference.asked import door_wall
 from tests.floorplan.reference.drafts import Sheet
 
 SHORT: Final = 20.0
-"""A room outside its limits of area, width or aspect."""
+"""A room outside its limits of area, width or aspect; a hallway less than two thirds longer than it is wide."""
 UNREACHED: Final = 30.0
 """A room that can only be entered through one that should not be walked through; an own bathroom away from its bedroom."""
 STREETLESS: Final = 30.0
@@ -93,6 +93,10 @@ class HomeJudge:
     def verdict(self, sheet: Sheet) -> HomeVerdict:
         """Judges a drawing."""
         sizes, short = self._sizes(sheet.boxes)
+        stubs = sum(3 * max(box.width, box.depth) < 5 * min(box.width, box.depth) for box in sheet.hallways)
+        for _ in range(stubs):
+            sizes += SHORT
+        short += stubs
         met = touching([*sheet.boxes, *sheet.hallways])
         beside = _beside(sheet, met)
         unreached, at_entrance, others, past_kitchen, between = self._access(beside, sheet)

@@ -305,7 +305,8 @@ def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:
 def _passage(doorways: Doorways, joint: Joint, number: int) -> Cut:
     halls = doorways.types[joint.a] == doorways.types[joint.b] == "hallway"
     wide = joint.length >= (doorways.layout.walls.hallway if halls else WIDE_WALL_MM)
-    return Cut(f"passage_{number}", "passage", joint.a, joint.wall, joint.b, 0, WIDE_MM if wide else doorways.leaf_mm)
+    width = max(WIDE_MM * wide, doorways.leaf_mm)
+    return Cut(f"passage_{number}", "passage", joint.a, joint.wall, joint.b, 0, width)
 
 
 def place_garage_doors(doorways: Doorways) -> tuple[str, ...]:
