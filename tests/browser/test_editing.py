@@ -196,6 +196,19 @@ def test_arrow_keys_alone_move_a_piece_the_way_they_point(visit: Visit) -> None:
     assert bench.errors() == []
 
 
+def test_an_arrow_key_on_a_locked_piece_says_why_it_stays_and_offers_to_unlock_it(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 1, 1, locked=True)))
+    bench.choose(ONE)
+    bench.press("ArrowRight")
+    expect(bench.page.locator("#conflict")).to_contain_text("is locked: it stays where it is")
+    bench.page.locator("#conflict").get_by_role("button", name="Unlock").click()
+    bench.rest()
+    bench.press("ArrowRight")
+    expect(bench.page.locator("#conflict")).to_be_hidden()
+    assert poses(bench.scene())[ONE] == pytest.approx((1.05, 1, 0), abs=1e-6)
+    assert bench.errors() == []
+
+
 def test_a_conflict_is_said_in_the_services_words_and_a_repair_ends_it(visit: Visit) -> None:
     bench = Bench(visit, den(crate(OTHER, 1.1, 1.1, 1.8, locked=True), width=2.2, depth=2.2))
     bench.press("a")

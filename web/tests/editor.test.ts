@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Conflict } from "../src/contract";
+import { Acts } from "../src/edit/acts";
 import { bench, house, ONE, OTHER, pushed, turn } from "./edit_bench";
 import { room, scene } from "./rooms";
 
@@ -273,6 +274,38 @@ describe("single edits", () => {
     await turn();
     await call(1).answer();
     expect(home.find(OTHER)).toBeNull();
+  });
+
+  it("of what is locked, and of nothing else, are refused with why and an unlocking, which asks for no move", async () => {
+    const { editor, call, calls, home, said } = bench();
+    const acts = new Acts(home, editor);
+    home.choose(["den/held"]);
+    for (const act of [() => acts.nudge(0.05, 0), () => acts.turn(90), () => acts.remove()]) {
+      act();
+      const refusal = said.refused.pop();
+      expect(refusal?.conflicts.map(({ ids, message }) => [ids, message])).toEqual([[["den/held"], "The held is locked: it stays where it is"]]);
+    }
+    await turn();
+    expect([calls.length, said.refused.length]).toEqual([0, 0]);
+    acts.turn(90);
+    const refusal = said.refused.pop();
+    if (refusal?.conflicts[0]?.repairs[0]) editor.take(refusal, refusal.conflicts[0].repairs[0]);
+    await turn();
+    expect(call(0).request.moved).toEqual([]);
+    await call(0).answer();
+    expect([home.locked.size, home.find("den/held")?.piece.x]).toEqual([0, 5]);
+    acts.turn(90);
+    await turn();
+    expect(call(1).request.moved).toEqual(["den/held"]);
+  });
+
+  it("of several, one of which is locked, change the others and say nothing", async () => {
+    const { editor, call, home, said } = bench();
+    home.choose(["den/held", ONE]);
+    new Acts(home, editor).nudge(0.05, 0);
+    await turn();
+    expect(call(0).request.moved).toEqual([ONE]);
+    expect(said.refused.filter((refusal) => refusal !== null)).toEqual([]);
   });
 
   it("do not begin while a piece is in hand, and undo waits for what is under way", async () => {

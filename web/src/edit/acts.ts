@@ -3,8 +3,10 @@ import type { Decoration, Furniture, OtherWay, Room, Scene } from "../contract";
 import type { Home } from "../state/home";
 import type { Editor } from "./editor";
 import { aligned, changedPiece, changedThing, clipped, pasted, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
+import { say } from "../words/language";
 import { without } from "./scene_edits";
 import type { Draft } from "./wishes";
+import { pieceWords } from "./words";
 
 /** How far beside what was copied its copy is wished [m]. */
 const BESIDE = 0.1;
@@ -36,6 +38,20 @@ export class Acts {
     });
   }
 
+  /** Tells that all that is chosen is locked, where it is, and offers to unlock it. */
+  #stays(): boolean {
+    const { scene, chosen } = this.home;
+    const held = chosen.flatMap((id) => this.home.find(id) ?? []).filter(({ piece }) => piece.locked);
+    const room = held[0]?.room.id;
+    if (!scene || room === undefined || this.canChange) return false;
+    const conflicts = held.map(({ piece: { id, rotation } }) => ({
+      ids: [id], message: say("The {piece} is locked: it stays where it is", { piece: pieceWords(id) }),
+      repairs: [{ action: "unlock", id, dx: 0, dz: 0, rotation: rotation ?? 0 } as const],
+    }));
+    this.editor.words.refused({ sent: scene, moved: [], room, conflicts, live: false });
+    return true;
+  }
+
   #pieceIn(scene: Scene | null, id: string): Furniture | undefined {
     return scene?.rooms.flatMap((room) => room.furniture).find((piece) => piece.id === id);
   }
@@ -63,11 +79,13 @@ export class Acts {
   }
 
   nudge(dx: number, dz: number): void {
+    if (this.#stays()) return;
     if (this.#only !== null) this.editor.nudge(this.#only, dx, dz);
     else this.#each((scene, ids) => shifted(scene, ids, dx, dz));
   }
 
   turn(degrees: number): void {
+    if (this.#stays()) return;
     for (const id of this.home.chosen) {
       const thing = this.thing(id)?.thing;
       if (thing?.mounted_on_wall) continue;
@@ -83,6 +101,7 @@ export class Acts {
   }
 
   remove(): void {
+    if (this.#stays()) return;
     if (this.#only !== null) this.editor.remove(this.#only);
     else this.#each((scene, ids) => ids.reduce((left, id) => (this.#pieceIn(left, id) ? without(left, id) : withoutThing(left, id)), scene));
   }
