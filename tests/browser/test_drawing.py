@@ -154,7 +154,7 @@ def test_the_tools_are_one_row_of_a_laptop_and_nothing_is_said_of_the_home_befor
     page = board.page
     before = page.viewport_size
     tools = page.locator(".drawing-tools button")
-    for width in (1280, 1240, 1180):
+    for width in (1280, 1240, 1180, 1024):
         page.set_viewport_size({"width": width, "height": 800})
         boxes = [tool.bounding_box() for tool in tools.all()]
         assert len(boxes) > 10

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.conftest import PIXEL_RATIO
 from tests.browser.service_process import ServiceProcess
@@ -100,3 +100,30 @@ def test_what_is_read_and_what_is_refused_is_said_in_german(german: Visit) -> No
     expect(said).to_contain_text("kein Raumprogramm heißt")
     assert not ENGLISH.search(said.inner_text())
     assert [line for line in german.console if "422" not in line] == []
+
+
+def test_all_german_tools_are_one_row_of_a_small_laptop(german: Visit) -> None:
+    """The rows are as long as they can be: something is chosen, copied, done and taken back."""
+    page = german.page
+    page.set_viewport_size({"width": 1024, "height": 768})
+    scene = german.open(HOME)["scene"]
+    page.locator("#fold_reading").click()
+    german.line_of(next(one["id"] for one in scene["rooms"][0]["furniture"] if not one.get("locked"))).click()
+    page.locator("#fold_reading").click()
+    page.locator("#stage").focus()
+    for key in ("Control+c", "k", "k", "k", "Control+z"):
+        page.keyboard.press(key)
+        german.settle()
+    in_one_row(page, "#tools", 14)
+    page.get_by_role("button", name="Diesen Plan ändern").click()
+    page.locator(".drawing-tools [data-tool=new]").click()
+    page.locator(".drawing-tools [data-tool=new]").click()
+    page.keyboard.press("Control+z")
+    in_one_row(page, ".drawing-tools", 15)
+
+
+def in_one_row(page: Page, row: str, count: int) -> None:
+    tools = page.locator(f"{row} button").filter(visible=True)
+    expect(tools).to_have_count(count)
+    boxes = [tool.bounding_box() for tool in tools.all()]
+    assert len({round(box["y"] + box["height"] / 2) for box in boxes if box}) == 1
