@@ -71,6 +71,8 @@ class DrawnOpening:
     main_entrance: bool | None = None
     rooms: tuple[str, ...] = ()
     id: str = ""
+    unsaid: bool = False
+    """The file says no more of it than that it is an opening."""
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ from solver.imports.straighten import straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import unit_named, unit_of
+from solver.imports.untold_openings import told_apart
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.walls_alone import with_rooms_between
 from solver.imports.wide_doors import with_glass
@@ -128,7 +129,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
     levels = [room.drawn.level for room in rooms]
     placed = [_placed(one, rooms) for one in plan.openings]
-    openings = with_glass(joined(placed, edges, levels, thickness // 2, notes), rooms, notes)
+    openings = told_apart(joined(placed, edges, levels, thickness // 2, notes), rooms, catalogs, notes)
+    openings = with_glass(openings, rooms, notes)
     openings += passages(edges, plan.walls, openings, notes)
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)

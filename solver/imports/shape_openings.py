@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
@@ -22,6 +23,10 @@ MEET: Final = 0.1
 """Two leaves of a door, shut, are no farther from one another than this share of the wider."""
 WIDER: Final = 1.4
 """A door's opening may be so many times as wide as its leaf."""
+SORTS: Final[dict[str, OpeningKind]] = {
+    "window": "window", "garage_door": "garage_door", "passage": "passage", "opening": "passage", "door": "door",
+}  # fmt: skip
+"""What a shape is told to be -> what it is at first; those before count before those after."""
 SAME: Final = 0.6
 """Openings whose middles are nearer than this share of their length are one, drawn in several lines."""
 
@@ -57,18 +62,18 @@ def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> li
 
     A hole with a leaf in it is a door.
     """
-    found: list[tuple[OpeningKind, Spot, Spot, str]] = []
+    found: list[DrawnOpening] = []
     places = Places([])
-    for kind in ("window", "garage_door", "passage", "door"):
-        drawn = [(*longer_line(one.points), one) for one, sort in zip(shapes, sorts, strict=True) if sort == kind]
+    for told, kind in SORTS.items():
+        drawn = [(*longer_line(one.points), one) for one, sort in zip(shapes, sorts, strict=True) if sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
             near = places.first(start, end)
             if near is None and math.dist(start, end) > 0:
-                found.append((kind, start, end, one.where))
+                found.append(DrawnOpening(kind, start, end, one.where, unsaid=told == "opening"))
                 places.add(start, end)
-            elif near is not None and kind == "door" and found[near][0] == "passage":
-                found[near] = ("door", *found[near][1:])
-    return [DrawnOpening(*one) for one in found]
+            elif near is not None and kind == "door" and found[near].kind == "passage":
+                found[near] = replace(found[near], kind="door", unsaid=False)
+    return found
 
 
 def _is_stout(points: Sequence[Spot]) -> bool:

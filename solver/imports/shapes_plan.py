@@ -40,13 +40,25 @@ from solver.imports.walls_alone import rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
     "garage_door": ("garage_door", "garage-door", "garage door", "garagedoor", "garagentor", "porte de garage"),
-    "window": ("window", "fenster", "fenetre", "ventana", "finestra", "glaz"),
-    "door": ("door", "tür", "tuer", "porte", "puerta", "porta"),
-    "passage": ("opening", "passage", "durchgang"),
-    "wall": ("wall", "wand", "wänd", "waend", "mur", "pared", "parete", "muro"),
-    "room": ("room", "space", "raum", "räum", "raeum", "zimmer", "piece", "habitacion", "stanza", "zone"),
+    "window": (
+        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", "fönster", "fonster", "okno", "okna",
+        "окно", "окна", "glaz",
+    ),
+    "door": ("door", "tür", "tuer", "porte", "puerta", "porta", "deur", "dörr", "drzwi", "двер"),
+    "passage": ("passage", "durchgang"),
+    "opening": (
+        "opening", "öffnung", "oeffnung", "ouverture", "menuiserie", "apertura", "infiss", "serrament", "carpinter", "abertura",
+        "esquadria", "проем", "проём",
+    ),
+    "wall": (
+        "wall", "wand", "wänd", "waend", "mur", "pared", "parete", "muro", "tabique", "cloison", "vägg", "vagg", "ścian", "scian", "стен",
+    ),
+    "room": (
+        "room", "space", "raum", "räum", "raeum", "zimmer", "piece", "pièce", "habitacion", "habitación", "stanza", "stanze", "locale",
+        "ruimte", "pomieszcz", "помещ", "zone",
+    ),
 }  # fmt: skip
-"""What a layer or a shape is, by words in its name; the first that fits."""
+"""What a layer or a shape is, by words in its name; the first that fits, but an opening where doors and windows are named."""
 PASSED: Final = ("furn", "möbel", "mobil", "meuble", "mueble", "arredo", "dimension", "hatch")
 """Words of layers that hold none of these, whatever they lie within."""
 NO_DOOR: Final = ("outdoor", "indoor")
@@ -114,7 +126,7 @@ def plan_of_shapes(
     taken = Places([(one.start, one.end) for one in doors])
     openings = [*doors, *(
         one for one in openings_of(shapes, sorts)
-        if taken.first(one.start, one.end) is None and (one.kind != "door" or leaves.first(one.start, one.end) is None)
+        if taken.first(one.start, one.end) is None and (not (one.kind == "door" or one.unsaid) or leaves.first(one.start, one.end) is None)
     )]  # fmt: skip
     length = metres(openings)
     unit = told_by_doors(openings, length)
@@ -213,9 +225,9 @@ def sort_within(names: Sequence[str]) -> str | None:
             small = small.replace(word, "")
         if is_passed((name,)):
             return None
-        found = next((sort for sort, words in WORDS.items() if any(word in small for word in words)), None)
-        if found is not None:
-            return found
+        found = [sort for sort, words in WORDS.items() if any(word in small for word in words)]
+        if found:
+            return "opening" if {"window", "door"} <= {*found} else found[0]
     return None
 
 

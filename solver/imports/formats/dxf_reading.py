@@ -39,7 +39,7 @@ DEEPEST: Final = 8
 """Blocks within blocks."""
 
 
-SWUNG: Final = ("door", "passage")
+SWUNG: Final = ("door", "opening", "passage")
 """What a leaf's arc is drawn as: some layers hold all openings."""
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""

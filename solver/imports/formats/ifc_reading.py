@@ -246,7 +246,7 @@ class _ReadBuilding:
         name = element.Name or ""
         return DrawnOpening(
             kind, (start[0], -start[1]), (end[0], -end[1]), where, height, max(0.0, low - floor), level, hinge, towards,  # type: ignore[arg-type]
-            id=name if self._is_ours() else "",
+            id=name if self._is_ours() else "", unsaid=kind == "passage",
         )  # fmt: skip
 
     def _said(self, piece: Element) -> dict[str, Any]:

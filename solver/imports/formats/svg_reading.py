@@ -206,7 +206,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
         sort = sort_within(element.names)
         label = _label(element, names) if names and sort in (None, "room") else ""
         for line in element.lines:
-            if sort == "door" and line.swing:
+            if sort in ("door", "opening") and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
                 continue
             is_room = sort == "room" or (sort is None and bool(label) and line.closed)

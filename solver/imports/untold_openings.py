@@ -1,0 +1,64 @@
+"""Openings of which a file says no more than that: in its one layer of them windows, doors and passages are told apart.
+
+One whose sill lies high, or in an outer wall without a leaf, is a window; one to a balcony or garden a door. Where no door leads outside,
+the likeliest of a door's width does.
+
+Comes in: `Joined`s, the rooms. Goes out: `Joined`s. May import: drawn, joining.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from catalogs import Catalogs
+from solver.imports.drawn import OpeningKind, PlanNotes
+from solver.imports.joining import Joined
+from solver.imports.to_scene import NamedRoom
+
+LOW: Final = 0.3
+"""One steps over no sill that is higher, m."""
+DOOR: Final = (750, 1150)
+"""A door to come in by is as wide, mm."""
+NO_ENTRANCE: Final = 100
+"""The place, in the order of entrances, of a room that is none."""
+UNTOLD: Final = "the file says no more than that it is an opening"
+
+
+def told_apart(openings: Sequence[Joined], rooms: Sequence[NamedRoom], catalogs: Catalogs, notes: PlanNotes) -> list[Joined]:
+    """Returns openings, each untold one as what it most likely is; notes what was guessed.
+
+    Where the file tells of some that they are windows, it tells so of all.
+    """
+    if any(one.drawn.kind == "window" for one in openings):
+        return list(openings)
+    found: list[tuple[OpeningKind, str]] = [_kind(one, rooms) if one.drawn.unsaid else (one.drawn.kind, "") for one in openings]
+    if not any(kind == "door" and _is_outer(one, rooms) for one, (kind, _) in zip(openings, found, strict=True)):
+        outer = [at for at, one in enumerate(openings) if found[at][0] == "window" and DOOR[0] <= one.high - one.low <= DOOR[1]]
+        for at in sorted(outer, key=lambda at: (_rank(openings[at], rooms, catalogs), openings[at].high - openings[at].low))[:1]:
+            found[at] = "door", "no other leads outside"
+    for one, (kind, why) in zip(openings, found, strict=True):
+        if why:
+            notes.guess(one.drawn.where, "kind", kind, f"{UNTOLD}; {why}")
+    return [replace(one, drawn=replace(one.drawn, kind=kind)) for one, (kind, _) in zip(openings, found, strict=True)]
+
+
+def _kind(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
+    """Returns what an untold opening is, and what tells so."""
+    outdoors = {bool(rooms[edge.room].drawn.outdoor) for edge in one.edges}
+    if one.drawn.sill is not None:
+        return ("window", "its sill lies high") if one.drawn.sill >= LOW else ("passage", "")
+    if _is_outer(one, rooms):
+        return "window", "it lies in an outer wall, and no leaf is drawn"
+    return ("door", "it leads outdoors") if outdoors == {True, False} else ("passage", "it lies in an inner wall, and no leaf is drawn")
+
+
+def _is_outer(one: Joined, rooms: Sequence[NamedRoom]) -> bool:
+    return len(one.edges) == 1 and not rooms[one.edges[0].room].drawn.outdoor
+
+
+def _rank(one: Joined, rooms: Sequence[NamedRoom], catalogs: Catalogs) -> int:
+    kind = catalogs.rooms.get(rooms[one.edges[0].room].type)
+    place = kind.plan.entrance if kind else None
+    return NO_ENTRANCE if place is None else place

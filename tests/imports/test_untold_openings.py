@@ -1,0 +1,100 @@
+"""Doors and windows in one layer of openings: told apart by leaves, outer walls and what lies outdoors; what was guessed is said."""
+
+from __future__ import annotations
+
+from io import StringIO
+from typing import Any
+
+import ezdxf.filemanagement as files
+import pytest
+
+from solver.imported import PlanImport
+from tests.imports.plans import read
+
+ROOMS = {"Flur": (0, 0, 2000, 4000), "Schlafzimmer": (2100, 0, 6000, 4000)}
+BALCONY = {"Balkon": (2100, 4100, 6000, 5600)}
+LAYERS = ("Öffnungen", "OPENINGS", "Türen und Fenster", "A-DOOR-WINDOW", "MENUISERIES")
+
+
+def drawing(
+    *openings: tuple[int, int, int, int], layer: str = "OPENINGS", arcs: tuple[tuple[int, int, int, int], ...] = (), **more: Any
+) -> Any:
+    """Rooms 100 mm apart, openings as three lines along their walls, mm."""
+    made: Any = files.new()
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    for name, (x0, y0, x1, y1) in {**ROOMS, **more.get("rooms", {})}.items():
+        space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "ROOMS"})
+        space.add_text(name, dxfattribs={"layer": "TEXT", "insert": ((x0 + x1) / 2, (y0 + y1) / 2)})
+    for x0, y0, x1, y1 in openings:
+        across = (0, 50) if y0 == y1 else (50, 0)
+        for at in (-1, 0, 1):
+            space.add_line(
+                (x0 + at * across[0], y0 + at * across[1]), (x1 + at * across[0], y1 + at * across[1]), dxfattribs={"layer": layer}
+            )
+    for x, y, radius, start in arcs:
+        space.add_arc((x, y), radius, start, start + 90, dxfattribs={"layer": layer})
+    return made
+
+
+def imported(made: Any) -> PlanImport:
+    text = StringIO()
+    made.write(text)
+    return read(text.getvalue().encode())
+
+
+def kinds(answer: PlanImport) -> dict[str, list[tuple[str, float, str | None]]]:
+    return {str(room.extra.get("name")): [(one.kind, one.width, one.connects_to) for one in room.openings] for room in answer.scene.rooms}
+
+
+def guessed(answer: PlanImport) -> list[str]:
+    return [str(one["taken"]) for one in answer.guesses if one["what"] == "kind"]
+
+
+SOUTH = (3000, -50, 4400, -50)
+BETWEEN = (2050, 1000, 2050, 1900)
+FRONT = (-50, 1000, -50, 1900)
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_what_has_no_leaf_in_an_outer_wall_is_a_window_where_doors_have_theirs(layer: str) -> None:
+    answer = imported(drawing(SOUTH, layer=layer, arcs=((0, 1000, 900, 0), (2100, 1000, 900, 0))))
+    found = kinds(answer)
+    assert sorted(found["Flur"]) == [("door", 0.9, "EXTERIOR"), ("door", 0.9, answer.scene.rooms[1].id)]
+    assert sorted(found["Schlafzimmer"])[1:] == [("window", 1.4, "EXTERIOR")]
+    assert guessed(answer) == ["window"]
+    assert not answer.unread
+
+
+def test_without_any_leaf_the_likeliest_of_a_doors_width_is_where_one_comes_in() -> None:
+    """The bedroom has one of a door's width, too: one comes in by the hallway."""
+    answer = imported(drawing(SOUTH, FRONT, BETWEEN, (4000, 4050, 4800, 4050)))
+    found = kinds(answer)
+    assert sorted(found["Flur"]) == [("door", 0.9, "EXTERIOR"), ("passage", 0.9, answer.scene.rooms[1].id)]
+    assert sorted(one[:2] for one in found["Schlafzimmer"]) == [("passage", 0.9), ("window", 0.8), ("window", 1.4)]
+    assert [one.main_entrance for one in answer.scene.rooms[0].openings if one.kind == "door"] == [True]
+    assert sorted(guessed(answer)) == ["door", "passage", "window", "window"]
+
+
+def test_what_leads_to_a_balcony_is_a_door_and_the_balconys_own_side_stays_open() -> None:
+    answer = imported(drawing(FRONT, (3000, 4050, 3900, 4050), (3000, 5650, 4400, 5650), rooms=BALCONY))
+    found = kinds(answer)
+    assert ("door", 0.9, answer.scene.rooms[2].id) in found["Schlafzimmer"]
+    assert ("passage", 1.4, "EXTERIOR") in found["Balkon"]
+
+
+def test_a_layer_of_windows_tells_that_openings_are_none() -> None:
+    made = drawing(FRONT, BETWEEN)
+    made.modelspace().add_line((3000, -50), (4400, -50), dxfattribs={"layer": "WINDOWS"})
+    answer = imported(made)
+    assert sorted(one[0] for one in kinds(answer)["Flur"]) == ["passage", "passage"]
+    assert guessed(answer) == []
+
+
+def test_a_drawing_in_svg_is_told_alike() -> None:
+    body = "<g id='Räume'><rect id='Flur' width='2' height='4'/><rect id='Schlafzimmer' x='2' width='4' height='4'/></g>"
+    body += "<g id='Öffnungen'><line x1='0' y1='1' x2='0' y2='1.9'/><line x1='3' y1='0' x2='4.4' y2='0'/>"
+    body += "<path d='M2 2 A0.9 0.9 0 0 1 2.9 2.9 L2 2.9 Z'/></g>"
+    answer = read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='m'>{body}</svg>".encode(), "plan.svg")
+    assert sorted(one[0] for one in kinds(answer)["Flur"]) == ["door", "door"]
+    assert sorted(one[0] for one in kinds(answer)["Schlafzimmer"]) == ["door", "window"]
