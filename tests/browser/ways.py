@@ -81,7 +81,8 @@ class Way:
         raise NotImplementedError
 
     def at(self, id_of: str) -> Spot:
-        """Where in the window a body is met."""
+        """Where in the window a body is met, with the stage in view."""
+        self.page.locator("#stage").scroll_into_view_if_needed()
         at = self.page.evaluate("id => compose.whereIs(id)", id_of)
         assert at is not None, f"{id_of} is hidden"
         return at["x"], at["y"]
