@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from playwright.sync_api import expect
 
-from tests.browser.test_accessible import violations
 from tests.browser.visit import Visit, sent_by
 
 SMALL = "?seed=4&program=one_bed&access=ada&width=5&depth=5"
@@ -35,7 +34,6 @@ def test_a_home_is_made_for_the_standard_that_is_chosen(visit: Visit) -> None:
     page.keyboard.press("d")
     expect(page.get_by_role("dialog", name="Diagnosis")).to_contain_text("# Access: ada, met")
     page.keyboard.press("Escape")
-    assert violations(visit) == []
     assert visit.console == []
 
 

@@ -8,7 +8,6 @@ import pytest
 from playwright.sync_api import expect
 
 from catalogs import load_catalogs
-from tests.browser.test_accessible import violations
 from tests.browser.test_editing import ONE, Bench, crate, den, poses
 from tests.browser.visit import SMALL, Visit, sent_by
 
@@ -40,7 +39,6 @@ def test_pictures_are_drawn_of_kinds_in_view_and_categories_choose_among_them(vi
         )
         == 0
     )
-    assert violations(visit) == []
     page.get_by_role("group", name="Categories").get_by_role("button", name="Bed", exact=True).click()
     kinds = page.locator("#palette li:visible [data-kind]").evaluate_all("all => all.map(one => one.dataset.kind)")
     assert {"bed", "bunk_bed"} <= set(kinds)
@@ -102,7 +100,6 @@ def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_f
     wanted = [poses(scene)[new] for scene in scenes]
     expect(page.locator("#places")).to_contain_text("Place 1 of 3")
     assert poses(bench.scene())[new] == wanted[0]
-    assert violations(visit) == []
     seen = []
     for _ in range(3):
         page.get_by_role("button", name="Another place").press("Enter")
@@ -126,7 +123,6 @@ def test_a_room_is_shown_in_other_arrangements_of_which_one_is_taken(visit: Visi
     expect(choices).to_have_count(3)
     visit.settle()
     page.wait_for_function(f"() => ({COLORS})('#others canvas').every(count => count > 20)")
-    assert violations(visit) == []
     before = page.evaluate("compose.scene")
     page.keyboard.press("Escape")
     expect(page.locator("#others")).to_be_hidden()

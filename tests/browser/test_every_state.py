@@ -20,6 +20,7 @@ from tests.browser.visit import Visit, furniture_of, intercept
 HOME = "?program=studio&decorate=true&seed=3"
 PLAIN_HOME = "?program=studio&seed=3"
 """A third fewer lines to look at: how lines of decorations look is seen in the other."""
+OPEN = "all => all.forEach(one => { one.open = true; })"
 UNDONE = "window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0"
 RULES: dict[str, tuple[str, ...]] = {"light": (), "dark": ("color-contrast", "link-in-text-block")}
 """The rules by colours, all for none: a dark page differs in colours alone."""
@@ -98,9 +99,11 @@ def test_dark_pages_differ_in_colours_alone_and_no_style_in_languages() -> None:
 
 def test_with_a_home(spoken: Visit) -> None:
     page, states = spoken.page, States(spoken)
-    scene = spoken.open(HOME)["scene"]
-    page.locator("details.group").evaluate_all("all => all.forEach(one => { one.open = true; })")
+    spoken.open(HOME)
+    page.locator("details.group").evaluate_all(OPEN)
     states.look("all groups open", "#recent_list .recent-home")
+    scene = spoken.open(PLAIN_HOME)["scene"]
+    page.locator("details.group").evaluate_all(OPEN)
     for button, shown, shut in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
         page.locator(button).click()
         states.look(button, shown)
@@ -143,6 +146,7 @@ def on_a_phone(visit: Visit, states: States) -> None:
     page.set_viewport_size(PHONE)
     visit.settle()
     states.look("phone", "#stage > canvas")
+    assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
     visit.line_of(visit.state()["bodies"][0]).click()
     states.look("phone, chosen", "#piece")
     page.locator("[data-tool=add]").click()
@@ -151,6 +155,23 @@ def on_a_phone(visit: Visit, states: States) -> None:
     page.locator("#camera_walk").click()
     visit.settle()
     states.look("phone, walking", "#walk_leave")
+
+
+def with_marks(visit: Visit, states: States) -> None:
+    """Looks at the chosen piece while it is flagged and found, a room in hand, and rooms counted."""
+    page, marks = visit.page, "flo"
+    for key in marks:
+        page.keyboard.press(key)
+    page.locator("#find").fill("a")
+    page.locator("#room_choice").select_option(index=1)
+    page.locator("#program").select_option("own")
+    expect(page.locator("#counts")).to_be_visible()
+    states.look("flagged, found, named, floor, room in hand, rooms counted", "#yaml mark")
+    page.locator("#find").fill("")
+    page.locator("#room_choice").select_option(index=0)
+    page.locator("#stage").focus()
+    for key in marks:
+        page.keyboard.press(key)
 
 
 def with_a_distance(visit: Visit, states: States) -> None:
@@ -171,6 +192,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     spoken.line_of(pieces[0]).click()
     stage.focus()
     states.look("chosen", "#piece")
+    with_marks(spoken, states)
     with_a_distance(spoken, states)
     page.keyboard.press("h")
     states.look("why", "#why ul li")
@@ -203,7 +225,7 @@ def test_with_a_piece(spoken: Visit) -> None:
     page.keyboard.press("ArrowRight")
     states.look("conflict", "#conflict")
     assert states.wrong() == {}
-    assert len(states.found) == len(states.colours) * 10
+    assert len(states.found) == len(states.colours) * 11
 
 
 def test_with_saved_homes_and_files(spoken: Visit) -> None:
