@@ -6,8 +6,8 @@ namespace homes {
 
 namespace {
 
-// A room outside its limits of area, width or aspect; a hallway less than two thirds longer than it is wide, in which whoever only just fits
-// has nowhere to go.
+// A room outside its limits of area, width or aspect; a hallway less than two thirds longer than it is wide, where who only just fits has
+// nowhere to go.
 constexpr f64 SHORT = 20.0;
 // A room that can only be entered through one that should not be walked through; an own bathroom away from its bedroom.
 constexpr f64 UNREACHED = 30.0;
