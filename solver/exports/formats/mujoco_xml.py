@@ -184,16 +184,16 @@ class _Bodies(NamedTuple):
     def leaf(self, leaf: DoorLeaf) -> str:
         """Returns a leaf on its hinge, or a garage door that slides up; zero is closed."""
         name, part = self.names.take(leaf.id), moving_leaf(leaf)
-        joint = _joint(part, name, 'leaf" type="slide' if part.slides else "leaf")
+        joint = _joint(part, name, "leaf", ' type="slide"' if part.slides else "")
         touching = touching_geoms(part.solids, part.mass, "leaf")
         shown = self._shown(name, self.looks.parts(part.parts, part.paints))
         return f"{_opened(name, part.hinge, leaf.closed)}{joint}{touching}{shown}</body>"
 
 
-def _joint(part: MovingPart, name: str, classed: str) -> str:
-    """Returns the joint of what moves, in a body of that name."""
+def _joint(part: MovingPart, name: str, classed: str, more: str = "") -> str:
+    """Returns the joint of what moves, in a body of that name; `more` attributes than its class has."""
     limits = f'axis="{UNIT[part.axis]}" range="{xml_numbers(*part.limits)}"'
-    return f'<joint name="{xml_text(name)}/{part.way}" class="{classed}" {limits}/>'
+    return f'<joint name="{xml_text(name)}/{part.way}" class="{classed}"{more} {limits}/>'
 
 
 def _contacts(pairs: Collection[tuple[str, str]]) -> Iterator[str]:
