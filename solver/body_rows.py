@@ -23,6 +23,10 @@ BODY: Final = Struct("<8i8q")
 """
 KIND: Final = Struct("<i92x")
 """The kind of such a row alone."""
+_KIND_AND_SIZE: Final = Struct("<i68x3q")
+_TURN: Final = Struct("<16xi76x")
+_KIND_AND_COLOUR: Final = Struct("<i16xi72x")
+"""What else is asked of such rows alone: all of their numbers take longer."""
 BODY_WALLS: Final = (*WALLS, None)
 """The walls that bodies stand or hang at, as they are numbered."""
 BodyRow = tuple[int, ...]
@@ -76,8 +80,12 @@ class BodyRows:
     @cached_property
     def looks(self) -> Sequence[Look]:
         """The look of each."""
-        known = self._looks
-        return [known[kind, width, depth, height] for kind, _, _, _, _, _, _, _, _, _, _, _, _, width, depth, height in self.rows]
+        return [*map(self._looks.__getitem__, _KIND_AND_SIZE.iter_unpack(self.content))]
+
+    @property
+    def turns(self) -> Sequence[int]:
+        """The rotation of each, degrees."""
+        return [turn for (turn,) in _TURN.iter_unpack(self.content)]
 
     @cached_property
     def ids(self) -> Sequence[str]:
@@ -131,7 +139,7 @@ class FurnitureRows(BodyRows):
     @property
     def colours(self) -> Sequence[str]:
         """The colour of each."""
-        return [self._by_kind[row[0]] for row in self.rows]
+        return [self._by_kind[kind] for (kind,) in KIND.iter_unpack(self.content)]
 
 
 class DecorationRows(BodyRows):
@@ -157,12 +165,11 @@ class DecorationRows(BodyRows):
     @cached_property
     def colours(self) -> Sequence[str | None]:
         """The colour of each: one of its kind's; or the room's: of the style's for that kind, alike in one room, or its accent."""
-        return [self._colour(row[0], row[5]) for row in self.rows]
+        drawn = self._drawn_from
+        return [drawn[kind][number] if number >= 0 else self._of_room(kind) for kind, number in _KIND_AND_COLOUR.iter_unpack(self.content)]
 
-    def _colour(self, kind: int, number: int) -> str | None:
+    def _of_room(self, kind: int) -> str | None:
         colours = self._drawn_from[kind]
-        if number >= 0:
-            return colours[number]
         return colours[self.room.index % len(colours)] if self._styled[kind] else self.room.accent
 
 
@@ -199,7 +206,7 @@ def furniture_turns(room: Room) -> Sequence[BodyTurn]:
     """Returns what each piece of a room's furniture is, and its rotation."""
     rows = rows_in(room, FurnitureRows)
     if rows is not None:
-        return [(look.key, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
+        return [(look.key, turn) for look, turn in zip(rows.looks, rows.turns, strict=True)]
     return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in room.furniture]
 
 

@@ -154,7 +154,7 @@ def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
 def _as_told(bodies: BodyRows, kinds: _KindTable) -> bytes:
     """Returns bodies that are told as rows already, and behind them how each is turned, and its kind."""
     there = {look: kinds[look].to_bytes(8, "little") for look in dict.fromkeys(bodies.looks)}
-    return bodies.content + b"".join([_turn(row[4]) + there[look] for row, look in zip(bodies.rows, bodies.looks, strict=True)])
+    return bodies.content + b"".join([_turn(turn) + there[look] for turn, look in zip(bodies.turns, bodies.looks, strict=True)])
 
 
 @lru_cache(maxsize=1024)

@@ -79,7 +79,7 @@ class PlacedRoom:
     def pieces(self) -> Sequence[tuple[KindKey, float]]:
         """What kind of furniture each piece in it is, and its rotation."""
         rows = rows_in(self.room, FurnitureRows)
-        return furniture_turns(self.room) if rows is None else [(look, row[4]) for look, row in zip(rows.looks, rows.rows, strict=True)]
+        return furniture_turns(self.room) if rows is None else [*zip(rows.looks, rows.turns, strict=True)]
 
     @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:
