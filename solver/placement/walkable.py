@@ -44,10 +44,7 @@ class WalkablePlace:
 
     def near(self, reach_mm: int, clear: Rect) -> Piece:
         """Returns the piece kept to its candidate and within reach of where it was found, in the clear rectangle."""
-        own, bounds = self.footprint, self.candidate.within or clear
-        low = max(own.x0 - reach_mm, bounds.x0), max(own.z0 - reach_mm, bounds.z0)
-        high = min(own.x1 + reach_mm, bounds.x1), min(own.z1 + reach_mm, bounds.z1)
-        only = replace(self.candidate, within=Rect(*low, *high))
+        only = replace(self.candidate, within=self.footprint.shrunk(-reach_mm).common(self.candidate.within or clear))
         return replace(self.piece, candidates=(only,), stands=tuple(Stand(side) for side in self.sides), need_all=True)
 
 

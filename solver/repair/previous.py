@@ -102,8 +102,5 @@ def _around(way: Candidate, clear: Rect, pose: Pose) -> Candidate | None:
         return way
     if way.rotation != squared(pose.rotation):
         return None
-    own = _rect(way, pose)
-    low = max(own.x0 - REACH_MM, bounds.x0), max(own.z0 - REACH_MM, bounds.z0)
-    high = min(own.x1 + REACH_MM, bounds.x1), min(own.z1 + REACH_MM, bounds.z1)
-    near = Rect(*low, *high)
+    near = _rect(way, pose).shrunk(-REACH_MM).common(bounds)
     return replace(way, within=near) if near.width >= width and near.depth >= depth else None
