@@ -6,7 +6,7 @@ Comes in: a `DrawnPlan` in the file's unit. Goes out: one in mm (heights in m). 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
@@ -38,7 +38,7 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     counts = Counter(room.level for room in plan.rooms)
     names = {level.number: level.name for level in plan.levels}
     if not counts:
-        raise _without_rooms(plan.layers)
+        raise _without_rooms(plan)
     chosen = min(counts) if asked is None else asked
     if chosen not in counts:
         raise FieldError("level", f"{chosen} has no rooms", ", ".join(map(str, sorted(counts))))
@@ -55,8 +55,11 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     )
 
 
-def _without_rooms(layers: Sequence[str]) -> FieldError:
-    """Returns why a plan has no rooms, with what a drawing's layers are called, so that one knows what to rename."""
+def _without_rooms(plan: DrawnPlan) -> FieldError:
+    """Returns why a plan has no rooms: what is wrong with its walls; else what its layers are called, so that one knows what to rename."""
+    layers, of_walls = plan.layers, [one.reason for one in plan.unread if one.place.startswith("walls")]
+    if of_walls:
+        return FieldError("rooms", f"are none in this file; its walls: {of_walls[0]}", "walls that enclose rooms, or rooms with outlines")
     if not layers:
         return FieldError("rooms", "are none in this file", "at least one room with an outline")
     names = ", ".join(f"{name!r:.40}" for name in layers[:MOST_NAMED]) + (", ..." if len(layers) > MOST_NAMED else "")

@@ -145,6 +145,7 @@ def plan_of_shapes(
     rooms += [replace(room, label=_label(room.points, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
     told += [one for room in rooms for one in _other_names(room, texts)]
+    told += _names_outside(rooms, texts)
     told += _untold_layers(shapes)
     return DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
@@ -290,6 +291,15 @@ def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread
     known = {one.means for one in inside if one.words == room.label}
     for words in dict.fromkeys(one.words for one in inside if known and one.means and one.means not in known):
         yield Unread(f"text {words!r:.60}", f"names a room, but no wall is drawn between it and {room.label!r:.60}")
+
+
+def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
+    """Yields what names a room beside all rooms: walls may leave one open."""
+    known = {room.label for room in rooms}
+    inside = {(one.x, one.z) for room in rooms for one in _texts_in(room.points, texts)}
+    outside = (one for one in texts if one.means and (one.x, one.z) not in inside) if rooms else ()
+    for words in dict.fromkeys(one.words for one in outside if one.words not in known):
+        yield Unread(f"text {words!r:.60}", "names a room, but stands in none: nothing encloses it")
 
 
 def _holds(points: Sequence[Spot], x: float, z: float) -> bool:

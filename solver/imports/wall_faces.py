@@ -55,24 +55,25 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
 
 def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[FloorCorners] | None:
     """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate."""
-    lines = _closed(_gathered(walls), openings)
+    lines = _gathered(walls)
     xs = _cuts([one.at for one in lines if one.axis == "z"], [end for one in lines if one.axis == "x" for end in (one.low, one.high)])
     zs = _cuts([one.at for one in lines if one.axis == "x"], [end for one in lines if one.axis == "z" for end in (one.low, one.high)])
     if len(xs) < 2 or len(zs) < 2:
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
+    lines = _closed(lines, openings)
     found = [outline_of_cells(cells, xs, zs) for cells in _parts(_free(lines, xs, zs), xs, zs) if _is_room(cells, xs, zs)]
     return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
 
 
 def _gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
-    """Returns walls with coordinates that nearly meet made one, along and across."""
+    """Returns walls with coordinates that nearly meet made one, along and across, each once."""
     values = sorted({value for one in walls for value in (one.at, one.low, one.high)})
     first: dict[int, int] = {}
     for before, value in zip([None, *values], values, strict=False):
         first[value] = first[before] if before is not None and value - first[before] <= SAME_LINE else value
-    return [DrawnLine(one.axis, first[one.at], first[one.low], first[one.high]) for one in walls]
+    return list(dict.fromkeys(DrawnLine(one.axis, first[one.at], first[one.low], first[one.high]) for one in walls))
 
 
 def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[DrawnLine]:
@@ -89,7 +90,65 @@ def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[D
             if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in openings)):
                 made.append(gap)
             end = max(end, one.high)
-    return made
+    return [*made, *_reaching(walls, openings)]
+
+
+class _Rows:
+    """Where lines are drawn, to find what the end of one meets, and what lies ahead of it."""
+
+    def __init__(self, walls: Sequence[DrawnLine]) -> None:
+        by_line: dict[tuple[str, int], list[tuple[int, int]]] = {}
+        for one in walls:
+            by_line.setdefault((one.axis, one.at), []).append((one.low, one.high))
+        self._by_line = {key: np.array(parts).T for key, parts in by_line.items()}
+        self._by_axis = {axis: np.array([one[1:] for one in walls if one.axis == axis]).reshape(-1, 3).T for axis in ("x", "z")}
+
+    def is_met(self, one: DrawnLine, end: int) -> bool:
+        """Tells whether an end of a wall lies on another one, across it or along it."""
+        low, high = self._by_line[one.axis, one.at]
+        if ((low <= end) & (end <= high)).sum() > 1:
+            return True
+        low, high = self._by_line.get((_across(one), end), np.empty((2, 0)))
+        return bool(((low <= one.at) & (one.at <= high)).any())
+
+    def ahead(self, one: DrawnLine, end: int, within: int | None) -> DrawnLine | None:
+        """Returns the nearest wall across the way beyond an end; at most so far ahead and aside, where that is said."""
+        at, low, high = self._by_axis[_across(one)]
+        gaps, beside = (at - end) * (1 if end == one.high else -1), np.maximum(np.maximum(low - one.at, one.at - high), 0)
+        near = np.flatnonzero((gaps > 0) & ((beside == 0) if within is None else ((gaps <= within) & (beside <= within))))
+        if not len(near):
+            return None
+        to = near[np.lexsort((beside[near], gaps[near]))[0]]
+        return DrawnLine(_across(one), int(at[to]), int(low[to]), int(high[to]))
+
+
+def _across(one: DrawnLine) -> Literal["x", "z"]:
+    return "z" if one.axis == "x" else "x"
+
+
+def free_ends(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> int:
+    """Returns how many ends of walls lie on no other wall, once cracks and gaps at openings are closed."""
+    lines = _closed(_gathered(walls), openings)
+    rows = _Rows(lines)
+    return sum(not rows.is_met(one, end) for one in lines for end in (one.low, one.high))
+
+
+def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
+    """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings."""
+    rows = _Rows(walls)
+    for one in walls:
+        beside = [opening for opening in openings if opening.axis == one.axis and abs(opening.at - one.at) <= BESIDE]
+        for end in (one.low, one.high):
+            crossed = None if rows.is_met(one, end) else rows.ahead(one, end, CRACK)
+            if crossed:
+                yield DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
+                if not crossed.low <= one.at <= crossed.high:
+                    far = crossed.low if one.at < crossed.low else crossed.high
+                    yield DrawnLine(crossed.axis, crossed.at, *sorted((one.at, far)))
+            elif beside and (crossed := rows.ahead(one, end, None)):
+                gap = DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
+                if any(_fills(opening, gap) for opening in beside):
+                    yield gap
 
 
 def _fills(opening: DrawnLine, gap: DrawnLine) -> bool:

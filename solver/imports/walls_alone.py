@@ -14,7 +14,7 @@ from statistics import median
 from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import STRAIGHT, faces_between, line_between, thickness_about
+from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_between, thickness_about
 
 NO_UNIT = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
@@ -74,6 +74,8 @@ def rooms_between(
     found = faces_between(lines, gaps)
     if found is None:
         return [], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")]
+    if not found:
+        unread.append(Unread("walls", f"enclose no room: {free_ends(lines, gaps)} of their ends meet neither another wall nor an opening"))
     rooms = [
         DrawnRoom(tuple((x / scale + west, z / scale + north) for x, z in corners), "", f"between walls, room {at}")
         for at, corners in enumerate(found)

@@ -135,7 +135,10 @@ def test_an_open_outline_that_a_line_or_a_door_closes_is_a_room_beside_closed_on
 def test_an_outline_of_a_room_that_stays_open_is_told() -> None:
     answer = beside_a_closed_room(None)
     assert len(answer.scene.rooms) == 1
-    assert [(one["place"], one["reason"]) for one in answer.unread] == [("layer 'ROOMS'", "1 open outlines of rooms, which enclose none")]
+    assert [(one["place"], one["reason"]) for one in answer.unread] == [
+        ("layer 'ROOMS'", "1 open outlines of rooms, which enclose none"),
+        ("text 'Hallway'", "names a room, but stands in none: nothing encloses it"),
+    ]
 
 
 def test_an_outline_that_is_drawn_closed_and_once_more_as_lines_is_one_room() -> None:

@@ -131,3 +131,45 @@ def test_a_room_of_several_names_is_called_by_one_that_names_a_room_and_the_othe
     answer = read(SVG.format("data-unit='m'", walls + texts).encode(), "plan.svg")
     assert [(room.type, room.extra["name"]) for room in answer.scene.rooms] == [("kitchen", "Kitchen")]
     assert [one["place"] for one in answer.unread] == ["text 'Dining room'"]
+
+
+LONE = "<g class='wall'>{}</g><text x='200' y='200'>Kitchen</text><text x='600' y='200'>Bedroom</text>"
+
+
+def single_lines(*walls: tuple[int, int, int, int], more: str = "") -> PlanImport:
+    return drawn(LONE.format("".join(f"<path d='M{x0} {z0} L{x1} {z1}'/>" for x0, z0, x1, z1 in walls)) + more)
+
+
+@pytest.mark.parametrize(("gap", "is_closed"), [(5, True), (15, True), (16, False)])
+def test_a_wall_that_ends_short_of_one_across_its_way_reaches_it(gap: int, is_closed: bool) -> None:
+    around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0))
+    answer = single_lines(*around, (400, 0, 400, 400 - gap))
+    assert sorted((room.width, room.depth) for room in answer.scene.rooms) == ([(4.0, 4.0)] * 2 if is_closed else [(8.0, 4.0)])
+    told = [str(one["reason"]) for one in answer.unread if one["place"] == "text 'Bedroom'"]
+    assert told == ([] if is_closed else ["names a room, but no wall is drawn between it and 'Kitchen'"])
+
+
+@pytest.mark.parametrize(("gap", "is_closed"), [(15, True), (16, False)])
+def test_walls_that_end_short_of_their_corner_meet_there(gap: int, is_closed: bool) -> None:
+    """The eastern room's corner is left open: its name is told, where nothing encloses it."""
+    answer = single_lines(
+        (0, 0, 800 - gap, 0), (800, gap, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400),
+    )  # fmt: skip
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.0, 4.0)] * (1 + is_closed)
+    told = [str(one["reason"]) for one in answer.unread if one["place"] == "text 'Bedroom'"]
+    assert told == ([] if is_closed else ["names a room, but stands in none: nothing encloses it"])
+
+
+def test_a_door_in_the_corner_of_a_room_closes_the_gap_up_to_the_wall_across() -> None:
+    around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 90, 400, 400))
+    answer = single_lines(*around, more="<line class='door' x1='400' y1='0' x2='400' y2='90'/>")
+    assert [(room.type, room.width, [one.kind for one in room.openings]) for room in answer.scene.rooms] == [
+        ("kitchen", 4.0, ["door"]), ("bedroom", 4.0, ["door"]),
+    ]  # fmt: skip
+    (one,) = single_lines(*around).scene.rooms
+    assert one.width == 8.0
+
+
+def test_walls_that_enclose_nothing_are_told_with_how_many_of_their_ends_are_free() -> None:
+    with pytest.raises(FieldError, match="its walls: enclose no room: 4 of their ends meet neither another wall nor an opening"):
+        single_lines((0, 0, 800, 0), (800, 0, 800, 400), (700, 600, 0, 600))
