@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from copy import deepcopy
 from dataclasses import replace
+from functools import cache
 from typing import Annotated, Any, Final
 
 from anyio import Event, create_task_group
@@ -107,6 +109,15 @@ def _without_body() -> DescribedCalls:
 CALLS: Final = (_in_workers(), _without_body(), homes, jobs)
 
 
+@cache
+def _described() -> dict[str, Any]:
+    """Returns what FastAPI describes, which is the same for every application of a process."""
+    described = FastAPI(title="Compose", version=VERSION, description=DESCRIPTION)
+    for declared in CALLS:
+        declared.describe(described)
+    return described.openapi()
+
+
 class ComposeApp(Starlette):
     """The application with what its calls share."""
 
@@ -149,10 +160,7 @@ class ComposeApp(Starlette):
     def openapi(self) -> dict[str, Any]:
         """Returns the OpenAPI document."""
         if self._document is None:
-            described = FastAPI(title="Compose", version=VERSION, description=DESCRIPTION)
-            for declared in CALLS:
-                described.include_router(declared.described())
-            self._document = completed(described.openapi(), self.catalogs)
+            self._document = completed(deepcopy(_described()), self.catalogs)
         return self._document
 
 

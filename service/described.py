@@ -7,14 +7,14 @@ from dataclasses import fields
 from inspect import Parameter, Signature, cleandoc
 from typing import Annotated, Any, Final, NamedTuple, get_type_hints
 
-from fastapi import Query
-from fastapi.routing import APIRouter
+from fastapi import FastAPI, Query
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
 from solver.fields import Says
 
+Responses = Mapping[int | str, dict[str, Any]]
 Answering = Callable[[Request], Awaitable[Response]]
 NEEDED: Final = Parameter.empty
 """In place of a default: what has none."""
@@ -29,22 +29,23 @@ class _Declared(NamedTuple):
 
 
 class DescribedCalls:
-    """Calls of one kind: the prefix of their paths, and what the document says of all of them, as `APIRouter` takes it."""
+    """Calls of one kind: the prefix of their paths, and what the document says of all of them, as FastAPI takes it."""
 
-    def __init__(self, prefix: str = "", **described: Any) -> None:
-        self._prefix, self._described = prefix, described
+    def __init__(self, prefix: str = "", *, responses: Responses) -> None:
+        self._prefix, self._responses = prefix, responses
         self._declared: list[_Declared] = []
 
     def call(self, method: str, path: str, answers: Any = None, **described: Any) -> Callable[[Answering], Answering]:
         """Declares a call by what answers it: its name and its docstring are the call's.
 
         `answers` is the type of the answer's document, where it is one; `takes` are the types of what it takes, by name, those that need
-        not be there with their default; all else is as `APIRouter.add_api_route` takes it.
+        not be there with their default; all else is as `FastAPI.add_api_route` takes it.
         """
         takes = described.pop("takes", {})
 
         def declare(answering: Answering) -> Answering:
             said = {"name": answering.__name__, "description": cleandoc(answering.__doc__ or ""), "response_model": answers, **described}
+            said["responses"] = {**self._responses, **described.get("responses", {})}
             self._declared.append(_Declared(method, path, answering, takes, said))
             return answering
 
@@ -57,12 +58,10 @@ class DescribedCalls:
             route.methods = {one.method}  # HEAD is the guard's
         return made
 
-    def described(self) -> APIRouter:
-        """Returns what FastAPI describes."""
-        router = APIRouter(prefix=self._prefix, **self._described)
+    def describe(self, app: FastAPI) -> None:
+        """Has FastAPI describe the calls."""
         for one in self._declared:
-            router.add_api_route(one.path, _function_of(one.takes), methods=[one.method], **one.described)
-        return router
+            app.add_api_route(self._prefix + one.path, _function_of(one.takes), methods=[one.method], **one.described)
 
 
 def query_types(record: type[Any]) -> dict[str, tuple[Any, Any]]:
