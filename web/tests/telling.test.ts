@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 /** What the service says, in German by the forms it says things in, and in English with things called as one calls them. */
 import { afterAll, afterEach, describe, expect, it, vi } from "vitest";
+import own from "../src/words/de.json";
 import forms from "../src/words/told.de.json";
 
 const HOME = { rooms: [{ id: "foyer_1", type: "foyer" }, { id: "kitchen_2", type: "kitchen" }, { id: "bathroom_3", type: "bathroom" }, { id: "bathroom_4", type: "bathroom" }] };
@@ -41,6 +42,13 @@ describe("in German", () => {
     const { tell } = await spokenIn("de");
     expect(tell("$& has 9.6 m2, more than 8")).toBe("$& hat 9,6 m², mehr als 8");
     expect(tell(`${"a and ".repeat(400)}b share space: 1 m from west to east, 1 m from north to south, 1 m in height`)).toContain("stehen ineinander");
+  });
+
+  it("says what the page says of its own as the page has it, whatever forms it fits", async () => {
+    const { tellPlainly } = await spokenIn("de");
+    const whole = Object.entries(own).filter(([english]) => holesIn(english).size === 0);
+    expect(whole.length).toBeGreaterThan(100);
+    expect(whole.filter(([english, german]) => tellPlainly(english) !== german)).toEqual([]);
   });
 
   it("has no hole that the service does not fill", () => {

@@ -6,7 +6,7 @@ import { besideField, fieldOf, formWords } from "./field_words";
 import { asNumber } from "./number_text";
 import { readWish } from "./plain_wishes";
 import { inWords, Programme } from "./programme";
-import { say } from "../words/language";
+import { say, sayName } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
 export class Controls {
@@ -167,7 +167,7 @@ export class Controls {
     const style = this.#catalog?.styles?.[this.#input("style").value];
     const place = this.form.querySelector<HTMLElement>("#style_words");
     const walls = new Set(Object.values(style?.walls ?? {}).flatMap((finishes) => finishes.map(({ type }) => type)));
-    if (place) place.textContent = walls.size > 0 ? say("Walls of {walls}; colours, floors and decorations to match.", { walls: [...walls].join(", ") }) : "";
+    if (place) place.textContent = walls.size > 0 ? say("Walls of {walls}; colours, floors and decorations to match.", { walls: [...walls].map(sayName).join(", ") }) : "";
   }
 
   #input(name: string): HTMLInputElement {

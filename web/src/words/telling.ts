@@ -113,7 +113,7 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
 
 /** What the service says of a document: ids and keys stay as they are written there. */
 export function tellPlainly(said: string): string {
-  return formed(said, () => null, 0) ?? spoken(said) ?? said;
+  return spoken(said) ?? formed(said, () => null, 0) ?? said; // what the page says of its own fits many forms: none knows it as a whole
 }
 
 /** The same as `tell`, begun as a sentence begins. */
