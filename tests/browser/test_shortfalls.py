@@ -32,6 +32,14 @@ def test_an_area_that_could_not_be_met_and_pieces_left_out_are_told(visit: Visit
     assert visit.console == []
 
 
+def test_a_garden_without_a_patio_is_told_without_alarm(visit: Visit) -> None:
+    scene = visit.open("?program=one_bed&seed=12&outdoor=true")["scene"]
+    assert [note.split(":")[0] for note in scene["certificate"]["notes"]] == ["no patio"]
+    expect(visit.page.locator(".verdict .kept")).to_be_visible()
+    expect(visit.page.locator("#shortfall_line")).not_to_have_class("shortfall-line is-asked")
+    expect(visit.page.locator("#shortfall_list > li").first).to_contain_text("No patio: beside the backyard")
+
+
 def test_every_wrong_field_is_named_by_its_label_at_once(visit: Visit) -> None:
     visit.page.goto(visit.address + "?program.bedrooms=99&width=wide&robot_width=9")
     visit.settle()
@@ -40,4 +48,5 @@ def test_every_wrong_field_is_named_by_its_label_at_once(visit: Visit) -> None:
     for words in told:
         expect(alert).to_contain_text(words)
     expect(visit.page.locator("[aria-invalid=true]")).to_have_count(3)
+    expect(visit.page.locator(".verdict")).to_be_hidden()  # there is no home that a rule could be kept in
     expect(visit.page.locator("#width_problem")).to_have_text("Enter a number from 2 to 1000 m")

@@ -16,7 +16,7 @@ describe("what fell short", () => {
   it("is nothing where all was met, or nothing is known", () => {
     for (const certificate of [null, {}, { notes: [], rooms: { k: { proven: true, left_out: [] } } }]) {
       const found = shortfallsOf(home(certificate));
-      expect([found, shortfallLine(found)]).toEqual([{ asked: [], leftOut: [], pieces: 0, spare: 0 }, ""]);
+      expect([found, shortfallLine(found)]).toEqual([{ asked: [], beside: [], leftOut: [], pieces: 0, spare: 0 }, ""]);
     }
   });
 
@@ -41,6 +41,16 @@ describe("what fell short", () => {
   it("is said without alarm where rooms are only full enough", () => {
     const found = shortfallsOf(home({ rooms: { k: { proven: true, left_out: [{ piece: "plant_1", reason: FULL }] } } }));
     expect([found.pieces, found.spare, shortfallLine(found)]).toEqual([0, 1, "The rooms are furnished as fully as wished."]);
+  });
+
+  it("is no alarm where a garden has no patio beside it: the home has all that was asked", () => {
+    const notes = ["no patio: beside the backyard no living space or hallway leads to one"];
+    const said = "No patio: beside the backyard no living space or hallway leads to one.";
+    const bare = shortfallsOf(home({ notes }));
+    expect([bare.asked, bare.beside.map(({ words }) => words), shortfallLine(bare)]).toEqual([[], [said], said]);
+    const left = shortfallsOf(home({ notes, rooms: { k: { proven: true, left_out: [{ piece: "plant_1", reason: NONE }] } } }));
+    expect([left.asked, shortfallLine(left)]).toEqual([[], "1 more piece was tried and found no place."]);
+    expect(shortfallsOf(home({ notes: ["no backyard: the house takes the whole plot of 8 m", ...notes] })).asked).toHaveLength(1);
   });
 
   it("is shown as text, leads to its room, and is hidden where there is nothing", () => {

@@ -14,6 +14,8 @@ export interface Shortfall {
 export interface Shortfalls {
   /** What was asked and is otherwise, and what could not be proven. */
   readonly asked: readonly Shortfall[];
+  /** What would have come with what was asked, and nobody misses. */
+  readonly beside: readonly Shortfall[];
   /** What stands in no room for want of space, or because the room was full enough. */
   readonly leftOut: readonly Shortfall[];
   /** How many of those found no place, and how many a room that is full enough does without. */
@@ -23,6 +25,8 @@ export interface Shortfalls {
 
 /** How a certificate begins to say that a room needed no more. */
 const FULL = "the floor is covered as densely as wished";
+/** How it begins to say that a home has a garden, and no more outdoors. */
+const GARDEN_ALONE = "no patio";
 
 /** A note as a sentence: ids and the request's keys in words. */
 export function sentence(note: string, scene?: Scene): string {
@@ -50,7 +54,8 @@ function listed(names: readonly string[]): string {
 export function shortfallsOf(scene: Scene): Shortfalls {
   const names = roomNames(scene);
   const rooms = Object.entries(scene.certificate?.rooms ?? {}).map(([id, said]) => ({ id, name: names.get(id) ?? id, said }));
-  const notes = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note, scene), whys: [], room: null }));
+  const said = (scene.certificate?.notes ?? []).map((note) => ({ words: sentence(note, scene), whys: [], room: null, isBeside: note.startsWith(GARDEN_ALONE) }));
+  const [notes, beside] = [said.filter(({ isBeside }) => !isBeside), said.filter(({ isBeside }) => isBeside)];
   const { profile = "", unmet = [] } = scene.certificate?.access ?? {};
   const access = unmet.map((one) => ({ words: say("Access, {profile}: {said}", { profile: sayName(profile), said: sentence(one, scene) }), whys: [], room: null }));
   const ofRooms = rooms.flatMap(({ id, name, said }) => (said.notes ?? []).map((note) => ({ words: `${name}: ${sentence(note, scene)}`, whys: [], room: id })));
@@ -65,12 +70,13 @@ export function shortfallsOf(scene: Scene): Shortfalls {
   }));
   const all = rooms.flatMap(({ said }) => said.left_out ?? []);
   const spare = all.filter(({ reason }) => reason.startsWith(FULL)).length;
-  return { asked: [...notes, ...access, ...ofRooms, ...open], leftOut, pieces: all.length - spare, spare };
+  return { asked: [...notes, ...access, ...ofRooms, ...open], beside, leftOut, pieces: all.length - spare, spare };
 }
 
-/** What became of the pieces that do not stand, by their numbers: some were tried in vain, of others there is enough. */
-function piecesLine({ pieces, spare }: Shortfalls): string[] {
+/** What became of the pieces that do not stand, by their numbers: some were tried in vain, of others there is enough; where all stand, what nobody misses. */
+function piecesLine({ beside, pieces, spare }: Shortfalls): string[] {
   return [
+    ...(pieces === 0 && spare === 0 && beside.length > 0 ? beside.map(({ words }) => words) : []),
     ...(pieces === 1 ? [say("1 more piece was tried and found no place.")] : []),
     ...(pieces > 1 ? [say("{count} more pieces were tried and found no place.", { count: pieces })] : []),
     ...(spare > 0 && pieces === 0 ? [say("The rooms are furnished as fully as wished.")] : []),
@@ -95,12 +101,12 @@ export class ShortfallPanel {
 
   show(scene: Scene): void {
     const found = shortfallsOf(scene);
-    this.section.hidden = found.asked.length + found.leftOut.length === 0;
+    this.section.hidden = found.asked.length + found.beside.length + found.leftOut.length === 0;
     this.line.hidden = this.section.hidden;
     this.line.textContent = shortfallLine(found);
     this.line.classList.toggle("is-asked", found.asked.length > 0);
     this.line.parentElement?.querySelector(".verdict")?.classList.toggle("is-short", found.asked.length > 0);
-    this.list.replaceChildren(...[...found.asked, ...found.leftOut].map((one) => this.#item(one)));
+    this.list.replaceChildren(...[...found.asked, ...found.beside, ...found.leftOut].map((one) => this.#item(one)));
   }
 
   #open(): void {

@@ -85,8 +85,10 @@ function showOptimality(host: HTMLElement, scene: Scene): void {
 export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): void {
   const [broken, empty] = [brokenOf(issues, scene), unfurnishedWords(issues, scene)];
   showStatus(host, countsOf(scene, broken), timing);
-  host.querySelector(".verdict")?.classList.toggle("has-errors", broken.some(({ severity }) => severity === "error"));
-  host.querySelector(".verdict")?.classList.toggle("is-open", empty !== "");
+  const verdict = host.querySelector<HTMLElement>(".verdict");
+  if (verdict) verdict.hidden = false; // of no home nothing is judged
+  verdict?.classList.toggle("has-errors", broken.some(({ severity }) => severity === "error"));
+  verdict?.classList.toggle("is-open", empty !== "");
   const place = host.querySelector<HTMLElement>(".unfurnished");
   if (place) place.hidden = empty === "";
   host.querySelector("[data-count='unfurnished']")?.replaceChildren(empty);
