@@ -11,6 +11,27 @@ EYE_HEIGHT = 1.6
 PROJECTED = "points => points.map(at => compose.viewport.project(compose.viewport.camera.position.clone().set(...at)))"
 """Where points of the house are seen on the canvas [CSS pixels]."""
 
+DRAWN_WHEN_FOLDED = """async () => {
+    const [stage, canvas] = [document.querySelector('#stage'), document.querySelector('#stage > canvas')];
+    const copy = Object.assign(document.createElement('canvas'), {width: 80, height: 60}).getContext('2d', {willReadFrequently: true});
+    const drawn = () => {
+        copy.clearRect(0, 0, 80, 60);
+        copy.drawImage(canvas, 0, 0, 80, 60);
+        return [canvas.clientWidth, copy.getImageData(0, 0, 80, 60).data.filter((value, at) => at % 4 === 3 && value > 0).length];
+    };
+    const before = canvas.clientWidth;
+    let told;
+    const changed = new Promise(done => { told = done; });
+    const watch = new ResizeObserver(() => { if (canvas.clientWidth !== before) told(drawn()); });
+    watch.observe(stage);
+    document.querySelector('#fold_controls').click();
+    const [width, pixels] = await changed;
+    watch.disconnect();
+    document.querySelector('#fold_controls').click();
+    return [width - before, pixels];
+}"""
+"""By how much folding the controls makes the canvas wider, and how many of its 4,800 places have something drawn, before any of it is shown."""
+
 
 def entrance_of(answer: Document) -> Document:
     """The room that the main entrance leads into."""
@@ -32,6 +53,14 @@ def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
     clicked = [room["id"] for room in rooms if visit.click_on(room["id"])]
     assert len(clicked) == len(rooms)
     assert visit.page.evaluate("told") == clicked
+
+
+def test_a_canvas_of_another_size_is_shown_with_the_house_and_never_empty(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    wider, drawn = visit.page.evaluate(DRAWN_WHEN_FOLDED)
+    assert wider > 0 and drawn > 100
+    visit.settle()
+    assert visit.idle() == 0
 
 
 def test_walls_before_the_viewer_are_low_unless_they_are_wanted_whole(visit: Visit) -> None:

@@ -88,7 +88,7 @@ export class Viewport {
     this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
     this.#orbiting = new Orbiting(this.#controls);
-    new ResizeObserver(() => this.#resize()).observe(host);
+    new ResizeObserver(() => { if (this.#resize()) this.#draw(performance.now()); }).observe(host); // in this very frame: a canvas of a new size is empty
     this.#resize();
   }
 
@@ -248,7 +248,7 @@ export class Viewport {
   invalidate(): void {
     if (this.#asked) return;
     this.#asked = true;
-    requestAnimationFrame((now) => this.#draw(now));
+    requestAnimationFrame((now) => { if (this.#asked) this.#draw(now); });
   }
 
   #draw(now: number): void {
@@ -287,9 +287,10 @@ export class Viewport {
     this.camera.updateProjectionMatrix();
   }
 
-  #resize(): void {
+  /** Fits the canvas to its host; tells whether it was of another size. */
+  #resize(): boolean {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (width === 0 || height === 0 || (width === this.#size.width && height === this.#size.height && window.devicePixelRatio === this.#ratio)) return;
+    if (width === 0 || height === 0 || (width === this.#size.width && height === this.#size.height && window.devicePixelRatio === this.#ratio)) return false;
     this.#size = { width, height };
     this.#ratio = window.devicePixelRatio;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -297,7 +298,7 @@ export class Viewport {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.#preset) this.look(this.#preset, true);
-    this.invalidate();
+    return true;
   }
 
   /** Who walks, and looks from where; null from outside. */
@@ -313,16 +314,15 @@ export class Viewport {
   /** The ray under a point of the window [CSS pixels]. */
   rayAt(clientX: number, clientY: number): Raycaster {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
-    const at = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
-    const ray = new Raycaster();
-    ray.setFromCamera(at, this.camera);
-    return ray;
+    return this.#rayThrough(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
   }
 
   /** The ray in the middle of the view. */
-  rayAhead(): Raycaster {
+  rayAhead(): Raycaster { return this.#rayThrough(0, 0); }
+
+  #rayThrough(right: number, up: number): Raycaster {
     const ray = new Raycaster();
-    ray.setFromCamera(new Vector2(0, 0), this.camera);
+    ray.setFromCamera(new Vector2(right, up), this.camera);
     return ray;
   }
 
