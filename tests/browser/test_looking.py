@@ -30,7 +30,7 @@ DRAWN_WHEN_FOLDED = """async () => {
     document.querySelector('#fold_controls').click();
     return [width - before, pixels];
 }"""
-"""By how much folding the controls makes the canvas wider, and how many of its 4,800 places have something drawn, before any of it is shown."""
+"""By how much folding the controls makes the canvas wider, and how many of its 4,800 places are drawn, before any of it is shown."""
 
 
 def entrance_of(answer: Document) -> Document:
