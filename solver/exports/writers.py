@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import struct
 import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,6 +21,10 @@ Files = dict[str, bytes]
 """Contents by file name; folders with slashes."""
 _EPOCH: Final = (1980, 1, 1, 0, 0, 0)
 """When all files of an archive were changed: its bytes must not depend on the day."""
+_LOCAL_HEADER: Final = 30
+_EXTRA_HEADER: Final = struct.Struct("<HH")
+_PADDING: Final = 0x1986
+"""What USD calls a field of padding in an archive's header."""
 
 
 @dataclass(frozen=True)
@@ -88,10 +93,14 @@ def packed(files: Files, name: str, media_type: str) -> tuple[str, str, bytes]:
     return f"{name}.zip", "application/zip", zipped(files)
 
 
-def zipped(files: Files) -> bytes:
-    """Returns files as a ZIP archive: the same bytes on every day."""
-    archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as opened:
+def zipped(files: Files, aligned: int = 0) -> bytes:
+    """Returns files as a ZIP archive: the same bytes on every day. `aligned`: not compressed, each begun at a multiple of so many bytes."""
+    archive, kind = io.BytesIO(), zipfile.ZIP_STORED if aligned else zipfile.ZIP_DEFLATED
+    with zipfile.ZipFile(archive, "w", kind) as opened:
         for path, content in files.items():
-            opened.writestr(zipfile.ZipInfo(path, _EPOCH), content, zipfile.ZIP_DEFLATED, 6)
+            info = zipfile.ZipInfo(path, _EPOCH)
+            if aligned:
+                padding = -(archive.tell() + _LOCAL_HEADER + len(path.encode()) + _EXTRA_HEADER.size) % aligned
+                info.extra = _EXTRA_HEADER.pack(_PADDING, padding) + bytes(padding)
+            opened.writestr(info, content, kind, 6)
     return archive.getvalue()

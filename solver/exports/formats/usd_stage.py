@@ -5,13 +5,14 @@ The frame is USD's for simulators: z up, y north, front towards -y, m, kg, degre
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from typing import Final
 
 from solver.exports.asset_layers import AssetLayers
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.floor_rectangles import rectangles_of
-from solver.exports.formats.usd_packing import packed_stage
 from solver.exports.in_drawers import held_things
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import moving_parts, still_part
@@ -20,7 +21,7 @@ from solver.exports.safe_names import SafeNames
 from solver.exports.usd_doors import door_text, front_text, held_text
 from solver.exports.usd_kinds import body_guides, body_kind, wall_kind
 from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
-from solver.exports.writers import ExportSettings, Files
+from solver.exports.writers import ExportSettings, Files, zipped
 from solver.version import VERSION
 
 CEILING: Final = 0.01
@@ -56,7 +57,18 @@ rel physics:filteredGroups = </House/Building>
 def write(model: HouseModel, settings: ExportSettings) -> Files:
     """Writes `<house>.usda`, or `.usdc` or `.usdz` where the format says so."""
     text, beside = stage_text(model)
-    return packed_stage(text, model.name, settings.format, beside)
+    name = model.name
+    if settings.format not in ("usdc", "usdz"):
+        return {f"{name}.usda": text.encode(), **beside}
+    from pxr import Sdf  # noqa: PLC0415 (an extra)
+
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.ImportFromString(text)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, f"{name}.usdc")
+        layer.Export(str(path))
+        whole = {path.name: path.read_bytes(), **beside}
+    return whole if settings.format == "usdc" else {f"{name}.usdz": zipped(whole, aligned=64)}
 
 
 def stage_text(model: HouseModel, lit: bool = True) -> tuple[str, Files]:
