@@ -27,7 +27,5 @@ def times(everything: int, some: int) -> int:
 
 
 def examples(some: int) -> Callable[[T], T]:
-    """Returns what has Hypothesis draw `some` examples of a costly property; in `make targets`, as many as its profile says."""
-    if ALL:
-        return lambda test: test
-    return settings(max_examples=some)
+    """Returns what has Hypothesis draw `some` examples of a costly property; in `make targets`, ten times as many."""
+    return settings(max_examples=times(10 * some, some))

@@ -16,6 +16,7 @@ from catalogs.schema import RelationWord
 from solver.request import Request
 from solver.scene import Furniture, Opening, Room
 from tests.service.problems import problem_of
+from tests.sweeps import times
 
 POSTS = [
     "/generate",
@@ -31,7 +32,7 @@ POSTS = [
     "/export/json",
     "/export/yaml",
 ]
-BOUNDED = settings(max_examples=50, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
+BOUNDED = settings(max_examples=times(200, 20), suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 TAKEN = 200
 RELATED = get_args(RelationWord)
 

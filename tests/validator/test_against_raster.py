@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.validator import validate
+from tests.sweeps import examples
 from tests.validator.raster import House, broken, things
 from tests.validator.worlds import CATALOGS, WALLS
 
@@ -95,7 +96,7 @@ def told(scene: Scene, *rules: str) -> set[tuple[str, str | None, tuple[str, ...
 STANDING = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window")
 
 
-@settings(max_examples=200)
+@examples(150)
 @given(rooms("a", 0.0, 0.0, shapes=True), st.sampled_from([0.0, 0.1]))
 def test_standing_agrees_with_the_raster(room: Room, thickness: float) -> None:
     scene = Scene(rooms=(room,), wall_thickness=thickness)
@@ -140,7 +141,7 @@ def unreached(scene: Scene) -> set[tuple[str, str, tuple[str, ...]]]:
     return found
 
 
-@settings(max_examples=120)
+@examples(50)
 @given(houses())
 def test_walking_agrees_with_the_raster(scene: Scene) -> None:
     assert told(scene, "unreachable") == unreached(scene)

@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import Decoration, Dynamic, Room, Scene
 from solver.validator import check, validate
 from solver.validator import checking as module
 from solver.validator.judging import JUDGED
+from tests.sweeps import examples
 from tests.validator.test_against_raster import furniture, houses, openings, tenths, twentieths
 from tests.validator.worlds import CATALOGS, piece, room, scene
 
@@ -50,7 +51,7 @@ def changes(draw: st.DrawFn) -> Change:
     return lambda scene: replace(scene, wall_thickness=thickness, certificate=reasons)
 
 
-@settings(max_examples=150)
+@examples(60)
 @given(houses(), st.lists(changes(), min_size=1, max_size=6))
 def test_what_is_checked_again_is_as_if_all_had_been(scene: Scene, edits: list[Change]) -> None:
     scene = replace(
