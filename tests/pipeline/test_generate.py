@@ -47,6 +47,22 @@ def test_tall_doors_open_beside_the_board_of_a_window(fields: dict[str, Any]) ->
     assert [issue.message for issue in generate(Request(**fields)).issues] == []
 
 
+@pytest.mark.parametrize("cars", [1, 2, 3])
+def test_cars_stand_right_behind_their_gate(cars: int) -> None:
+    """Cars that came in straight: those along the way in lie between the ends of the garage door, nine of ten at least."""
+    past = count = 0
+    for seed in range(700, 700 + times(40, 12)):
+        made = generate(Request(seed=seed, program={"bedrooms": 2, "garage": cars}))
+        garage = next(room for room in made.scene.rooms if room.type.startswith("garage"))
+        gate = next(one for one in garage.openings if one.kind == "garage_door")
+        along_x = gate.wall in ("north", "south")
+        for car in (piece for piece in garage.furniture if piece.id.split("/")[-1].startswith("car_")):
+            if (car.rotation % 180 == 0) == along_x:
+                count += 1
+                past += abs((car.x if along_x else car.z) - gate.position) > (gate.width - car.width) / 2 + 0.002
+    assert count > 10 and past * 10 <= count, (past, count)
+
+
 @examples(20)
 @given(
     seed=st.integers(0, 2**53 - 1),

@@ -57,6 +57,9 @@ bool Furnisher::add(const CountedPiece& counted, i32 number, const Preferences& 
 
 List<Candidate*> Furnisher::found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
   List<Candidate*> found = slots_of(subject, effects, preferences);
+  for (Candidate* slot : found) {
+    for (const Effect& effect : effects) effect.relation->keep(subject, effect, *slot);
+  }
   if (!must_have_slot(subject.rules)) found.add_all(alone(subject, effects, preferences).all());
   return found;
 }

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
-from solver.geometry import ALONG_X, OPPOSITE, WALL_BEHIND, Rect
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect
 from solver.pieces import LOOKS_AT, Candidate, Link
 from solver.relations.relation import distance_mm, missed
-from solver.relations.subject import Opened, Scope, Subject
+from solver.relations.subject import Kind, Opened, Scope, Subject
 from solver.scene import WALLS
 from tests.furnish.reference.slots import slots_of
 
@@ -20,6 +20,7 @@ CENTRED_REACH_MM = 1000
 """A piece this far from where it should be centred pays the full cost."""
 LONGER = 1.15
 SHUNNED = 2.0
+PAST_GATE_SHARE = 0.3
 ALONG_SHARE = 0.3
 """A wall is long, and those beside it short, from this ratio on: a square room has neither."""
 AT_SIDES = ("beside", "in_front_of", "around", "under")
@@ -111,15 +112,41 @@ def _facing(subject: Subject, spec: RelationSpec) -> Effect:
     kinds = tuple(name for name in spec.of if name in OPENINGS)
     if kinds:
         walls = {opening.wall for opening in subject.scope.opened(*kinds)}
+        gates = subject.scope.opened("garage_door") if "garage_door" in kinds else []
 
         def cost_of(candidate: Candidate) -> float:
-            return 0.0 if OPPOSITE[WALL_BEHIND[candidate.rotation % 360]] in walls else missed(spec)
+            if OPPOSITE[WALL_BEHIND[candidate.rotation % 360]] not in walls:
+                return missed(spec)
+            return PAST_GATE_SHARE * spec.cost if gates and not behind_gate(subject, candidate) else 0.0
 
-        return Effect(cost_of=cost_of) if walls else NOTHING
+        spots = tuple(spot for gate in gates for kind, _ in subject.variants for spot in _spots_behind(subject.scope, gate, kind))
+        return Effect(cost_of=cost_of, spots=spots) if walls else NOTHING
     link = _link(subject, spec)
     if link is None or any(other.type in AT_SIDES and set(other.of) & set(spec.of) for other in subject.relations):
         return NOTHING
     return Effect(links=(replace(link, turn=LOOKS_AT),))
+
+
+def _spots_behind(scope: Scope, gate: Opened, kind: Kind) -> list[tuple[str, tuple[int, int]]]:
+    """Returns the places of a kind right behind a garage door, at both its ends."""
+    (low, high), (width, depth, _) = gate.interval, kind.size
+    into = scope.gap_mm + depth // 2
+    across = scope.clear.line(gate.wall) + INWARDS[gate.wall] * into
+    along = [low + width // 2, high - width // 2] if width <= high - low else []
+    return [(kind.name, (at, across) if gate.wall in ALONG_X else (across, at)) for at in along]
+
+
+def behind_gate(subject: Subject, candidate: Candidate) -> Rect | None:
+    """Returns where a candidate stays between the ends of the garage door that it faces; at another piece, of any door."""
+    faced = any(spec.type == "facing" and "garage_door" in spec.of for spec in subject.relations)
+    ahead, clear = OPPOSITE[WALL_BEHIND[candidate.rotation % 360]], subject.scope.clear
+    for gate in subject.scope.opened("garage_door") if faced else ():
+        (low, high), (a, b) = gate.interval, candidate.footprint.along(ahead)
+        if candidate.attach or (gate.wall == ahead and low <= a and b <= high):
+            start, end = clear.along(gate.wall)
+            low, high = max(start, low), min(end, high)
+            return Rect(low, clear.z0, high, clear.z1) if gate.wall in ALONG_X else Rect(clear.x0, low, clear.x1, high)
+    return None
 
 
 def _near(subject: Subject, spec: RelationSpec) -> Effect:

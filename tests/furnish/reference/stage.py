@@ -22,7 +22,7 @@ from solver.scene import Room
 from solver.streams import Stream
 from tests.furnish.reference.comfort import with_comfort
 from tests.furnish.reference.drawn import CountedPiece, Preferences, count, drawn_preferences, ordered
-from tests.furnish.reference.effects import Effect, beside_windows, effect_of
+from tests.furnish.reference.effects import Effect, behind_gate, beside_windows, effect_of
 from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off_boards
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
@@ -128,7 +128,7 @@ class _Furnisher:
         spec = counted.spec
         subject = Subject(self.scope, counted.variants, spec.rules, dict(self._labels), dict(self._standing))
         effects = [(rule, effect_of(subject, rule)) for rule in spec.rules]
-        candidates = _slots(effects, subject, preferences)
+        candidates = [replace(slot, within=behind_gate(subject, slot)) for slot in _slots(effects, subject, preferences)]
         if not any(rule.required and RELATIONS[rule.type].gives_place for rule in spec.rules):
             candidates += self._alone(subject, effects, preferences)
         if not candidates:
@@ -155,7 +155,7 @@ class _Furnisher:
                 cost += self._in_the_way(subject, candidate.footprint) + _facing_wall(subject, candidate)
             cost += sum(effect.cost_of(candidate) for _, effect in effects if effect.cost_of)
             if cost < math.inf:
-                within = beside_windows(subject, candidate)
+                within = beside_windows(subject, candidate) or behind_gate(subject, candidate)
                 found.append(replace(candidate, cost=round(cost, 6), weights=(pull, pull), within=within))
         return _best_of_each(subject, found)
 

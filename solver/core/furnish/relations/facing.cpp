@@ -4,6 +4,9 @@
 
 namespace furnish {
 
+// What it costs to stand past the ends of a garage door that is faced, of what it costs not to face it: one drives straight in.
+constexpr f64 PAST_GATE_SHARE = 0.3;
+
 // Tells whether the slots of another relation of the piece to those it faces turn it already.
 static bool slots_turn_it(const Subject& subject, const Rule& rule) {
   for (const Rule& other : subject.rules) {
@@ -14,11 +17,38 @@ static bool slots_turn_it(const Subject& subject, const Rule& rule) {
   return false;
 }
 
+// Tries the places right behind a garage door, at both its ends.
+static void add_behind(const Subject& subject, const Opened& gate, Effect& effect) {
+  for (const Variant& variant : subject.variants) {
+    const Kind& kind = subject.type.kinds[variant.kind];
+    const i64 half = floor_div(kind.width, 2), into = subject.scope.gap + floor_div(kind.depth, 2);
+    if (gate.stretch.high - gate.stretch.low < kind.width) continue;
+    const i64 ends[] = {gate.stretch.low + half, gate.stretch.high - half};
+    for (const i64 along : ends) effect.spots.add({variant.kind, 0, subject.scope.clear.point_at(gate.wall, along, into)});
+  }
+}
+
+// The garage door, of those that are faced, before which a candidate stands within its ends; null where there is none. What stands at
+// another piece does so before any.
+static const Opened* gate_before(const Subject& subject, const Effect& effect, const Candidate& candidate) {
+  const Wall ahead = wall_ahead(candidate.rotation);
+  const Interval own = subject.footprint(candidate).along(ahead);
+  for (const Opened& one : subject.scope.openings) {
+    if (one.kind != Opening::garage_door || !effect.gates) continue;
+    if (candidate.parent >= 0 || (one.wall == ahead && one.stretch.low <= own.low && own.high <= one.stretch.high)) return &one;
+  }
+  return nullptr;
+}
+
 // Asks for the turn; to an opening, for being turned to its wall.
 void Facing::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
   if (names_opening(subject.type.of(rule))) {
     for (const Opened& one : subject.scope.openings) {
-      if (is_named(one, subject.type.of(rule))) effect.walls |= 1ULL << static_cast<i32>(one.wall);
+      if (!is_named(one, subject.type.of(rule))) continue;
+      effect.walls |= 1ULL << static_cast<i32>(one.wall);
+      if (one.kind != Opening::garage_door) continue;
+      effect.gates = true;
+      add_behind(subject, one, effect);
     }
     effect.has_cost = effect.walls != 0;
     return;
@@ -31,9 +61,23 @@ void Facing::effect(const Subject& subject, const Rule& rule, Effect& effect) co
   link.required = rule.required;
 }
 
-f64 Facing::cost(const Subject&, const Effect& effect, const Candidate& candidate) const {
+f64 Facing::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {
   const i32 ahead = static_cast<i32>(wall_ahead(candidate.rotation));
-  return effect.walls >> ahead & 1 ? 0.0 : effect.rule->missed();
+  if (!(effect.walls >> ahead & 1)) return effect.rule->missed();
+  return effect.gates && !gate_before(subject, effect, candidate) ? PAST_GATE_SHARE * effect.rule->cost : 0.0;
+}
+
+// What stands before a garage door stays within its ends.
+void Facing::keep(const Subject& subject, const Effect& effect, Candidate& candidate) const {
+  const Opened* gate = gate_before(subject, effect, candidate);
+  if (!gate) return;
+  candidate.within = subject.scope.clear;
+  Rect& within = candidate.within;
+  if (runs_along_x(gate->wall)) {
+    within.x0 = most(within.x0, gate->stretch.low), within.x1 = least(within.x1, gate->stretch.high);
+  } else {
+    within.z0 = most(within.z0, gate->stretch.low), within.z1 = least(within.z1, gate->stretch.high);
+  }
 }
 
 }  // namespace furnish

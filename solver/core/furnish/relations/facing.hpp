@@ -9,6 +9,7 @@ class Facing : public Relation {
  public:
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override;
+  void keep(const Subject& subject, const Effect& effect, Candidate& candidate) const override;
 };
 
 }  // namespace furnish

@@ -34,6 +34,7 @@ struct Effect {
   f64 weight = 0.0;      // pull towards the anchor, m^-2
   List<Point> points;    // of what a cost is measured from
   u64 walls = 0;         // that a front is to look to; bit by Wall
+  bool gates = false;    // it looks to a garage door
 };
 
 // One word of the vocabulary; this one says nothing, the others override what they mean.
