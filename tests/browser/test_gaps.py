@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from typing import Any
+
 from playwright.sync_api import expect
 
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den, poses
@@ -32,21 +35,28 @@ def test_distances_to_walls_and_pieces_follow_the_piece(visit: Visit) -> None:
     expect(gaps).to_be_hidden()
 
 
-LAID = """() => [...document.querySelectorAll('.handle, .ruler-words')].filter(one => one.checkVisibility()).map(one => {
-    const {left, top, right, bottom} = one.getBoundingClientRect();
-    return [one.textContent, left, top, right, bottom];
+LAID = """() => [
+    ...document.querySelectorAll('.handle, .ruler-words, .piece-label.chosen, .room-label:not(.crowded-out)')
+].filter(one => one.checkVisibility()).map(one => {
+    const [{left, top, right, bottom}, unseen] = [one.getBoundingClientRect(), one.clientLeft]; // for fingers they have an empty border
+    return [one.textContent, left + unseen, top + one.clientTop, right - unseen, bottom - one.clientTop];
 })"""
-"""The handles and the written distances that are seen, and the rectangles that they take."""
+"""The handles, written distances and names that are seen, and the rectangles that they take."""
 
 
-def test_no_handle_lies_over_a_distance(visit: Visit) -> None:
+def keep_apart(laid: list[Any]) -> None:
+    """Checks that no distance lies over another, a handle or a name, nor they over it."""
+    distances = [words for words, *_ in laid if re.fullmatch(r"[\d.]+ m", words)]
+    assert len(distances) >= 2 and len(laid) > len(distances)
+    for i, (words, *a) in enumerate(laid):
+        for other, *b in laid[:i]:
+            meets = a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+            assert not (meets and (words in distances or other in distances)), f"{words} over {other}"
+
+
+def test_no_handle_and_no_name_lies_over_a_distance(visit: Visit) -> None:
     Bench(visit, den(crate(ONE, 2, 1), crate(OTHER, 2, 2.1)))
     visit.page.keyboard.press("2")
     visit.line_of(ONE).click()
     visit.settle()
-    laid = visit.page.evaluate(LAID)
-    assert sum(words.endswith(" m") for words, *_ in laid) >= 2 and any(not words.endswith(" m") for words, *_ in laid)
-    for i, (words, *a) in enumerate(laid):
-        for other, *b in laid[:i]:
-            meets = a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
-            assert not (meets and (words.endswith(" m") or other.endswith(" m"))), f"{words} over {other}"
+    keep_apart(visit.page.evaluate(LAID))

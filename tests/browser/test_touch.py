@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.conftest import PIXEL_RATIO
 from tests.browser.service_process import ServiceProcess
+from tests.browser.test_gaps import LAID, keep_apart
 from tests.browser.visit import MOVED, SMALL, Visit
 from tests.browser.ways import Touch
 
@@ -90,3 +91,12 @@ def presses_nothing_small(page: Page) -> None:
     expect(page.locator("#palette li button").first).to_be_visible()
     assert page.evaluate(PRESSED, SMALLEST) == []
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def test_names_make_way_for_the_distances_of_a_piece_that_is_tapped(touched: Visit) -> None:
+    scene = touched.open("?program=one_bed&style=mid_century&seed=12&outdoor=true")["scene"]
+    sofa = next(piece["id"] for room in scene["rooms"] for piece in room["furniture"] if piece["name"] == "sofa")
+    Touch(touched).choose(sofa)
+    laid = touched.page.evaluate(LAID)
+    assert any(words.startswith("sofa") for words, *_ in laid)
+    keep_apart(laid)

@@ -33,7 +33,12 @@ export class Numbers {
   #guides: readonly Guide[] = [];
 
   constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, readonly acts: Acts, hosts: { readonly gaps: HTMLElement; readonly piece: HTMLDetailsElement; readonly tape: HTMLElement }) {
-    this.rulers = new Rulers(stage.host, stage.viewport);
+    this.#handles = new Handles(stage.host, stage.viewport, {
+      preview: (body) => this.#preview(body),
+      turn: (id, degrees) => editor.rotate(id, degrees),
+      resize: (id, change, dx, dz) => acts.change(id, change, dx, dz),
+    });
+    this.rulers = new Rulers(stage.host, stage.viewport); // after the handles: words keep clear of them
     this.#gaps = new GapPanel(hosts.gaps);
     this.#gaps.onCloser = (side, millimetres) => this.#closer(side, millimetres);
     this.#panel = new PiecePanel(hosts.piece, {
@@ -41,11 +46,6 @@ export class Numbers {
       paint: (id, color) => acts.paint(id, color),
       turnTo: (id, rotation) => editor.rotate(id, rotation - (home.find(id)?.piece.rotation ?? 0)),
       align: (how) => acts.align(how),
-    });
-    this.#handles = new Handles(stage.host, stage.viewport, {
-      preview: (body) => this.#preview(body),
-      turn: (id, degrees) => editor.rotate(id, degrees),
-      resize: (id, change, dx, dz) => acts.change(id, change, dx, dz),
     });
     this.tape.onChange = (lines, words) => {
       this.rulers.show("tape", lines);

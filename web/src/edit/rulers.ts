@@ -89,7 +89,7 @@ export class Rulers {
 
   #place(): void {
     const written: Kept[] = [];
-    const handles = this.viewport.overlaid.get("handles") ?? [];
+    const handles = this.viewport.overlaid.of("handles");
     for (const { line, stroke, label } of this.#drawn) {
       const [from, to] = [line.from, line.to].map((spot) => this.viewport.project(new Vector3(...spot)));
       const isSeen = from !== null && to !== null && from !== undefined && to !== undefined;

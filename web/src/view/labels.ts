@@ -40,6 +40,7 @@ export class Labels {
   #house: House | null = null;
   #all = false;
   #withDecorations = false;
+  #asked = false;
   #kept: readonly Kept[] = [];
   #bodies: ReadonlyMap<string, PlacedBody> = new Map();
 
@@ -47,7 +48,8 @@ export class Labels {
     this.#rooms = new RoomLabels(layer, viewport);
     this.#tip.element.hidden = true;
     layer.append(this.#tip.element);
-    viewport.onFrame(() => this.#follow());
+    viewport.onFrame(() => this.#followSoon());
+    viewport.overlaid.onChange = () => this.#followSoon();
     const overlays = [...document.querySelectorAll<HTMLElement>(OVERLAYS)];
     const watch = new ResizeObserver(() => this.#keepClear(overlays));
     for (const element of [...overlays, layer]) watch.observe(element);
@@ -134,14 +136,22 @@ export class Labels {
     return true;
   }
 
+  /** Once all is where it is shown, and before any of it is seen. */
+  #followSoon(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    queueMicrotask(() => this.#follow());
+  }
+
   #follow(): void {
+    this.#asked = false;
     this.#bodies = new Map(this.#house?.bodies.map((body) => [body.id, body]));
     const pieces = this.#askedPieces();
     const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish))
       .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
     const named = asked.filter(({ isDot }) => !isDot);
-    const found = layOut(named, [...this.#kept, ...[...this.viewport.overlaid.values()].flat()]);
+    const found = layOut(named, [...this.#kept, ...this.viewport.overlaid.all]);
     const places = new Map(named.map((wish, i) => [wish, found[i] ?? null]));
     const shown = new Set<LabelElement>();
     for (const wish of asked) {

@@ -6,8 +6,8 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, windowOf, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH } from "./daylight";
-import type { Kept } from "./label_layout";
 import { Orbiting, type OrbitStep } from "./orbiting";
+import { Overlaid } from "./overlaid";
 import { Portraits, type Sitter } from "./portraits";
 import { rendererForMachine } from "./renderer";
 import { gazeOf, type Pose } from "./walk";
@@ -70,8 +70,7 @@ export class Viewport {
   #last = 0;
   /** Whether something was added since the last frame. */
   #new = false;
-  /** What is shown over the canvas for what is chosen, by who shows it: names keep clear of it. */
-  readonly overlaid = new Map<string, readonly Kept[]>();
+  readonly overlaid = new Overlaid();
 
   constructor(readonly host: HTMLElement) {
     this.#renderer = rendererForMachine();
