@@ -10,6 +10,7 @@ Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, shape_openi
 from __future__ import annotations
 
 import math
+import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -39,10 +40,10 @@ from solver.imports.units import told_by_doors
 from solver.imports.walls_alone import rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
-    "garage_door": ("garage_door", "garage-door", "garage door", "garagedoor", "garagentor", "porte de garage"),
+    "garage_door": ("garage door", "garagedoor", "garagentor", "porte de garage"),
     "window": (
-        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", "fönster", "fonster", "okno", "okna",
-        "окно", "окна", "glaz",
+        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", " ramen", "fönster", "fonster", "okno",
+        "okna", "окно", "окна", "glaz",
     ),
     "door": ("door", "tür", "tuer", "porte", "puerta", "porta", "deur", "dörr", "drzwi", "двер"),
     "passage": ("passage", "durchgang"),
@@ -52,18 +53,25 @@ WORDS: Final[dict[str, tuple[str, ...]]] = {
     ),
     "wall": (
         "wall", "wand", "wänd", "waend", "mur", "pared", "parete", "muro", "tabique", "cloison", "vägg", "vagg", "ścian", "scian", "стен",
+        "partition", "bearing",
     ),
     "room": (
         "room", "space", "raum", "räum", "raeum", "zimmer", "piece", "pièce", "habitacion", "habitación", "stanza", "stanze", "locale",
         "ruimte", "pomieszcz", "помещ", "zone",
     ),
+    "label": (" tag ", " tags ", " iden ", "stempel", "label", "etikett", "etiquet", "etichett"),
 }  # fmt: skip
-"""What a layer or a shape is, by words in its name; the first that fits, but an opening where doors and windows are named."""
+"""What a layer or a shape is, by words in its name; the first that fits, but an opening where doors and windows are named.
+
+Of labels, such as the stamps of rooms, texts alone count."""
+BETWEEN_WORDS: Final = re.compile(r"[\W_]+")
 PASSED: Final = ("furn", "möbel", "mobil", "meuble", "mueble", "arredo", "dimension", "hatch")
 """Words of layers that hold none of these, whatever they lie within."""
 NO_DOOR: Final = ("outdoor", "indoor")
 MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
+MOST_AROUND: Final = 20
+"""Of the shapes around a text so many are looked at."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 INSIDE: Final = 0.05
@@ -106,6 +114,8 @@ def plan_of_shapes(
     Raises:
         FieldError: there are more shapes than in any home.
     """
+    if not any(shape.sort in ("room", "wall") for shape in shapes):
+        shapes = _named_by_texts(shapes, texts)
     sorts = [shape.sort for shape in shapes]
     check_count("shapes", sum(sort is not None for sort in sorts) + len(swings), MOST_POINTS)
     check_count("points of shapes", sum(len(one.points) for one in shapes if one.sort is not None), MOST_DRAWN)
@@ -153,6 +163,25 @@ def plan_of_shapes(
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
+
+
+def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) -> list[DrawnShape]:
+    """Returns shapes of a drawing that calls none a room or a wall: those with one text in them that plainly names a room are rooms.
+
+    Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
+    """
+    places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
+    boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
+    sizes = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
+    held: list[list[int]] = []
+    for text in (one for one in texts if one.means):
+        around = ((boxes[:, :2] < (text.x, text.z)) & (boxes[:, 2:] > (text.x, text.z))).all(axis=1)
+        smallest = sorted(map(int, np.flatnonzero(around)), key=lambda at: sizes[at])[:MOST_AROUND]
+        held.append([at for at in smallest if _holds(shapes[places[at]].points, text.x, text.z)])
+    counts = Counter(at for some in held for at in some)
+    own = [[at for at in some if counts[at] == 1] for some in held]
+    rooms = {places[some[0 if len(held) == 1 else -1]] for some in own if some}
+    return [one._replace(sort="room") if at in rooms else one for at, one in enumerate(shapes)]
 
 
 def _untold_layers(shapes: Sequence[DrawnShape]) -> Iterator[Unread]:
@@ -221,14 +250,14 @@ def is_passed(names: Sequence[str]) -> bool:
 def sort_within(names: Sequence[str]) -> str | None:
     """Returns what the names around a shape tell, the outermost first: the nearest that tells anything counts."""
     for name in reversed(names):
-        small = name.lower()
+        small = f" {BETWEEN_WORDS.sub(' ', name.lower())} "
         for word in NO_DOOR:
             small = small.replace(word, "")
         if is_passed((name,)):
             return None
         found = [sort for sort, words in WORDS.items() if any(word in small for word in words)]
         if found:
-            return "opening" if {"window", "door"} <= {*found} else found[0]
+            return "label" if "label" in found else "opening" if {"window", "door"} <= {*found} else found[0]
     return None
 
 

@@ -117,3 +117,31 @@ def test_what_is_no_drawing_is_refused_in_one_line_without_the_name_of_a_class()
     with pytest.raises(FieldError) as refused:
         read(b"0\nSECTION\nrubbish\n", "plan.dxf")
     assert refused.value.problem == 'DXF that cannot be read: Invalid group code "rubbish " at line 3'
+
+
+STAMPS = {
+    "attributes": ("RAUMSTEMPEL", "Raumstempel"), "a block called room": ("ROOM", "0"), "a block that tells nothing": ("B7", "TEXTE"),
+    "texts": ("Room Tag - 12", "A-AREA-IDEN"), "texts on a layer of labels": ("B7", "A-AREA-IDEN"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("stamp", STAMPS)
+def test_a_stamp_names_its_room_and_its_frame_is_none(stamp: str) -> None:
+    block, layer = STAMPS[stamp]
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 6
+    space = made.modelspace()
+    for x, name in ((0, "Küche"), (4, "Schlafen")):
+        for start, end in (((x, 0), (x + 4, 0)), ((x + 4, 0), (x + 4, 3)), ((x + 4, 3), (x, 3)), ((x, 3), (x, 0))):
+            space.add_line(start, end, dxfattribs={"layer": "Wände"})
+        own = f"{block}.{name}" if "texts" in stamp else block
+        if own not in made.blocks:
+            made.blocks.new(own).add_lwpolyline([(0, 0), (1, 0), (1, 0.8), (0, 0.8)], close=True)
+        insert = space.add_blockref(own, (x + 1, 1), dxfattribs={"layer": layer})
+        if "texts" in stamp:
+            made.blocks[own].add_text(name, height=0.2).set_placement((0.1, 0.5))
+        else:
+            for tag, words, y in (("NUMMER", "0.07", 1.1), ("NAME", name, 1.3), ("FLAECHE", "12,00 m2", 1.5)):
+                insert.add_attrib(tag, words, (x + 1.1, y))
+    answer = read_of(made)
+    assert [(room.type, room.width, room.depth) for room in answer.scene.rooms] == [("kitchen", 4, 3), ("bedroom", 4, 3)]

@@ -189,3 +189,32 @@ def test_a_group_that_says_it_is_a_room_draws_none_and_keeps_nothing_from_being_
     answer = read(svg.format(walls, "<rect class='stuff' width='1' height='1'/>").encode(), "plan.svg")
     assert [(room.type, room.width, room.depth) for room in answer.scene.rooms] == [("bathroom", 3.9, 2.9)]
     assert [one["place"] for one in answer.unread] == ["layer 'stuff'"]
+
+
+def boxed(*boxes: tuple[str, int, int, int, int], texts: str) -> list[tuple[str, float, float]]:
+    """The rooms of a drawing of boxes without names, in cm, and texts in them."""
+    shapes = "".join(f"<rect {name} x='{x}' y='{z}' width='{width}' height='{depth}'/>" for name, x, z, width, depth in boxes)
+    answer = read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='cm'>{shapes}{texts}</svg>".encode(), "plan.svg")
+    return [(room.type, room.width, room.depth) for room in answer.scene.rooms]
+
+
+TEXTS = "<text x='120' y='120'>Kitchen</text><text x='520' y='120'>Bedroom</text><text x='550' y='250'>Oak</text>"
+SHEET = ("", -300, -300, 1500, 900)
+
+
+def test_boxes_around_names_of_rooms_are_rooms_where_nothing_is_called_one() -> None:
+    """A sheet's frame is around both; a bed and the frame of a text are smaller; what no name of a room stands in is none."""
+    rooms = [("", 0, 0, 400, 300), ("", 400, 0, 300, 300)]
+    others = [SHEET, ("", 500, 90, 160, 200), ("", 100, 100, 60, 30), ("", 900, 0, 200, 200)]
+    assert boxed(*others[:2], *rooms, *others[2:], texts=TEXTS) == [("kitchen", 4.0, 3.0), ("bedroom", 3.0, 3.0)]
+    one = boxed(SHEET, rooms[0], texts="<text x='120' y='120'>Kitchen</text>")
+    assert one == [("kitchen", 4.0, 3.0)]
+
+
+def test_boxes_around_names_are_none_where_something_is_called_a_room() -> None:
+    found = boxed(("class='room' id='hallway'", 0, 0, 400, 300), ("", 400, 0, 300, 300), texts=TEXTS)
+    assert [kind for kind, *_ in found] == ["hallway"]
+
+
+def test_a_room_is_known_by_a_class_that_only_holds_its_name() -> None:
+    assert [kind for kind, *_ in boxed(("class='Space Bath Shower'", 0, 0, 400, 300), texts="")] == ["bathroom"]

@@ -127,7 +127,7 @@ def _looked_at(lines: list[str]) -> list[str]:
             section, block = _said(2, lines[start:end]), ""
         elif kind == "ENDBLK":
             block = ""
-        hidden = kind == "ATTDEF" or (kind == "ATTRIB" and _said(2, lines[start:end]) != BODY) or (block and block not in opened)
+        hidden = kind == "ATTDEF" or (kind == "ATTRIB" and not _is_read(lines[start:end])) or (block and block not in opened)
         if section not in UNREAD and not hidden:
             kept += lines[start:end]
         if kind == "BLOCK":
@@ -145,6 +145,11 @@ def _blocks_to_open(inserts: Iterable[list[str]]) -> set[str]:
 def _said(code: int, lines: list[str]) -> str:
     """Returns what a part of a file says first under some code."""
     return next((lines[at + 1] for at in range(0, len(lines) - 1, 2) if lines[at].strip() == str(code)), "")
+
+
+def _is_read(attribute: list[str]) -> bool:
+    """Tells whether an attribute of a block says something: a room's name, or that it is a piece of ours."""
+    return _said(2, attribute) == BODY or any(letter.isalpha() for letter in _said(1, attribute))
 
 
 def _begins_a_part(code: str) -> bool:
@@ -197,6 +202,11 @@ def _opened(space: Any) -> Iterator[_Entity]:
         one, names, number, depth = ahead.pop()
         kind = one.dxftype()
         inner = (*names, one.dxf.name) if kind == "INSERT" else names
+        said = one.attribs if kind == "INSERT" and not one.has_attrib(BODY) else []
+        ahead += [(part, (part.dxf.layer,), number, depth) for part in said]
+        made += len(said)
+        if said and sort_within(inner) == "room":
+            continue
         if kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY) and (sort_within(inner) or holds(inner, one.dxf.name, depth)):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
@@ -238,8 +248,8 @@ def _plan(space: Any, metres: float | None, names: RoomNames) -> DrawnPlan:
             shapes += [DrawnShape(layer, points, True, where, sort) for points in _filled(one) if len(points) > 2]
         elif kind == "LINE":
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
-        elif kind in ("TEXT", "MTEXT"):
-            at = one.dxf.get("align_point", one.dxf.insert) if kind == "TEXT" else one.dxf.insert
+        elif kind in ("TEXT", "ATTRIB", "MTEXT"):
+            at = one.dxf.insert if kind == "MTEXT" else one.dxf.get("align_point", one.dxf.insert)
             texts.append(text_at(one.plain_text(), (float(at.x), -float(at.y)), names))
         else:
             passed[layer, kind] += 1
