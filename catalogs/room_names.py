@@ -57,14 +57,19 @@ class RoomNames:
             return RoomMeaning(whole, plain=True)
         parts, told = self._told(name)
         found = next((key for words in parts if (key := self._within(words))), None)
-        return RoomMeaning(found, plain=len(told) <= 1) if found else self._nearly(told)
+        return RoomMeaning(found, plain=self._is_sure(parts, told)) if found else self._nearly(told)
 
     def is_plain(self, name: str) -> bool:
         """Tells whether a name plainly names a room, without a look at what it nearly says."""
         if joined(words_of(name)) in self._by_phrase:
             return True
         parts, told = self._told(name)
-        return len(told) <= 1 and any(self._within(words) for words in parts)
+        return self._is_sure(parts, told) and any(self._within(words) for words in parts)
+
+    def _is_sure(self, parts: Sequence[tuple[str, ...]], told: Sequence[str]) -> bool:
+        """Tells whether a name has one word that tells something, or is several names of rooms in a row: `Wohnen/Essen/Kochen`."""
+        named = [said for words in parts if (said := [word for word in words if word not in self._vague])]
+        return len(told) <= 1 or (len(named) > 1 and all(joined(words) in self._by_phrase for words in named))
 
     def _told(self, name: str) -> tuple[list[tuple[str, ...]], list[str]]:
         """Returns the words of a name's parts, and all of them that tell something."""

@@ -183,6 +183,15 @@ def test_a_room_type_that_is_none_is_refused_with_its_line(tmp_path: Path) -> No
         load_catalogs(tmp_path)
 
 
+@pytest.mark.parametrize(
+    ("name", "key"),
+    [("Wohnen/Essen/Kochen", "living_room"), ("Bad/WC", "bathroom"), ("Kitchen & Dining", "kitchen"), ("Baño principal", "bathroom")],
+)  # fmt: skip
+def test_names_of_rooms_in_a_row_are_plain(name: str, key: str) -> None:
+    assert NAMES.meaning(name) == (key, True)
+    assert not NAMES.is_plain(f"{name} tiles")
+
+
 def test_a_plain_name_is_one_whose_meaning_is_plain() -> None:
     said = [*KNOWN.room_names, *(word for entry in KNOWN.room_names.values() for word in entry.known_as)]
     said += [f"{one} {two}" for one, two in zip(said, said[7:], strict=False)] + [f"x{word}" for word in said] + ["", "7", "path 12"]

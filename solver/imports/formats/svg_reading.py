@@ -204,7 +204,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
         if element.tag == "text" or not element.lines:
             continue
         sort = sort_within(element.names)
-        label = _label(element, names) if names and sort in (None, "room") else ""
+        label = _label(element, names, sort == "room") if names and sort in (None, "room") else ""
         for line in element.lines:
             if sort in ("door", "opening") and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
@@ -231,9 +231,13 @@ def _styled(element: SvgElement, key: str) -> str:
     return {name.strip(): value.strip() for name, value in rules}.get(key, element.said.get(key, ""))
 
 
-def _label(element: SvgElement, names: RoomNames) -> str:
-    """Returns the first of a shape's own names that plainly names a room; of a shape without a name, of the group's around it."""
+def _label(element: SvgElement, names: RoomNames, is_room: bool) -> str:
+    """Returns the first of a shape's own names that plainly names a room; of a shape without a name, of the group's around it.
+
+    Of one that is called a room, the first that tells at all which, where none plainly does.
+    """
     said = [unescaped(element.said[key]) for key in NAMES if element.said.get(key)] or [
         name for names_of in element.names[-1:] for name in names_of.split(NAMES_APART)
     ]
-    return next((name for name in said if names.is_plain(name)), "")
+    plain = next((name for name in said if names.is_plain(name)), "")
+    return plain or next((name for name in said if is_room and names.meaning(name)), "")
