@@ -19,6 +19,8 @@ from solver.imports.to_scene import NamedRoom
 
 LOW: Final = 0.3
 """One steps over no sill that is higher, m."""
+NARROW: Final = 600
+"""Through what is narrower, mm, nobody goes outdoors."""
 DOOR: Final = (750, 1150)
 """A door to come in by is as wide, mm."""
 NO_ENTRANCE: Final = 100
@@ -51,7 +53,9 @@ def _kind(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
         return ("window", "its sill lies high") if one.drawn.sill >= LOW else ("passage", "")
     if _is_outer(one, rooms):
         return "window", "it lies in an outer wall, and no leaf is drawn"
-    return ("door", "it leads outdoors") if outdoors == {True, False} else ("passage", "it lies in an inner wall, and no leaf is drawn")
+    if outdoors == {True, False}:
+        return ("door", "it leads outdoors") if one.high - one.low >= NARROW else ("window", "it is too narrow for a door")
+    return "passage", "it lies in an inner wall, and no leaf is drawn"
 
 
 def _is_outer(one: Joined, rooms: Sequence[NamedRoom]) -> bool:

@@ -6,10 +6,13 @@ from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as files
+import ifcopenshell
 import pytest
 
+from solver import export
 from solver.imported import PlanImport
 from tests.imports.plans import read
+from tests.imports.test_round_trips import home
 
 ROOMS = {"Flur": (0, 0, 2000, 4000), "Schlafzimmer": (2100, 0, 6000, 4000)}
 BALCONY = {"Balkon": (2100, 4100, 6000, 5600)}
@@ -98,3 +101,24 @@ def test_a_drawing_in_svg_is_told_alike() -> None:
     answer = read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='m'>{body}</svg>".encode(), "plan.svg")
     assert sorted(one[0] for one in kinds(answer)["Flur"]) == ["door", "door"]
     assert sorted(one[0] for one in kinds(answer)["Schlafzimmer"]) == ["door", "window"]
+
+
+def test_what_is_too_narrow_to_step_outdoors_by_is_a_window() -> None:
+    answer = imported(drawing(FRONT, (3000, 4050, 3900, 4050), (5000, 4050, 5450, 4050), rooms=BALCONY))
+    assert sorted(one[:2] for one in kinds(answer)["Schlafzimmer"]) == [("door", 0.9), ("window", 0.45)]
+
+
+@pytest.mark.parametrize("left", [0, 1])
+def test_holes_of_a_building_without_any_window_are_windows_where_their_sills_are_high(left: int) -> None:
+    """Where one window is left, holes without one are niches."""
+    building = ifcopenshell.file.from_string(next(iter(export(home("family"), "ifc").values())).decode())
+    windows = building.by_type("IfcWindow")
+    for window in windows[left:]:
+        for fills in window.FillsVoids:
+            building.remove(fills)
+        building.remove(window)
+    answer = read(str(building.to_string()).encode())
+    found = {one.id for room in answer.scene.rooms for one in room.openings if one.kind == "window"}
+    assert len(windows) > 4
+    assert len(found) == (left or len(windows))
+    assert guessed(answer).count("window") == (0 if left else len(windows))

@@ -34,6 +34,9 @@ from solver.imports.formats.ifc_shapes import IfcBox, IfcOutline, IfcShapes
 LOWEST_SILL: Final = 0.1
 """A hole without a door that begins so near the floor, m, and is PASSAGE high, is a passage."""
 PASSAGE: Final = 1.8
+SILL: Final = 0.3
+"""A hole that begins so high above the floor, m, and is WINDOW wide and high, is a window of a building without any."""
+WINDOW: Final = 0.4
 THICKEST_FLOOR: Final = 0.4
 """So far above its storey's elevation, m, a floor may lie: where the lowest door begins."""
 RISES: Final = 1.2
@@ -183,13 +186,16 @@ class _ReadBuilding:
         yield from self._from_the_floor(list(self._filling("IfcDoor", filled)))
         yield from self._filling("IfcWindow", filled)
         seen: set[tuple[float, ...]] = set()
+        has_windows = bool(self.file.by_type("IfcWindow"))
         for hole in self.file.by_type("IfcOpeningElement"):
             is_wanted = hole.id() not in filled and not self._related(hole, "HasFillings") and self._is_in_wall(hole)
             made = self._opening(hole, hole, False) if is_wanted else None
             if made is None:
                 continue
             key = (*(round(value * self.metres, 2) for value in (*made.start, *made.end)), float(made.level))
-            if (made.sill or 0.0) * self.metres > LOWEST_SILL or (made.height or 0.0) * self.metres < PASSAGE:
+            is_passage = (made.sill or 0.0) * self.metres <= LOWEST_SILL and (made.height or 0.0) * self.metres >= PASSAGE
+            is_wide = min(made.height or 0.0, math.dist(made.start, made.end)) * self.metres >= WINDOW
+            if not is_passage and (has_windows or not is_wide or (made.sill or 0.0) * self.metres < SILL):
                 self.unread.append(Unread(made.where, "a hole in a wall that is neither filled nor a passage"))
             elif key not in seen:
                 seen.add(key)
