@@ -148,7 +148,7 @@ def _add_request(command: ArgumentParser) -> None:
 
 def _add_request_keys(command: ArgumentParser) -> None:
     add = command.add_argument
-    add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none")
+    add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none, with --count 0")
     add("--program", type=program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2")
     add("--area", type=float, metavar="N", help="of the house's floor, m2: a home is planned for it")
     add(

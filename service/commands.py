@@ -66,14 +66,12 @@ def _generate(options: Namespace) -> int:
 
 def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:
     """Makes a set of houses into a folder, one file a seed; goes on where it was ended."""
-    from service.generating import draw_seed
     from service.many import HouseSet, into_folder
 
     folder = Path(options.output)
     if options.output == STREAM or folder.is_file():
         raise FieldError("--output", f"{options.output} holds one document", "with --count, a folder")
-    given = read_request({"seed": request.get("seed")}).seed
-    start = draw_seed() if given is None else given
+    start = read_request({"seed": request.get("seed")}).seed or 0
     houses = HouseSet(request, folder, options.format or "yaml", options.engine)
     made = into_folder(houses, range(start, start + options.count), catalogs, options.workers)
     return _checked(options.request, lambda: max((_judged(issues, f"seed {seed}: ") for seed, issues in made), default=CLEAN))

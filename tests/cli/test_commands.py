@@ -99,6 +99,13 @@ def test_many_houses_go_into_a_folder(tmp_path: Path, capfdbinary: Captured) -> 
     assert "a folder" in refused(capfdbinary, "generate", *small, "-n", "2")
 
 
+def test_a_set_without_a_seed_goes_on_where_it_was_ended(tmp_path: Path) -> None:
+    """A seed that is drawn would lay a second set beside the first."""
+    for count in ("1", "2"):
+        assert main(["generate", "--width", "5", "--depth", "4", "-n", count, "-o", str(tmp_path)]) in (0, 1)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["0.yaml", "1.yaml", "made_from.json"]
+
+
 def test_locked_and_moved_reach_the_solver(house: Path, capfdbinary: Captured) -> None:
     piece = next(body["id"] for room in json.loads(house.read_text())["rooms"] for body in room["furniture"])
     assert main(["fix", str(house), "--lock", piece, "--moved", piece, "--on-conflict", "remove"]) == 0
