@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from dataclasses import replace
 from operator import itemgetter
@@ -12,9 +13,10 @@ import pytest
 from catalogs import load_catalogs
 from solver import Request, generate, reroll
 from solver.exchange import dump_text, write_scene
-from solver.scene import Room, Scene
+from solver.scene import Decoration, Furniture, Room, Scene
 from solver.view import view
 from tests.decorations.oracle import complaints, shares, turned
+from tests.sweeps import times
 from tests.validator.travels import front_travels
 
 KNOWN = load_catalogs()
@@ -165,3 +167,28 @@ def test_the_readable_yaml_nests_things_under_what_carries_them(pair: tuple[Scen
                 assert section == ("wall_decorations:" if thing.mounted_on_wall else "floor_decorations:")
             mounted = f"mounted on {thing.mounted_on_wall} wall"
             assert (mounted in rows[line]) == (thing.mounted_on_wall is not None)
+
+
+def seen_of(rug: Decoration, room: Room) -> float:
+    """Returns the share of a rug, turned by right angles, that lies under no furniture: of the middles of 400 equal parts."""
+    standing = [piece for piece in room.furniture if not piece.y]
+    wide, deep = (rug.width, rug.depth) if rug.rotation % 180 == 0 else (rug.depth, rug.width)
+    steps = [(k + 0.5) / 20 - 0.5 for k in range(20)]
+    return sum(not any(_covers(piece, rug.x + wide * u, rug.z + deep * v) for piece in standing) for u in steps for v in steps) / 400
+
+
+def _covers(piece: Furniture, x: float, z: float) -> bool:
+    angle, dx, dz = math.radians(piece.rotation), x - piece.x, z - piece.z
+    across, along = dx * math.cos(angle) - dz * math.sin(angle), dx * math.sin(angle) + dz * math.cos(angle)
+    return abs(across) < piece.width / 2 and abs(along) < piece.depth / 2
+
+
+def test_of_rugs_in_bedrooms_more_is_seen_than_a_strip() -> None:
+    """No more than one of twenty lies with three quarters of it under furniture."""
+    shown = []
+    for seed in range(900, 900 + times(40, 12)):
+        for room in generate(Request(seed=seed, program="large", decorate=True)).scene.rooms:
+            if "bedroom" in room.type:
+                shown += [seen_of(thing, room) for thing in room.decorations if thing.name == "rug"]
+    assert len(shown) > 40
+    assert 20 * sum(share < 0.25 for share in shown) <= len(shown)
