@@ -114,8 +114,7 @@ def plan_of_shapes(
     Raises:
         FieldError: there are more shapes than in any home.
     """
-    if not any(shape.sort in ("room", "wall") for shape in shapes):
-        shapes = _named_by_texts(shapes, texts)
+    shapes = _named_by_texts(shapes, texts)
     sorts = [shape.sort for shape in shapes]
     check_count("shapes", sum(sort is not None for sort in sorts) + len(swings), MOST_POINTS)
     check_count("points of shapes", sum(len(one.points) for one in shapes if one.sort is not None), MOST_DRAWN)
@@ -154,9 +153,7 @@ def plan_of_shapes(
         found, thick, told = rooms_between([points for points, _ in outlines], openings, unit)
     rooms += [replace(room, label=_label(room.points, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
-    told += [one for room in rooms for one in _other_names(room, texts)]
-    told += _names_outside(rooms, texts)
-    told += _untold_layers(shapes)
+    told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes))
     return DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
@@ -166,10 +163,12 @@ def plan_of_shapes(
 
 
 def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) -> list[DrawnShape]:
-    """Returns shapes of a drawing that calls none a room or a wall: those with one text in them that plainly names a room are rooms.
+    """Returns shapes; of a drawing that calls none a room or a wall those with one text in them that plainly names a room are rooms.
 
     Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
     """
+    if any(one.sort in ("room", "wall") for one in shapes):
+        return list(shapes)
     places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
     boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
     sizes = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
