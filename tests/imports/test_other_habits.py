@@ -47,10 +47,12 @@ def test_what_has_no_geometry_is_named() -> None:
 
 @pytest.mark.parametrize(("east", "north"), [(13.4, 52.5), (-70.6, -33.4), (0.0, 0.0), (151.2, 68.9)])
 def test_degrees_are_told_and_taken_to_metres(east: float, north: float) -> None:
-    wide = 111_320 * math.cos(math.radians(north))
+    """Degrees are those of the ellipsoid that satellites know."""
+    slope, bulge = math.radians(north), 1 - 0.00669438 * math.sin(math.radians(north)) ** 2
+    wide, long = 6_378_137 * math.cos(slope) / bulge**0.5, 6_378_137 * (1 - 0.00669438) / bulge**1.5
 
     def at(x: float, y: float) -> tuple[float, float]:
-        return east + x / wide, north + y / 110_574
+        return east + math.degrees(x / wide), north + math.degrees(y / long)
 
     def moved(given: object) -> object:
         pair = isinstance(given, list) and isinstance(given[0], (int, float))

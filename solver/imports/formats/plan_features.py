@@ -7,7 +7,6 @@ docs/plans.md tells all of it.
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
@@ -28,6 +27,7 @@ from solver.imports.drawn import (
     Tally,
     check_count,
 )
+from solver.imports.formats.map_features import DOOR, along_walls, in_our_words, is_door, levels_of, why_left_out
 from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
 from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
@@ -35,12 +35,10 @@ from solver.scene import OPENING_KINDS
 ROOM: Final = "room"
 MANY: Final = {"MultiPolygon": "Polygon", "MultiLineString": "LineString", "MultiPoint": "Point"}
 """Geometries that are several of another."""
-A_DEGREE: Final = (111_320.0, 110_574.0)
-"""How long a degree is at the equator, to the east and to the north, m."""
+A_DEGREE: Final = ((111_412.84, -93.5), (111_132.95, -559.85))
+"""How long a degree is, m: to the east in cosines of the latitude and of three times it, to the north one part, and that of twice it."""
 FEW_DEGREES: Final = 0.005
 """No plan is so small in any unit, but one in degrees."""
-WHOLE: Final = re.compile(r"-?\d{1,3}")
-"""A storey's number in letters."""
 KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
 OWN: Final = ("kind", "name", "type", "id", "level")
@@ -68,9 +66,13 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     walls: list[DrawnWall] = []
     pieces: list[DrawnPiece] = []
     thickness, tally = a_number(document, "wall_thickness", "plan", None), Tally()
-    unread = list[Unread]()
+    unread, widths = list[Unread](), dict[str, float]()
     for said, shape, where in _features(document, unread):
         form = one_of(shape, "type", tuple(KINDS), f"{where}.geometry", required=True)
+        reason = why_left_out(said, form)
+        if reason is not None:
+            unread.append(Unread(where, reason))
+            continue
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
         points = _points(shape, form, up, where)
         unread += [
@@ -87,6 +89,9 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             tally.add("points of lines", len(points), 4 * MOST_POINTS)
         if form == "Polygon":
             rooms.append(_room(said, points, where))
+        elif form == "Point" and is_door(said):
+            openings.append(DrawnOpening("door", points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
+            widths[where] = a_number(said, "width", where, DOOR)
         elif form == "Point":
             pieces.append(_piece(said, points[0], where))
         elif kind == "wall":
@@ -101,15 +106,32 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), (), unit, "inner" if drawn == "inner" else "lines", thickness,
         tuple(unread),
     )  # fmt: skip
-    return _from_degrees(plan) if unit is None else plan
+    return _with_wide_doors(_from_degrees(plan) if unit is None else plan, widths)
+
+
+def _with_wide_doors(plan: DrawnPlan, widths: Mapping[str, float]) -> DrawnPlan:
+    """Returns a plan with doors that are drawn as points as wide as they say, m, along walls."""
+    scale = plan.metres or 0.0
+    doors = {
+        one.where: along_walls(one, widths[one.where] / scale, plan.rooms) if scale else None
+        for one in plan.openings
+        if one.where in widths
+    }
+    lost = [Unread(where, "a door that is a point: `unit`, or a line along its wall") for where, one in doors.items() if one is None]
+    openings = (doors.get(one.where, one) for one in plan.openings)
+    return replace(plan, openings=tuple(one for one in openings if one), unread=(*plan.unread, *lost))
 
 
 def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tuple[Mapping[str, Any], Mapping[str, Any], str]]:
     """Yields what each feature says of itself, its geometry, its place; those of several geometries as often as they have."""
-    for number, feature in enumerate(a_list(document.get("features"), "features")):
+    features = a_list(document.get("features"), "features")
+    levels = levels_of(features)
+    for number, feature in enumerate(features):
         where = f"features[{number}]"
         outer = an_object(feature, where)
-        said = _told({"id": outer.get("id"), **an_object(outer.get("properties") or {}, f"{where}.properties")})
+        of_maps = {"feature_type": outer["feature_type"]} if "feature_type" in outer else {}
+        own = an_object(outer.get("properties") or {}, f"{where}.properties")
+        said = in_our_words({"id": outer.get("id"), **of_maps, **own}, levels)
         if "geometry" in outer and outer["geometry"] is None:
             unread.append(Unread(where, "it has no geometry"))
             continue
@@ -125,25 +147,14 @@ def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tup
             yield own, {"type": form, "coordinates": part}, where
 
 
-def _told(said: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Returns what a feature says of itself in our words: maps number their features and storeys, and name rooms by language."""
-    made = dict(said)
-    if isinstance(made["id"], int | float) and not isinstance(made["id"], bool):
-        made["id"] = str(made["id"])
-    if isinstance(made.get("name"), Mapping):
-        made["name"] = next((word for word in made["name"].values() if word), None)
-    if isinstance(made.get("level"), str) and WHOLE.fullmatch(made["level"]):
-        made["level"] = int(made["level"])
-    return made
-
-
 def _from_degrees(plan: DrawnPlan) -> DrawnPlan:
     """Returns a plan in metres that is drawn in degrees of longitude and latitude, as GeoJSON mostly is; any other as it is."""
     spots = [spot for room in plan.rooms for spot in room.points]
     if not spots or any(max(values) - min(values) > FEW_DEGREES for values in zip(*spots, strict=True)):
         return plan
     west, north = spots[0]
-    east, south = A_DEGREE[0] * math.cos(math.radians(north)), A_DEGREE[1]
+    angle, (across, along) = math.radians(north), A_DEGREE
+    east, south = across[0] * math.cos(angle) + across[1] * math.cos(3 * angle), along[0] + along[1] * math.cos(2 * angle)
 
     def at(spot: Spot) -> Spot:
         return (spot[0] - west) * east, (spot[1] - north) * south

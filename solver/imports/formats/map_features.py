@@ -1,0 +1,93 @@
+"""What maps of the indoors say of their features, IMDF's and OpenStreetMap's, in the words of our GeoJSON; doors that they draw as points.
+
+Comes in: features' properties. Goes out: the same in our words, or why a feature is left out. May import: drawn.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any, Final
+
+from solver.imports.drawn import DrawnOpening, DrawnRoom, Spot
+
+LEVELS: Final = re.compile(r"(-?\d{1,3})(?:[;,-].*)?")
+"""A storey's number in letters; of several the first counts."""
+NUMBER: Final = re.compile(r"\d{1,4}(?:\.\d+)?")
+SIZES: Final = ("width", "depth", "height")
+"""What maps give as numbers in letters."""
+PARTS: Final = {"unit": "Polygon", "opening": "LineString"}
+"""What is read of IMDF, and how it is drawn."""
+NO_ROOM: Final = ("level", "wall", "no")
+"""What OpenStreetMap calls `indoor` that is no room."""
+ANY_ROOM: Final = ("room", "area", "yes", "unspecified")
+"""What it calls so without a word of what it is."""
+DOOR: Final = 0.9
+"""How wide a door that is drawn as a point is, m, where the map does not say."""
+NO_DOOR: Final = ("no", "")
+
+
+def levels_of(features: Sequence[object]) -> dict[str, object]:
+    """Returns the numbers of IMDF's levels by their ids."""
+    levels = [one for one in features if isinstance(one, Mapping) and one.get("feature_type") == "level"]
+    said = ((one.get("id"), one.get("properties")) for one in levels)
+    return {key: told.get("ordinal") for key, told in said if isinstance(key, str) and isinstance(told, Mapping)}
+
+
+def in_our_words(said: Mapping[str, Any], levels: Mapping[str, object]) -> dict[str, Any]:
+    """Returns what a feature says of itself: maps number their features and storeys, and name rooms by language."""
+    made = dict(said)
+    if isinstance(made["id"], int | float) and not isinstance(made["id"], bool):
+        made["id"] = str(made["id"])
+    if isinstance(made.get("name"), Mapping):
+        made["name"] = next((word for word in made["name"].values() if word), None)
+    if isinstance(made.get("level_id"), str):
+        made["level"] = levels.get(made.pop("level_id"), 0)
+    if isinstance(made.get("level"), str) and (found := LEVELS.fullmatch(made["level"])):
+        made["level"] = int(found[1])
+    for key in SIZES:
+        if isinstance(made.get(key), str) and NUMBER.fullmatch(made[key]):
+            made[key] = float(made[key])
+    kinds = (made.get(key) for key in ("room", "category", "indoor"))
+    told = next((kind for kind in kinds if isinstance(kind, str) and kind and kind not in ANY_ROOM), None)
+    made.pop("indoor", None)
+    return {"type": told, **made} if told else made
+
+
+def why_left_out(said: Mapping[str, Any], form: str) -> str | None:
+    """Returns why a feature of a map is neither a room nor an opening nor a piece; None where it is one."""
+    called = said.get("feature_type")
+    if called is not None and PARTS.get(called if isinstance(called, str) else "") != form:
+        return f"a map's {called!r:.40}: of maps units and openings are read"
+    if form == "Polygon" and called is None and said.get("type") in NO_ROOM:
+        return f"a map's {said['type']!r:.40}: of maps rooms, areas, corridors and doors are read"
+    if form == "LineString" and "kind" not in said and "highway" in said:
+        return f"a map's {said['highway']!r:.40}: of maps rooms, areas, corridors and doors are read"
+    return None
+
+
+def is_door(said: Mapping[str, Any]) -> bool:
+    """Tells whether a point is a door, as OpenStreetMap draws it."""
+    return isinstance(said.get("door"), str) and said["door"] not in NO_DOOR and "kind" not in said
+
+
+def along_walls(one: DrawnOpening, width: float, rooms: Sequence[DrawnRoom]) -> DrawnOpening | None:
+    """Returns a door that is drawn as a point so wide along the nearest side of a room; None where there is none."""
+    sides = [side for room in rooms if room.level == one.level for side in pairwise((*room.points, room.points[0])) if side[0] != side[1]]
+    if not sides:
+        return None
+    _, (x, z), (along, across) = min(_foot(one.start, a, b) for a, b in sides)
+    by = width / 2
+    return replace(one, start=(x - along * by, z - across * by), end=(x + along * by, z + across * by))
+
+
+def _foot(spot: Spot, a: Spot, b: Spot) -> tuple[float, Spot, Spot]:
+    """Returns how far a line is from a point, where it is nearest, and which way it goes."""
+    length = math.dist(a, b)
+    way = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    share = min(max((spot[0] - a[0]) * way[0] + (spot[1] - a[1]) * way[1], 0.0), length)
+    foot = a[0] + way[0] * share, a[1] + way[1] * share
+    return math.dist(spot, foot), foot, way
