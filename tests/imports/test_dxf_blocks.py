@@ -7,6 +7,7 @@ from typing import Any
 
 import ezdxf.filemanagement as files
 import pytest
+from ezdxf.math import Matrix44
 
 from solver.errors import FieldError
 from solver.imported import PlanImport
@@ -145,3 +146,18 @@ def test_a_stamp_names_its_room_and_its_frame_is_none(stamp: str) -> None:
                 insert.add_attrib(tag, words, (x + 1.1, y))
     answer = read_of(made)
     assert [(room.type, room.width, room.depth) for room in answer.scene.rooms] == [("kitchen", 4, 3), ("bedroom", 4, 3)]
+
+
+def test_texts_of_a_mirrored_drawing_stand_where_they_are_drawn() -> None:
+    """A mirror turns what is flat upside down: its own frame is no longer the drawing's."""
+    made = drawing()
+    made.modelspace().add_blockref("DOOR_90", (4, 1), dxfattribs={"rotation": 90})
+    for entity in made.modelspace():
+        entity.transform(Matrix44.scale(-1, 1, 1))
+    assert {entity.dxf.extrusion.z for entity in made.modelspace().query("TEXT")} == {-1}
+    answer = read_of(made)
+    assert [(room.type, [one.kind for one in room.openings]) for room in answer.scene.rooms] == [
+        ("kitchen", ["door"]),
+        ("bedroom", ["door"]),
+    ]
+    assert answer.scene.rooms[0].x > answer.scene.rooms[1].x

@@ -249,7 +249,7 @@ def _plan(space: Any, metres: float | None, names: RoomNames) -> DrawnPlan:
         elif kind == "LINE":
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "ATTRIB", "MTEXT"):
-            at = one.dxf.insert if kind == "MTEXT" else one.dxf.get("align_point", one.dxf.insert)
+            at = one.dxf.insert if kind == "MTEXT" else one.ocs().to_wcs(one.dxf.get("align_point", one.dxf.insert))
             texts.append(text_at(one.plain_text(), (float(at.x), -float(at.y)), names))
         else:
             passed[layer, kind] += 1
