@@ -18,6 +18,8 @@ from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_b
 
 NO_UNIT = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
+GAPS = "enclose no room: gaps in which no door, window or opening is drawn leave them open"
+"""Why there are no rooms where each end of a wall meets another wall."""
 
 
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
@@ -75,7 +77,9 @@ def rooms_between(
     if found is None:
         return [], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")]
     if not found:
-        unread.append(Unread("walls", f"enclose no room: {free_ends(lines, gaps)} of their ends meet neither another wall nor an opening"))
+        free = free_ends(lines, gaps)
+        words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
+        unread.append(Unread("walls", words if free else GAPS))
     rooms = [
         DrawnRoom(tuple((x / scale + west, z / scale + north) for x, z in corners), "", f"between walls, room {at}")
         for at, corners in enumerate(found)

@@ -170,6 +170,11 @@ def test_a_door_in_the_corner_of_a_room_closes_the_gap_up_to_the_wall_across() -
     assert one.width == 8.0
 
 
+def test_walls_with_gaps_alone_are_told_to_be_open_there() -> None:
+    with pytest.raises(FieldError, match="its walls: enclose no room: gaps in which no door, window or opening is drawn leave them open"):
+        drawn("<path class='wall' d='M0 0 H800 V400 H500 V380 H780 V20 H20 V380 H300 V400 H0 Z'/>")
+
+
 def test_walls_that_enclose_nothing_are_told_with_how_many_of_their_ends_are_free() -> None:
     with pytest.raises(FieldError, match="its walls: enclose no room: 4 of their ends meet neither another wall nor an opening"):
         single_lines((0, 0, 800, 0), (800, 0, 800, 400), (700, 600, 0, 600))
