@@ -1,6 +1,7 @@
 /** Soft shade where things meet the floor: along walls, and around what stands on it. One draw call, no pass over the picture. */
 import { InstancedBufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, Quaternion, ShaderMaterial, Vector3 } from "three";
 import type { PlacedBody } from "./frame";
+import type { Part } from "./parts";
 import { sharedMaterial } from "./shared_materials";
 import { between, type WallPlan } from "./walls";
 
@@ -12,6 +13,8 @@ const FARTHEST = 0.05;
 /** How far the shade of a wall reaches [m]; that of a body by its height, between these. */
 const WALL_REACH = 0.32;
 const REACH = { least: 0.05, share: 0.3, most: 0.26 } as const;
+/** What begins higher over the floor, as the crown of a tree, casts none there [m]. */
+const NEAR_FLOOR = 0.3;
 /** Legs and plinths stand a little inside of what is above them [m]. */
 const INSET = 0.04;
 const UP = new Vector3(0, 1, 0);
@@ -62,13 +65,26 @@ export function wallShades({ runs, openings, storeys }: WallPlan): Shade[] {
   });
 }
 
-/** The shade around a body that stands on a floor at one of these heights [m]; null for what lies flat, hangs, or stands on others. */
-export function bodyShade(body: PlacedBody, floors: readonly number[]): Shade | null {
+/** What a body is drawn with; null where that is not known. */
+export type Drawn = (body: PlacedBody) => readonly Part[] | null;
+
+/** From where to where a body reaches along its own axis near the floor, from its middle [m]. */
+function reachOf(low: readonly Part[], axis: 0 | 2, side: number): readonly [number, number] {
+  const reach = (sign: 1 | -1): number => Math.min(side / 2, Math.max(...low.map(({ at, size }) => sign * at[axis] + size[axis] / 2)));
+  return low.length > 0 ? [-reach(-1), reach(1)] : [-side / 2, side / 2];
+}
+
+/** The shade around what of a body is near one of these floors, at their heights [m]; null for what lies flat, hangs, or stands on others. */
+export function bodyShade(body: PlacedBody, floors: readonly number[], drawn: Drawn): Shade | null {
   const floor = floors.find((one) => Math.abs(body.y - one) <= FARTHEST);
   if (floor === undefined || body.height < LOWEST) return null;
-  const half = [body.width, body.depth].map((side) => Math.max(side / 4, side / 2 - INSET)) as [number, number];
+  const low = (drawn(body) ?? []).filter(({ at, size }) => at[1] - size[1] / 2 < NEAR_FLOOR);
+  const [[left, right], [back, front]] = [reachOf(low, 0, body.width), reachOf(low, 2, body.depth)];
+  const half = [right - left, front - back].map((side) => Math.max(side / 4, side / 2 - INSET)) as [number, number];
   const reach = Math.min(REACH.most, REACH.least + REACH.share * body.height);
-  return { at: [body.x, floor + RISE, body.z], turn: body.turn, half, reach };
+  const [across, along] = [(left + right) / 2, (back + front) / 2];
+  const [cos, sin] = [Math.cos(body.turn), Math.sin(body.turn)];
+  return { at: [body.x + across * cos + along * sin, floor + RISE, body.z - across * sin + along * cos], turn: body.turn, half, reach };
 }
 
 /** The shades of a house; those of bodies follow them. */
@@ -77,12 +93,12 @@ export class Contacts {
   readonly #floors: readonly number[];
   readonly #numbers = new Map<string, number>();
 
-  constructor(plan: WallPlan, bodies: readonly PlacedBody[]) {
+  constructor(plan: WallPlan, bodies: readonly PlacedBody[], readonly drawn: Drawn) {
     const elevations = [...plan.storeys.values()].map(({ elevation }) => elevation);
     this.#floors = elevations.length > 0 ? elevations : [0];
     const shades = wallShades(plan);
     for (const body of bodies) {
-      const shade = bodyShade(body, this.#floors);
+      const shade = bodyShade(body, this.#floors, drawn);
       if (shade) this.#numbers.set(body.id, shades.push(shade) - 1);
     }
     const geometry = new PlaneGeometry(1, 1);
@@ -96,7 +112,7 @@ export class Contacts {
   /** Moves a body's shade with it. */
   place(body: PlacedBody): void {
     const number = this.#numbers.get(body.id);
-    const shade = number === undefined ? null : bodyShade(body, this.#floors);
+    const shade = number === undefined ? null : bodyShade(body, this.#floors, this.drawn);
     if (number === undefined) return;
     this.root.instanceMatrix.needsUpdate = true;
     if (shade) this.#write(number, shade);

@@ -70,7 +70,7 @@ export class House {
     this.#bodies = bodiesOf(scene);
     this.#bodyMeshes = new BodyMeshes(this.#bodies, book, styleOf(scene), assets, scene);
     this.#walls = new Walls(plan);
-    this.#contacts = new Contacts(plan, this.#bodies);
+    this.#contacts = new Contacts(plan, this.#bodies, (body) => (body.asset ? null : book.partsOf(body, styleOf(scene))));
     this.#ceiling = ceilingMesh(scene.rooms, storeys);
     this.doors = new Doors(leavesOf(plan), book.doorPaints(styleOf(scene)));
     const ground = slab(scene.rooms, this.bounds.min.y);
