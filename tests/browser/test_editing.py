@@ -230,6 +230,10 @@ def test_a_conflict_is_said_in_the_services_words_and_a_repair_ends_it(visit: Vi
     assert bench.errors() == []
 
 
+HANDLES = "[...document.querySelectorAll('.handle')].filter(one => !one.hidden).map(one => one.style.transform)"
+"""Where the handles of the chosen piece are seen."""
+
+
 def test_a_service_lost_during_a_drag_is_said_and_all_stays(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 3, 2)))
 
@@ -237,12 +241,16 @@ def test_a_service_lost_during_a_drag_is_said_and_all_stays(visit: Visit) -> Non
         route.abort()
 
     intercept(bench.page, "**/fix", lose)
+    bench.choose(ONE)
+    bench.rest()
+    handles = bench.page.evaluate(HANDLES)
     bench.drag(ONE, bench.at(OTHER))
     expect(bench.page.get_by_role("alert")).to_contain_text("does not answer")
     bench.page.mouse.up()
     bench.rest()
     assert bench.scene() == bench.before
     assert poses(bench.before) == drawn(bench)
+    assert handles and bench.page.evaluate(HANDLES) == handles
 
 
 def test_who_walks_drags_nothing(visit: Visit) -> None:

@@ -9,6 +9,8 @@ import { isSizable, type SizeRange } from "./size_range";
 type Grip = "turn" | "width" | "depth";
 
 export interface HandleWords {
+  /** Where a piece is seen now: it may be on its way. */
+  seen(id: string): PlacedBody | null;
   /** The piece as it would be, to be framed; null: as it is. */
   preview(body: PlacedBody | null): void;
   turn(id: string, degrees: number): void;
@@ -35,7 +37,7 @@ interface Held {
 
 export class Handles {
   readonly #elements = new Map<Grip, HTMLElement>();
-  #body: PlacedBody | null = null;
+  #id: string | null = null;
   #range: SizeRange | null = null;
   #held: Held | null = null;
 
@@ -58,10 +60,14 @@ export class Handles {
   }
 
   /** Shows the handles of a piece; of none for null. */
-  show(body: PlacedBody | null, range: SizeRange | null): void {
+  show(id: string | null, range: SizeRange | null): void {
     if (this.#held) return;
-    [this.#body, this.#range] = [body, range];
+    [this.#id, this.#range] = [id, range];
     this.#place();
+  }
+
+  get #body(): PlacedBody | null {
+    return this.#id === null ? null : this.say.seen(this.#id);
   }
 
   /** Lets go; all is as it was. Tells whether anything was held. */
@@ -73,7 +79,7 @@ export class Handles {
   }
 
   #isOffered(grip: Grip): boolean {
-    return this.#body !== null && (grip === "turn" || (this.#range !== null && isSizable(this.#range[grip])));
+    return this.#id !== null && (grip === "turn" || (this.#range !== null && isSizable(this.#range[grip])));
   }
 
   /** A point of the piece's own frame, at half its height, in the house [m]. */

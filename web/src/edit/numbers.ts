@@ -34,6 +34,7 @@ export class Numbers {
 
   constructor(readonly home: Home, readonly stage: Stage, readonly editor: Editor, readonly acts: Acts, hosts: { readonly gaps: HTMLElement; readonly piece: HTMLDetailsElement; readonly tape: HTMLElement }) {
     this.#handles = new Handles(stage.host, stage.viewport, {
+      seen: (id) => stage.house?.bodies.find((body) => body.id === id) ?? null,
       preview: (body) => this.#preview(body),
       turn: (id, degrees) => editor.rotate(id, degrees),
       resize: (id, change, dx, dz) => acts.change(id, change, dx, dz),
@@ -76,8 +77,8 @@ export class Numbers {
 
   #showPanels(piece: Furniture | null, count: number): void {
     this.#panel.show(this.#catalog, piece, this.acts.thing(this.home.selected)?.thing ?? null, count);
-    const body = piece && !piece.locked && count === 1 ? this.stage.house?.bodies.find(({ id }) => id === piece.id) : undefined;
-    this.#handles.show(body ?? null, body && piece && this.#catalog ? sizeRange(this.#catalog, piece) : null);
+    const free = piece && !piece.locked && count === 1 ? piece : null;
+    this.#handles.show(free?.id ?? null, free && this.#catalog ? sizeRange(this.#catalog, free) : null);
   }
 
   #ground(room: Room): number {
