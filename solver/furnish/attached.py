@@ -22,7 +22,7 @@ from solver.relations.relation import ANYWHERE, Fit, missed
 from solver.relations.subject import Footing, Kind, Parent
 
 SLIDING_COST = 0.04
-"""What a place that slides along an axis costs more than an exact one: pieces line up where they can."""
+"""What a place that slides along an axis costs more than an exact one, or one turned across the other: pieces line up where they can."""
 UNSURE = 0.25
 """The part of a relation's cost that a candidate pays which neither holds nor breaks it."""
 FIRM, LOOSE = 0.3, 0.03
@@ -261,15 +261,17 @@ def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], othe
     found: list[Costed] = [(ANY_PLACE, 0.0)]
     for pair, suits in pairs:
         boxes = _held_boxes(pair, listed.kind, other, turn) if suits else []
-        priced = [(box, _sliding(pair.spec, box)) for box in boxes]
+        priced = [(box, _sliding(pair.spec, box, turn)) for box in boxes]
         held = [(both, cost + more) for box, cost in found for other_box, more in priced if (both := within_both(box, other_box, POINT))]
         without = missed(pair.spec)
         found = cheapest([*held, *((box, cost + without) for box, cost in found)], listed.kept.boxes, listed.dropped)
     return [(box, cost) for box, cost in found if box != ANY_PLACE]
 
 
-def _sliding(spec: RelationSpec, box: Rect) -> float:
-    return SLIDING_COST * ((box.x0 < box.x1) + (box.z0 < box.z1)) if RELATIONS[spec.type].gives_place else 0.0
+def _sliding(spec: RelationSpec, box: Rect, turn: int) -> float:
+    relation = RELATIONS[spec.type]
+    across = turn % 180 != 0 and not relation.turns
+    return SLIDING_COST * ((box.x0 < box.x1) + (box.z0 < box.z1) + across) if relation.gives_place else 0.0
 
 
 def _clipped(interval: tuple[int, int], far: int) -> tuple[int, int]:

@@ -84,6 +84,16 @@ def test_the_judge_agrees_with_plain_arithmetic() -> None:
     assert [entry.held for entry in answer.best.relations] == [True, True]
 
 
+@pytest.mark.parametrize("more", [{}, {"gap": 0.4}, {"gap": (0.3, 0.5), "align": "centre"}])
+@pytest.mark.parametrize("width", [4.4, 6.0])
+def test_a_low_table_lies_along_the_sofa_that_it_stands_before(more: dict[str, Any], width: float) -> None:
+    """Any turn holds the relation; nobody lays a table end-on to the sofa where it costs nothing to lay it along."""
+    table = wish("coffee_table", rule("in_front_of", "sofa", **more))
+    answer = placed(wish("sofa", rule("against_wall")), table, room=replace(ROOM, width=width))
+    assert all(one.held for one in answer.best.relations)
+    assert (body(answer, "coffee_table").rotation - body(answer, "sofa").rotation) % 180 == 0
+
+
 def test_relations_to_pieces_that_come_later_are_held() -> None:
     answer = placed(block("lamp", rule("beside", "chair")), block("chair", rule("near", "table", distance=0.5)), TABLE)
     assert all(entry.held for entry in answer.best.relations)
