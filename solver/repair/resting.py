@@ -91,7 +91,7 @@ def _gone_after(problem: RoomProblem, floating: Container[str]) -> tuple[Room, s
         left = sum(body.id in floating for body in lying)
         if left > (piece.id not in settings.moved):
             was = _where_it_was(piece, lying, problem)
-            before |= {piece.id: was} if was else {}
+            before |= {piece.id: was} if was and was != piece else {}
 
     def gone_after(body: Body, now: Mapping[str, Body]) -> Body:
         parent = said.get(body.id, "")
@@ -261,10 +261,12 @@ def _stretch(extent: int, surface: tuple[int, int], carrier: tuple[int, int]) ->
 def _places(body: Body, carrier: Body, problem: RoomProblem) -> Sequence[_Place]:
     """Returns a carrier's surfaces, the best for a body first.
 
-    Best is the one at whose height it is; else a top, the nearest in height; of several of one height the nearest to it. One that lets
+    Best is the one at whose height it is; else a top, the nearest in height, but for a thing within the carrier's height, for which what is
+    inside is as good; of several of one height the nearest to it. One that lets
     it into the ceiling comes last, and before that one without room for it.
     """
     own, sort, tall = footprint(body), "furniture" if isinstance(carrier, Furniture) else "decoration", size_of(body)[2]
+    is_within = isinstance(body, Decoration) and carrier.y < body.y and body.y + body.height < carrier.y + carrier.height
     ranked: list[tuple[tuple[int, ...], int, _Place]] = []
     for one in carrying_in(problem.settings.catalogs).surfaces_of(
         sort, carrier.name, (carrier.width, carrier.depth, carrier.height), carrier.kind
@@ -274,8 +276,8 @@ def _places(body: Body, carrier: Body, problem: RoomProblem) -> Sequence[_Place]
         apart = abs(place.level - to_mm(body.y))
         is_low = one.clearance is not None and to_mm(one.clearance) < tall
         is_narrow = not one.is_top and (own.width > rect.width or own.depth > rect.depth)
-        elsewhere, above = apart > RESTS_MM, _is_above_ceiling(body, place, problem)
-        no_room = (elsewhere or isinstance(body, Furniture)) and (is_low or is_narrow)
+        elsewhere, above = apart > RESTS_MM and not is_within, _is_above_ceiling(body, place, problem)
+        no_room = (apart > RESTS_MM or isinstance(body, Furniture)) and (is_low or is_narrow)
         rank = above, no_room, elsewhere and not one.is_top, apart, is_narrow, _beside(own, rect)
         ranked.append((rank, len(ranked), place))
     return [place for _, _, place in sorted(ranked)]

@@ -130,3 +130,23 @@ def test_what_the_ceiling_lets_lie_nowhere_stays_and_is_named() -> None:
     assert fixed.scene == sent
     assert [conflict.ids for conflict in fixed.conflicts] == [("r/coat_1",)]
     assert "floats" in fixed.conflicts[0].message
+
+
+@pytest.mark.parametrize("by", [0.02, -0.02])
+@pytest.mark.parametrize("seed", SEEDS)
+def test_things_that_float_inside_come_to_lie_inside(seed: int, by: float) -> None:
+    """As they do where their cabinet becomes one with other boards: all that lies inside one is so much higher, or lower."""
+    tried = 0
+    for room in home(seed).rooms:
+        for piece in room.furniture:
+            inside = {thing.id for thing in room.decorations if thing.parent == piece.id and is_inside(thing, piece)}
+            raised = tuple(replace(one, y=round(one.y + by, 4)) if one.id in inside else one for one in room.decorations)
+            if not inside or any(one.y < piece.y or not is_inside(one, piece) for one in raised if one.id in inside):
+                continue
+            others = (replace(room, decorations=raised) if one.id == room.id else one for one in home(seed).rooms)
+            answer = fix(replace(home(seed), rooms=tuple(others)), moved=[piece.id], on_conflict="report")
+            things = {thing.id: thing for one in answer.scene.rooms for thing in one.decorations}
+            assert not answer.conflicts, piece.id
+            assert all(is_inside(things[name], piece) for name in inside), piece.id
+            tried += 1
+    assert tried > 3
