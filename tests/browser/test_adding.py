@@ -114,6 +114,7 @@ def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_f
     assert visit.console == []
 
 
+@pytest.mark.draws_all
 def test_a_room_is_shown_in_other_arrangements_of_which_one_is_taken(visit: Visit) -> None:
     made, page = visit.open(SMALL.format(4)), visit.page
     room = next(one["id"] for one in made["scene"]["rooms"] if one["type"] in ("bedroom_master", "bedroom"))

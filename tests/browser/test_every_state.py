@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Route, expect
 
 from tests.architecture.tree import ROOT
-from tests.browser.conftest import FEW_TRIANGLES, PHONE, PIXEL_RATIO, SHOWN, close
+from tests.browser.conftest import NO_TRIANGLES, PHONE, PIXEL_RATIO, SHOWN, close
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import OVER, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
@@ -42,7 +42,7 @@ def speaking(request: pytest.FixtureRequest, browser: Browser) -> Iterator[Brows
     context = browser.new_context(
         viewport={"width": 1280, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", locale=request.param
     )
-    for script in (SHOWN, FEW_TRIANGLES):
+    for script in (SHOWN, NO_TRIANGLES):
         context.add_init_script(script)
     context.new_page()  # keeps the window open
     yield context
