@@ -38,6 +38,7 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     expect(page.locator("#language_words")).to_contain_text("englisch")
     page.evaluate(OPENED)
     assert page.evaluate(CUT_OFF) == []
+    expect(page.locator("#robot_width")).to_have_attribute("placeholder", "0,6")
     page.locator("#asked").fill("zwei Schlafzimmer, ein Bad, drei Ballsäle")
     page.keyboard.press("Enter")
     expect(page.locator("#asked_problem")).to_contain_text("„drei ballsäle“ ist weder")

@@ -91,6 +91,7 @@ def presses_nothing_small(page: Page) -> None:
     expect(page.locator("#palette li button").first).to_be_visible()
     assert page.evaluate(PRESSED, SMALLEST) == []
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    expect(page.locator("kbd").filter(visible=True)).to_have_count(0)
 
 
 def test_names_make_way_for_the_distances_of_a_piece_that_is_tapped(touched: Visit) -> None:

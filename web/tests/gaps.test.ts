@@ -49,6 +49,8 @@ describe("distances around a piece", () => {
     expect([host.hidden, host.textContent]).toEqual([false, "north1.15 m to the walleast2.45 m to the wall, 1.25 m to <b>x</b>south2.15 m to the wallwest1.45 m to the wall"]);
     panel.show(home, home.rooms[0], "own", { ...OWN, x: 2.003 });
     expect(host.textContent).toContain("west1.453 m to the wall");
+    panel.show(home, home.rooms[0], "own", { ...OWN, x: 0.475 });
+    expect(host.textContent).toContain("west0.075 m inside the wall");
     panel.show(home, home.rooms[0], "gone");
     expect([host.hidden, lengthWords(1450), lengthWords(0)]).toEqual([true, "1.45 m", "0.00 m"]);
   });

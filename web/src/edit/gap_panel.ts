@@ -44,7 +44,8 @@ export class GapPanel {
   #row({ side, wall, piece }: Gap): HTMLElement[] {
     const term = Object.assign(document.createElement("dt"), { textContent: say(side) });
     const said = document.createElement("dd");
-    if (wall !== null) said.append(...around(say("{length} to the wall"), this.#length(side, "wall", wall, say("the wall"))));
+    const toWall = wall !== null && wall < 0 ? say("{length} inside the wall") : say("{length} to the wall");
+    if (wall !== null) said.append(...around(toWall, this.#length(side, "wall", wall, say("the wall"))));
     if (wall !== null && piece) said.append(", ");
     if (piece) said.append(...around(say("{length} to {piece}", { piece: sayName(piece.name) }), this.#length(side, "piece", piece.mm, sayName(piece.name))));
     if (wall === null && !piece) said.append(say("open"));
@@ -54,7 +55,7 @@ export class GapPanel {
   #length(side: Side, to: GapTo, millimetres: number, what: string): HTMLElement {
     const button = document.createElement("button");
     button.type = "button";
-    button.textContent = lengthWords(millimetres);
+    button.textContent = lengthWords(Math.abs(millimetres));
     button.dataset.gap = `${side} ${to}`;
     button.setAttribute("aria-label", say("{length} {side} to {what}: type another length", { length: lengthWords(millimetres), side: say(side), what }));
     button.addEventListener("click", () => this.#type(button, side, millimetres));

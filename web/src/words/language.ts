@@ -95,7 +95,7 @@ export function eachWords(root: Element, change: (english: string) => string): v
 /** Says in the reader's language what the document says in English. */
 export function sayDocument(): void {
   document.documentElement.lang = language;
-  if (table) eachWords(document.body, (english) => sayAny(english));
+  if (table) eachWords(document.body, (english) => sayDecimals(sayAny(english)));
 }
 
 /** Does so, and lets another language be chosen: the page then begins anew, as it was left. */
