@@ -38,6 +38,8 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     expect(page.locator("#language_words")).to_contain_text("englisch")
     page.evaluate(OPENED)
     assert page.evaluate(CUT_OFF) == []
+    widths = [page.locator(one).evaluate("one => one.clientWidth") for one in ("#export_format", "#open_file")]
+    assert widths[0] == widths[1], "what a format is for is cut off"
     expect(page.locator("#robot_width")).to_have_attribute("placeholder", "0,6")
     page.locator("#asked").fill("zwei Schlafzimmer, ein Bad, drei Ballsäle")
     page.keyboard.press("Enter")

@@ -137,7 +137,7 @@ export class Inspector {
       choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
       return choose;
     }));
-    const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press N for one of 4 by 3 m.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
+    const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press “4 × 3 m”.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
     return group(say("{count} rooms, {area}", { count: draft.rooms.length, area: sayArea(total) }), list, hint(words));
   }
 }
