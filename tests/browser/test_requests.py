@@ -24,7 +24,7 @@ def test_a_preset_by_the_form_and_by_its_link(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     visit.page.locator("#reset").click()
     visit.settle()
-    visit.page.locator("#program").select_option(label="One bed")
+    visit.page.locator("#program").select_option(label="One bedroom")
     expect(visit.page.locator("#width")).to_have_value("")
     expect(visit.page.locator("#min_room_size")).to_be_hidden()
     expect(visit.page.locator("#cuts_words")).to_be_visible()
