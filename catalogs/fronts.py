@@ -45,7 +45,7 @@ class FrontFloor(NamedTuple):
     """The space before a piece that its fronts come into as they open, m.
 
     `depth` from its front edge where they open wholly, `half` where they open little more than half of their way; from `left` to `right`
-    of its middle, and from `above` its underside on.
+    of its middle, and from `above` its underside on. Whether an edge of a door goes `along_side`s of it, where a wall may be.
     """
 
     depth: float
@@ -53,10 +53,13 @@ class FrontFloor(NamedTuple):
     left: float
     right: float
     above: float
+    along_side: bool = False
 
 
 _HALF: Final = 0.55
 """A little more than half of a front's way: half of it is then reached for certain."""
+_BESIDE: Final = 0.02
+"""The free edge of a door that is at most so far from a side of its piece goes along it, m."""
 _LEAST: Final = 0.003
 """Fronts that come out less than this need no floor, m; a chest's lid comes out by its thickness."""
 
@@ -70,7 +73,14 @@ def floor_before(solids: Sequence[Solid], size: tuple[float, float, float]) -> F
     moved = [solids[part] for one in fronts for part in one.parts]
     left, right = max(min(one.x[0] for one in moved), 0.0), min(max(one.x[1] for one in moved), 1.0)
     above = max(min(one.y[0] for one in moved), 0.0) * size[2]
-    return FrontFloor(depth, half, (left - 0.5) * size[0], (right - 0.5) * size[0], above)
+    along_side = any(_goes_along_side(one, solids[one.parts[0]], size[0]) for one in fronts)
+    return FrontFloor(depth, half, (left - 0.5) * size[0], (right - 0.5) * size[0], above, along_side)
+
+
+def _goes_along_side(front: UnitFront, panel: Solid, width: float) -> bool:
+    """Tells whether the edge of a door across from its hinge goes along a side of its piece, so wide, m."""
+    aside = {"left": 1.0 - panel.x[1], "right": panel.x[0]}.get(front.opens)
+    return aside is not None and aside * width <= _BESIDE
 
 
 def _comes_out(front: UnitFront, solids: Sequence[Solid], size: tuple[float, float, float], share: float) -> float:

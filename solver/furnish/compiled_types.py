@@ -148,7 +148,8 @@ class _Tables(CoreTables):
         self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts, name, 0))
 
     def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
-        return (SIDES.index(floor.side), *floor[1:-2], -1 if floor.other is None else SIDES.index(floor.other), floor.off)
+        other = -1 if floor.other is None else SIDES.index(floor.other)
+        return (SIDES.index(floor.side), floor.opens + floor.along_side, *floor[2:-3], other, floor.off)
 
     def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
         return self._added("side", sides, lambda side: (SIDES.index(side),))

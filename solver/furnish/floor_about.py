@@ -23,8 +23,8 @@ class FloorAbout(NamedTuple):
     """Floor at a side of a kind, as `Comfort` of solver/core/furnish/room_type.hpp: lengths in mm.
 
     Where fronts `open` over it, they open wholly where it is as deep as `depth`, half of their way where it is `half`; it reaches from
-    `left` to `right` of the kind's middle, and from `above` its underside on. What a standard asks for is numbered by `asked`;
-    at the `other` side it will do as well; it begins `off` the side.
+    `left` to `right` of the kind's middle, and from `above` its underside on; `along_side` tells that the edge of a door goes along one of
+    the kind's sides. What a standard asks for is numbered by `asked`; at the `other` side it will do as well; it begins `off` the side.
     """
 
     side: Side
@@ -39,6 +39,7 @@ class FloorAbout(NamedTuple):
     asked: int = 0
     other: Side | None = None
     off: int = 0
+    along_side: bool = False
 
 
 def floors_about(spec: FurnitureSpec, solids: Sequence[Solid]) -> tuple[FloorAbout, ...]:
@@ -56,9 +57,10 @@ def floors_about(spec: FurnitureSpec, solids: Sequence[Solid]) -> tuple[FloorAbo
         if one.side == "front" and not one.off and one.cost >= WEIGHED and one.depth >= depth:
             aside = width // 2
             wished.remove(one)
-            return (*wished, FloorAbout("front", True, one.depth, 0, one.cost, half, -aside, aside))
+            return (*wished, FloorAbout("front", True, one.depth, 0, one.cost, half, -aside, aside, along_side=fronts.along_side))
     left, right = _aside(fronts)
-    return (*wished, FloorAbout("front", True, depth, 0, HALF_OPEN, half, left, right, floor(fronts.above * 1000)))
+    over = FloorAbout("front", True, depth, 0, HALF_OPEN, half, left, right, floor(fronts.above * 1000), along_side=fronts.along_side)
+    return (*wished, over)
 
 
 def _wished(side: Side, wish: Comfort, own: int) -> FloorAbout:

@@ -61,3 +61,12 @@ def test_the_floor_that_fronts_open_over_lies_exactly_before_them_on_whole_milli
                 assert one.left <= found.left * 1000 + 1e-6 and found.right * 1000 - 1e-6 <= one.right, name
                 assert (one.right - one.left) % 2 == 0, name
                 assert -one.left <= round(spec.size[0] * 500) >= one.right, name
+
+
+def test_the_edge_of_a_single_door_goes_along_the_side_of_its_piece() -> None:
+    """Where it is shut it ends within 2 cm of a side; of two doors in a pair each turns about the side that it ends at."""
+    along = {
+        name: found.along_side for name, spec in KNOWN.furniture.items() if (found := floor_before(KNOWN.shapes.get(name, ()), spec.size))
+    }
+    assert along["refrigerator"] and along["slim_refrigerator"] and along["pantry"]
+    assert not (along["wardrobe"] or along["sink"] or along["nightstand"] or along["dishwasher"])

@@ -259,7 +259,7 @@ class Comforted {
     made.bottom = comfort.bottom;
     made.weight = WEIGHT;
     made.floor = floor;
-    if (comfort.opens) made.within = opened_within(scope_, type_.kinds[kind].height);
+    if (comfort.opens == ALONG_SIDE) made.within = opened_within(scope_, type_.kinds[kind].height);
   }
 
   template <class T> static void add_new(List<T>& values, T value) {

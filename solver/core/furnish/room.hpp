@@ -55,7 +55,7 @@ struct Scope {
   }
 };
 
-// Where fronts of a piece so high open and meet no sill board: off the walls with windows, where it reaches above a sill.
+// Where doors along the sides of a piece so high open and meet no sill board: off the walls with windows, where it reaches above a sill.
 Rect opened_within(const Scope& scope, i64 height);
 
 // What intervals leave free of a whole interval, from its low end up; they are sorted.

@@ -30,6 +30,9 @@ struct Level {
   i64 name;
 };
 
+// Of `opens` of a Comfort: the edge of a door goes along a side of the kind. Else it is whether fronts open.
+constexpr i32 ALONG_SIDE = 2;
+
 // Floor that is better kept free at a side of a kind, mm deep; at its left or right not so far from its back. What doing without costs.
 //
 // Where the kind's fronts `open` over it, it is part of that side, from `across.low` to `across.high` of its middle, and nothing that

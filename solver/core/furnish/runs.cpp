@@ -122,7 +122,7 @@ List<Interval> RunPlanner::stretches(Wall wall, i32 number) const {
   const Kind& kind = type_.kinds[number];
   List<Interval> found = walls_.stretches(wall, kind, false);
   for (const Comfort& comfort : type_.comforts_of(kind)) {
-    if (!comfort.opens) continue;
+    if (comfort.opens != ALONG_SIDE) continue;
     const Interval within = opened_within(scope_, kind.height).along(wall);
     for (Interval& one : found) one = {most(one.low, within.low), least(one.high, within.high)};
   }

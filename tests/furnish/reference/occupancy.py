@@ -37,7 +37,7 @@ class TakenWalls:
     Args:
         space: the room's clear rectangle, zones and doorways.
         gates: the floor before garage doors; no rule keeps it free, but it is no place for a shelf either.
-        opened: where the fronts of a kind open; None for one that has none.
+        opened: where the fronts of a kind open; None for one without doors that go along a side of it.
     """
 
     def __init__(self, space: Space, gates: tuple[Rect, ...], opened: Callable[[str], Rect | None]) -> None:

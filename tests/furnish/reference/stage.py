@@ -83,9 +83,9 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 
 
 def _opened_within(scope: Scope, space: Space, catalogs: Catalogs, kind: str) -> Rect | None:
-    """Returns where the fronts of a kind open; None for one that has none."""
+    """Returns where the fronts of a kind open; None for one without doors that go along a side of it."""
     spec = catalogs.furniture.get(kind)
-    opens = spec and any(one.opens for one in floors_about(spec, catalogs.shapes.get(kind, ())))
+    opens = spec and any(one.along_side for one in floors_about(spec, catalogs.shapes.get(kind, ())))
     return off_boards(scope, space, to_mm(spec.size[2])) if spec and opens else None
 
 
