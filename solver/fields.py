@@ -48,6 +48,13 @@ class _Whole:
         return _before(_unpointed, {**handler(source), "strict": True})
 
 
+class _Given:
+    """An entry of the catalogs as a request says it: its keys that are null are not given."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        return _before(_without_nulls, handler(source))
+
+
 class OneOf:
     """One of some words."""
 
@@ -183,6 +190,7 @@ MADE_UP: Final = _MadeUp()
 Identity = Annotated[str, STRICT, MADE_UP]
 Flag = Annotated[bool, STRICT]
 WHOLE: Final = _Whole()
+GIVEN: Final = _Given()
 Whole = Annotated[int, Ge(-MAX_WHOLE), Le(MAX_WHOLE), WHOLE]
 Index = Annotated[int, Ge(0), Le(MAX_WHOLE), WHOLE]
 Number = Annotated[float, STRICT, Ge(-MAX_MAGNITUDE), Le(MAX_MAGNITUDE)]
@@ -293,6 +301,10 @@ def _kept(value: Any) -> Any:
         return plain(value)
     except Wrong as wrong:
         raise located(wrong.problem, wrong.allowed, wrong.way) from None
+
+
+def _without_nulls(document: Any) -> Any:
+    return {key: value for key, value in document.items() if value is not None} if isinstance(document, Mapping) else document
 
 
 def _sorter(of: type[Any]) -> Callable[[Any], Any]:

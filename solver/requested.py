@@ -21,7 +21,7 @@ from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
 from solver.answers import Conflict, Issue
 from solver.errors import RequestError, all_of
-from solver.fields import STRICT, WHOLE, Flag, Record
+from solver.fields import GIVEN, STRICT, WHOLE, Flag, Record
 from solver.relations import RELATIONS
 from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Room, Scene
@@ -67,7 +67,7 @@ class PieceRequest(Record):
     height: WishedMetres | None = None
     count: Annotated[int, Ge(1), Le(MOST_PIECES), WHOLE] = 1
     required: Flag = True
-    relations: Annotated[tuple[RelationSpec, ...], MaxLen(MOST_RELATIONS)] = ()
+    relations: Annotated[tuple[Annotated[RelationSpec, GIVEN], ...], MaxLen(MOST_RELATIONS)] = ()
 
     def __post_init__(self) -> None:
         """Calls a piece without an id by its name, and the other way round."""

@@ -63,6 +63,13 @@ def test_it_answers_a_scene_with_its_relations(client: TestClient) -> None:
     assert list(schema(client, "PlaceAnswer").iter_errors(answer)) == []
 
 
+def test_a_key_of_a_relation_that_is_null_is_not_given(client: TestClient) -> None:
+    keys = ("of", "required", "cost", "weight", "distance", "gap", "sides", "align", "walls", "wall")
+    nulls = changed("pieces.1.relations.0", {"type": "at_window", **dict.fromkeys(keys)})
+    said, unsaid = (client.post("/place", json=body).json() for body in (nulls, BODY))
+    assert (said["scene"], said["relations"]) == (unsaid["scene"], unsaid["relations"])
+
+
 def test_what_it_takes_fits_its_schema(client: TestClient) -> None:
     body = schema(client, "PlaceBody")
     assert list(body.iter_errors(BODY)) == []
