@@ -1,7 +1,6 @@
 """Who is entered through whom: planned before rooms have types, and the tree of doors once they have.
 
-Comes in: a `Layout`, its joints, later the types. Goes out: a planned parent for every room, then the joint that gets
-each room's door. May import: the ground floor, catalogs. Not here: where in the wall a door stands (openings.py).
+Not here: where in the wall a door stands (openings.py).
 """
 
 from __future__ import annotations

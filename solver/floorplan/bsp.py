@@ -1,7 +1,6 @@
 """The basic binary space partition: rectangles cut along their longer axis, with L-shaped corridors between siblings.
 
-Comes in: an outline, the smallest side, a depth and a seed. Goes out: a `Layout` without hallways.
-May import: the ground floor. Not here: access (access.py), the spine (spine.py).
+Not here: access (access.py), the spine (spine.py).
 """
 
 from __future__ import annotations

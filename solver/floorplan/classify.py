@@ -1,7 +1,6 @@
 """Gives every room its type: a deterministic sequence of rules, then the rest by fitness and variety.
 
-Comes in: a layout, its joints and who is entered through whom, the request, the catalog of room types. Goes out: a type for every room
-and notes. May import: the ground floor, catalogs. No randomness: the plan's rooms are varied enough.
+No randomness: the plan's rooms are varied enough.
 """
 
 from __future__ import annotations

@@ -1,8 +1,6 @@
 """Columns of a strip that has one hallway along it and room for two rooms behind each other.
 
-Comes in: a plot with one hallway side. Goes out: what stands in it: a bedroom with its own bathroom behind, a living or
-dining room with one or two rooms behind, or an alcove of hallway past a small front room to the back room.
-May import: the ground floor. Cells stand at corners of the house only, so that front and back have daylight.
+Cells stand at corners of the house only, so that front and back have daylight.
 """
 
 from __future__ import annotations

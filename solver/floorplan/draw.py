@@ -1,7 +1,4 @@
-"""draw(): the whole stage, top to bottom.
-
-Comes in: Request, Catalogs. Goes out: FloorPlan. May import: the ground floor, catalogs, the modules beside it.
-"""
+"""draw(): the whole stage, top to bottom."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """How well a room suits a type: one number, lower is better.
 
-Comes in: a layout with its joints and who is entered through whom, the catalog of room types. Goes out: `Fitness`.
-May import: the ground floor, catalogs. All area, side and access numbers are the catalog's; the weights are our choice.
+All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
 from __future__ import annotations

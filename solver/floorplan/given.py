@@ -1,7 +1,4 @@
-"""A given outline: its corners are checked, and it is cut into the fewest rectangles, none narrower than a room may be.
-
-Comes in: corners, m; the smallest side, mm. Goes out: `GivenPart`s. May import: the ground floor.
-"""
+"""A given outline: its corners are checked, and it is cut into the fewest rectangles, none narrower than a room may be."""
 
 from __future__ import annotations
 

@@ -1,6 +1,5 @@
 """Where the doors, passages, garage doors and windows stand, by the core.
 
-Comes in: a layout, types, the door tree. Goes out: `Cut`s on the lattice. May import: the ground floor, catalogs.
 The work itself is in solver/core/openings/.
 """
 

@@ -1,7 +1,4 @@
-"""The finished floor plan: rooms as the scene has them, and a door moved along its wall afterwards.
-
-Comes in: a layout, types, openings on the lattice. Goes out: `FloorPlan`. May import: the ground floor, catalogs.
-"""
+"""The finished floor plan: rooms as the scene has them, and a door moved along its wall afterwards."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """A rectangle still to be cut, and which of its sides lie on a hallway.
 
-Comes in: rectangles, mm. Goes out: `Plot`. May import: the ground floor. Axes: "x" runs west to east, "z" north to south;
-a cut across an axis divides the rectangle's extent along it.
+Axes: "x" runs west to east, "z" north to south; a cut across an axis divides the rectangle's extent along it.
 """
 
 from __future__ import annotations

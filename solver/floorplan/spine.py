@@ -1,10 +1,7 @@
 """The hallway spine, and a partition that carries "which of my sides lie on a hallway" down the recursion.
 
-Comes in: an outline, what rooms keep to, a seed. Goes out: a `Layout` in which every room
-touches a hallway or is `behind` a room planned for that; None where the spine does not fit.
-May import: the ground floor. A cut keeps its two crossed sides in both children and its
-own side in one; a cut that would take a child off the hallway is turned, becomes a side hallway, a cell or an alcove.
-Not here: what is built in a column that stays on one hallway (columns.py).
+A cut keeps its two crossed sides in both children and its own side in one; a cut that would take a child off the hallway is turned, becomes
+a side hallway, a cell or an alcove. Not here: what is built in a column that stays on one hallway (columns.py).
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside.
-
-Comes in: rectangles of wall lines, mm. Goes out: `Layout`, `Joint`. May import: the ground floor.
-"""
+"""What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""plan_home(): the whole of it, top to bottom: programme -> rooms -> the cheapest drawing -> layout and notes.
-
-Comes in: a request with a programme or an area, the catalogs. Goes out: `PlannedHome`. May import: the modules beside it.
-"""
+"""plan_home(): the whole of it, top to bottom: programme -> rooms -> the cheapest drawing -> layout and notes."""
 
 from __future__ import annotations
 

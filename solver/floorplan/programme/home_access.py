@@ -1,8 +1,4 @@
-"""Who is entered through whom in a planned home: passages between the rooms one lives in, doors off the hallway.
-
-Comes in: types, shared walls, owners. Goes out: what a way costs, for the floor plan's tree of doors.
-May import: the ground floor, catalogs, the floor plan's access.
-"""
+"""Who is entered through whom in a planned home: passages between the rooms one lives in, doors off the hallway."""
 
 from __future__ import annotations
 

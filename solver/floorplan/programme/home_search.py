@@ -1,6 +1,5 @@
 """The search for a home, by the core: rooms are dealt to the strips of a skeleton, the strips' widths solved, the cheapest drawing kept.
 
-Comes in: planned rooms, frames or ways to cut a given outline, a seed. Goes out: `FoundHome`. May import: the ground floor.
 The search itself is in solver/core/homes/.
 """
 

@@ -1,7 +1,6 @@
 """A programme -> the rooms of a home, each with the sizes it may have and what it is to the plan.
 
-Comes in: a request, the catalogs. Goes out: `PlannedRoom`s, or an error that names the word. May import: the ground floor,
-catalogs. Not here: where the rooms lie.
+Not here: where the rooms lie.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Skeletons: which of them suit a programme, and which outlines they make.
 
-Comes in: planned rooms. Goes out: their names. May import: the ground floor. What each is like: solver/core/homes/drafts.hpp.
+What each is like: solver/core/homes/drafts.hpp.
 """
 
 from __future__ import annotations

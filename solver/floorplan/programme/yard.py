@@ -1,9 +1,6 @@
 """A garden for a planned home: a strip beside the house, or behind an axial one, where no room loses its only window.
 
 Of a house that is no rectangle it lies at the living spaces, in a court or wherever else they have an outer wall.
-
-Comes in: a planned home. Goes out: the same with a backyard and, where there is a way to it, a patio.
-May import: the ground floor, catalogs, the floor plan's layout.
 """
 
 from __future__ import annotations
