@@ -1,7 +1,4 @@
-"""Whether rooms are drawn along their walls' middle lines or along the inner faces, measured at the walls that the file draws.
-
-Comes in: rooms and walls as drawn. Goes out: a `DrawnAlong`, and the usual thickness; outer walls that rooms speak of. May import: drawn.
-"""
+"""Whether rooms are drawn along their walls' middle lines or along the inner faces, measured at the walls that the file draws."""
 
 from __future__ import annotations
 

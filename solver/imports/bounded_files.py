@@ -1,7 +1,7 @@
 """Files of others, opened with bounds: archives that would unpack to more, XML that would grow.
 
-Comes in: bytes. Goes out: bytes of a member; an XML tree. May import: errors. XML is read by defusedxml: no entity is resolved but those
-that stand for a plain text, as drawing programmes write them for addresses of namespaces.
+XML is read by defusedxml: no entity is resolved but those that stand for a plain text, as drawing programmes write them for addresses of
+namespaces.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Small things of a foreign plan -> what carries each: the top it lies on, the piece it lies in, or the wall behind it.
-
-Comes in: rooms with furniture and decorations, m. Goes out: the same, whose decorations say it. May import: the ground floor, rectilinear.
-"""
+"""Small things of a foreign plan -> what carries each: the top it lies on, the piece it lies in, or the wall behind it."""
 
 from __future__ import annotations
 

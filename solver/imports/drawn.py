@@ -1,7 +1,5 @@
 """What a floor plan's file draws, before anything is changed: rooms, walls, openings, pieces, in the file's own unit.
 
-Comes in: nothing. Goes out: types. May import: errors, imported.
-
 Frame: x east, z south (readers of files whose y points north turn it round), in the file's unit; turns as in scenes.
 `where` names the place in the file, for whoever has to be told: `features[3]`, `Home.xml line 40, room`.
 """

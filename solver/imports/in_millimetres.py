@@ -1,7 +1,4 @@
-"""Second step, second half: one level of a drawn plan in mm, near the origin, turned so that its walls run along x and z.
-
-Comes in: a `DrawnPlan` in the file's unit. Goes out: one in mm (heights in m). May import: drawn, straighten.
-"""
+"""Second step, second half: one level of a drawn plan in mm, near the origin, turned so that its walls run along x and z."""
 
 from __future__ import annotations
 

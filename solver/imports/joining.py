@@ -2,8 +2,6 @@
 
 An opening belongs to the two faces that lie within one wall of it. It is shifted or shortened where it would leave its wall; one that
 has no wall is left out, and said.
-
-Comes in: rooms' edges, openings, mm. Goes out: `Joined`s. May import: rectilinear, drawn.
 """
 
 from __future__ import annotations

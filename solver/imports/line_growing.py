@@ -2,8 +2,6 @@
 
 Two faces of different rooms that look at each other across at most 0.6 m are one wall. Where it is as thin as any its line runs in its
 middle; of a thicker one each room has a line of its own.
-
-Comes in: corners, faces, mm. Goes out: corners along wall lines, the thinnest wall's thickness. May import: rectilinear.
 """
 
 from __future__ import annotations

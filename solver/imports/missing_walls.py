@@ -1,7 +1,4 @@
-"""Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall.
-
-Comes in: rooms' edges, walls, openings, mm. Goes out: `Joined` passages; corners without niches. May import: rectilinear, joining, drawn.
-"""
+"""Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Furniture of a foreign plan -> furniture of the scene's rooms, under its own names: /fix understands and repairs it.
-
-Comes in: rooms, `DrawnPiece`s (mm; sizes in m). Goes out: rooms with what stands in them. May import: the ground floor, catalogs, drawn.
-"""
+"""Furniture of a foreign plan -> furniture of the scene's rooms, under its own names: /fix understands and repairs it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Values of foreign documents, asked for one by one: what is wrong is said with its place.
-
-Comes in: plain values. Goes out: numbers, texts, lists, objects. May import: errors, plain.
-"""
+"""Values of foreign documents, asked for one by one: what is wrong is said with its place."""
 
 from __future__ import annotations
 

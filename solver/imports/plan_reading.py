@@ -1,7 +1,4 @@
-"""A file of a floor plan -> the scene it draws: which format it is in, and the steps from there, in order. Start reading here.
-
-Comes in: a file's bytes; of JSON and YAML the document. Goes out: a `Scene` and `PlanNotes`. May import: the formats, the steps.
-"""
+"""A file of a floor plan -> the scene it draws: which format it is in, and the steps from there, in order. Start reading here."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Polygons whose edges all run along x or z, in whole mm: their edges, areas, and whether they are simple.
 
-Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south). May import: geometry.
+Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south).
 """
 
 from __future__ import annotations

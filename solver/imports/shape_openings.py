@@ -1,7 +1,4 @@
-"""Openings of a drawing of shapes: what is drawn in one place is one, and the arc of a leaf tells where its door is.
-
-Comes in: `DrawnShape`s and `DrawnSwing`s. Goes out: `DrawnOpening`s. May import: drawn.
-"""
+"""Openings of a drawing of shapes: what is drawn in one place is one, and the arc of a leaf tells where its door is."""
 
 from __future__ import annotations
 

@@ -3,8 +3,6 @@
 Closed shapes on layers of rooms are rooms, named by the text inside them, and so is what loose lines there enclose; shapes on layers of
 doors, windows and openings are openings, as long as their longer side. Without closed rooms they are looked for between the walls.
 Outlines that stay open, and other layers, are passed over, and told.
-
-Comes in: `DrawnShape`s. Goes out: a `DrawnPlan`. May import: drawn, shape_openings, walls_alone.
 """
 
 from __future__ import annotations

@@ -1,8 +1,4 @@
-"""A room with slanted or curved walls, or one that crosses itself, as the rectilinear floor inside it.
-
-Comes in: a polygon, mm. Goes out: corners of the largest rectilinear part that lies wholly inside it, in steps of 0.1 m along slanted
-edges. May import: rectilinear.
-"""
+"""A room with slanted or curved walls, or one that crosses itself, as the largest rectilinear floor inside it, in steps of 0.1 m."""
 
 from __future__ import annotations
 

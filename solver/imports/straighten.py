@@ -2,8 +2,6 @@
 
 Runs of nearly straight edges are moved, never single corners: runs of all rooms that lie within 25 mm of each other come to lie on one
 line. A plan that stands at an angle as a whole is turned first. What is slanted or curved becomes the steps inside it (`steps_inside`).
-
-Comes in: polygons, mm. Goes out: corners, mm. May import: rectilinear, steps_inside, drawn.
 """
 
 from __future__ import annotations

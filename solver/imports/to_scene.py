@@ -1,7 +1,4 @@
-"""Rooms and openings in whole mm -> rooms of a scene.
-
-Comes in: corners along wall lines, `Joined`s, what rooms are called. Goes out: `Room`s, m. May import: the ground floor, the steps.
-"""
+"""Rooms and openings in whole mm -> rooms of a scene."""
 
 from __future__ import annotations
 

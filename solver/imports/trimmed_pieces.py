@@ -1,7 +1,4 @@
-"""Furniture drawn a hair's breadth into a wall, or into what stands beside it, is taken so much smaller: it stays where it is drawn.
-
-Comes in: a room and what stands in it, m, its edges on whole mm. Goes out: the same furniture. May import: the ground floor, drawn.
-"""
+"""Furniture drawn a hair's breadth into a wall, or into what stands beside it, is taken so much smaller: it stays where it is drawn."""
 
 from __future__ import annotations
 

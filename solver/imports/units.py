@@ -1,7 +1,4 @@
-"""Second step: how long the file's unit is, by what the file says or by how wide its doors are.
-
-Comes in: a `DrawnPlan`. Goes out: the length of its unit, m. May import: drawn.
-"""
+"""Second step: how long the file's unit is, by what the file says or by how wide its doors are."""
 
 from __future__ import annotations
 

@@ -1,8 +1,4 @@
-"""Things whose size a file does not say get that of their kind: they stand, hang or lie where their middles tell.
-
-Comes in: `DrawnPiece`s in the order in which things carry things (mm; sizes and heights in m), catalogs. Goes out: the same; those of
-a kind that is known have a size. May import: the ground floor, catalogs, drawn.
-"""
+"""Things whose size a file does not say get that of their kind: they stand, hang or lie where their middles tell."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""How thick each wall is: the walls that a file draws tell where a room's inner face is, and how deep the wall behind it.
-
-Comes in: rooms' edges, walls as drawn, mm. Goes out: inner faces; thicknesses of outer walls. May import: drawn, rectilinear, wall_faces.
-"""
+"""How thick each wall is: the walls that a file draws tell where a room's inner face is, and how deep the wall behind it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed.
-
-Comes in: lines of walls and openings, mm. Goes out: corners of rooms along the faces of their walls. May import: rectilinear, steps inside.
-"""
+"""A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed."""
 
 from __future__ import annotations
 

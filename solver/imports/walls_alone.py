@@ -1,7 +1,4 @@
-"""Walls without rooms -> the rooms between them, in the drawing's own unit.
-
-Comes in: outlines and lines of walls, or a plan of them; openings. Goes out: `DrawnRoom`s along faces. May import: wall_faces, units.
-"""
+"""Walls without rooms -> the rooms between them, in the drawing's own unit."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Doors between a room and a balcony or garden that are wider than any leaf: one leaf of them opens, the rest is glass.
-
-Comes in: `Joined`s, the rooms. Goes out: `Joined`s. May import: drawn, joining.
-"""
+"""Doors between a room and a balcony or garden that are wider than any leaf: one leaf of them opens, the rest is glass."""
 
 from __future__ import annotations
 

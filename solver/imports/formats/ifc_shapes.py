@@ -1,7 +1,6 @@
 """The shapes of IFC that plans need: extruded profiles and flat faces, as their corners in the building.
 
-Comes in: an element of ifcopenshell. Goes out: a `IfcOutline` in the file's unit.
-Placements are 4 x 4 matrices. May import: the ground floor.
+Placements are 4 x 4 matrices.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The elements of an SVG file that draw something, each with its points in the file's own frame, its names and its `data-` attributes.
 
-Comes in: an XML tree. Goes out: `SvgElement`s. Nested transforms, `<use>` and `<svg>` are worked out, curves are taken as chords; what is
-hidden, only defined or text without place is passed over. May import: errors, plain values; svg.path reads the data of paths.
+Nested transforms, `<use>` and `<svg>` are worked out, curves are taken as chords; what is hidden, only defined or text without place is
+passed over.
 """
 
 from __future__ import annotations
