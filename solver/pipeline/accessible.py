@@ -1,7 +1,4 @@
-"""Homes that are to be accessible: who has to come everywhere, and what the certificate says of it.
-
-Comes in: a request or a scene. Goes out: the same with what its profile asks. May import: the validator.
-"""
+"""Homes that are to be accessible: who has to come everywhere, and what the certificate says of it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Why pieces of a room cannot stand, or be used, together: a minimal conflict, in lengths, with what would help.
 
-Comes in: the repair of a room in which some found no place. Goes out: Conflicts. May import: every stage. Not here: the search for
-a place (repair_room), what would help (repairs).
+Not here: the search for a place (repair_room), what would help (repairs).
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Furnished rooms of a scene -> the same rooms decorated.
-
-Comes in: a Scene, which rooms. Goes out: the Scene; furniture stays as it is. May import: every stage.
-"""
+"""Furnished rooms of a scene -> the same rooms decorated."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """While a piece is dragged: its room, prepared once; then a frame is where the piece is wished and where all was -> where all is.
 
-Comes in: a scene and the piece in hand. Goes out: bytes for the core (solver/core/drag), which the page runs as well; `Dragging`, which
-runs them here. May import: every stage. Not here: frames as scenes (drag_frames), what becomes of a piece once it is let go (fix).
+A room is prepared as bytes for the core (solver/core/drag), which the page runs as well; `Dragging` runs them here. Not here: frames as
+scenes (drag_frames), what becomes of a piece once it is let go (fix).
 """
 
 from __future__ import annotations

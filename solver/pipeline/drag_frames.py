@@ -1,7 +1,6 @@
 """fix_frame(): a frame of a drag, from scene to scene: what /fix answers while a piece is dragged.
 
-Comes in: a Scene with a piece where it is wished, and the poses of the last frame. Goes out: Fixed, only its room changed. May import:
-every stage. Not here: the whole repair once the piece is let go (fix).
+Not here: the whole repair once the piece is let go (fix).
 
 The last few rooms in hand are kept prepared: preparing one takes ten times as long as answering a frame. A frame is of the same drag where
 its room differs from the one prepared in nothing but where the piece in hand, and what goes along with it, is. What it carries may be

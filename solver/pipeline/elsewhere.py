@@ -1,7 +1,4 @@
-"""What rooms hold that others ask for before they want a piece: a table to eat at stands once in a home.
-
-Comes in: rooms, or their arrangements. Goes out: names of pieces. May import: catalogs, the ground floor.
-"""
+"""What rooms hold that others ask for before they want a piece: a table to eat at stands once in a home."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""explain(): a piece of a generated scene -> where it was wished and what holds it back, by the multipliers of the final solve.
-
-Comes in: a Scene and an id. Goes out: Explained. May import: every stage. Not here: what a stage does inside.
-"""
+"""explain(): a piece of a generated scene -> where it was wished and what holds it back, by the multipliers of the final solve."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""export(): a scene -> files in the format of a simulator, an editor or a training set.
-
-Comes in: Scene. Goes out: files by name. May import: every stage. Not here: what a stage does inside.
-"""
+"""export(): a scene -> files in the format of a simulator, an editor or a training set."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """Which pieces to leave out of a room in which no place was found for all: a few of those in the way, the least important that help.
 
-Comes in: a space, pieces, the work each trial may cost. Goes out: an Arrangement of the others, those left out named in it. May import:
-every stage. Not here: why they cannot stand (conflicts).
+Not here: why they cannot stand (conflicts).
 """
 
 from __future__ import annotations

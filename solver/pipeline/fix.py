@@ -1,7 +1,4 @@
-"""fix(): an edited or foreign scene -> the same scene repaired with least movement, or the reasons why not.
-
-Comes in: a Scene. Goes out: Fixed. May import: every stage. Not here: what a stage does inside.
-"""
+"""fix(): an edited or foreign scene -> the same scene repaired with least movement, or the reasons why not."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """The frame in which a room's list is placed: a room that is turned or mirrored is the same room, so all of them are solved as one.
 
-Comes in: a Room and the kinds of its pieces; later an Arrangement in that frame. Goes out: the room in its frame; the arrangement as
-the room was sent. Of the ways to turn a room the one is taken whose walls, openings and pieces read least. Not here: what is placed.
+Of the ways to turn a room the one is taken whose walls, openings and pieces read least. Not here: what is placed.
 """
 
 from __future__ import annotations

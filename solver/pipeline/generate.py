@@ -1,7 +1,4 @@
-"""generate() and reroll(): request -> floor plan -> wanted pieces -> places -> checked scene, top to bottom.
-
-Comes in: Request or Scene. Goes out: Generated. May import: every stage. Not here: what a stage does inside.
-"""
+"""generate() and reroll(): request -> floor plan -> wanted pieces -> places -> checked scene, top to bottom."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""import_plan(): a file of a foreign floor plan -> a scene, with everything that was changed, guessed or left out.
-
-Comes in: bytes. Goes out: PlanImport. May import: every stage. Not here: what a stage does inside.
-"""
+"""import_plan(): a file of a foreign floor plan -> a scene, with everything that was changed, guessed or left out."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Rooms of a scene peopled: by whom its home has, in nobody's way.
-
-Comes in: a furnished and decorated scene. Goes out: the scene with people and pets, counted anew. May import: every stage.
-"""
+"""Rooms of a scene peopled: by whom its home has, in nobody's way."""
 
 from __future__ import annotations
 

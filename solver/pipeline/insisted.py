@@ -1,7 +1,6 @@
 """A piece that matters, which the search left out though there is a place: it is searched again as if it were required.
 
-Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement that holds what is worth more, which says what was
-insisted on. May import: placement. Not here: whose rooms: a plan's, and those that ask what stands elsewhere (generate).
+Not here: whose rooms: a plan's, and those that ask what stands elsewhere (generate).
 """
 
 from __future__ import annotations

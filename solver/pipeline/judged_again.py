@@ -1,7 +1,4 @@
-"""A house that is tried with other bodies, judged once more, and what that counts.
-
-Comes in: a checked house, the scene as it is tried. Goes out: the house checked. May import: every stage.
-"""
+"""A house that is tried with other bodies, judged once more, and what that counts."""
 
 from __future__ import annotations
 

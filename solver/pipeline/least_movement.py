@@ -1,7 +1,6 @@
 """Pieces of a sent room -> where they go with least movement; near the last answer while something is dragged.
 
-Comes in: a space, its pieces. Goes out: an Arrangement. May import: every stage. Not here: what becomes of a room whose pieces
-cannot all stand (repair_room), why (conflicts).
+Not here: what becomes of a room whose pieces cannot all stand (repair_room), why (conflicts).
 """
 
 from __future__ import annotations

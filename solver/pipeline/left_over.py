@@ -1,6 +1,5 @@
 """What is still broken once all rooms were repaired: named, with what helps; or taken out, the least important first.
 
-Comes in: a checked house, the conflicts found so far. Goes out: Conflicts; the house without what broke rules. May import: every stage.
 Each way out is tried: the validator judges the house without the body.
 """
 

@@ -1,7 +1,7 @@
 """The order in which a list is placed: by what is asked for, not by ids or places in the list, so that a told-otherwise list is the same.
 
-Comes in: requests and their kinds. Goes out: the requests, sorted. What two rounds of looking at relations cannot tell apart stays
-in the order that was sent. Where not everything finds a place the sent order counts, as it says what matters most (place).
+What two rounds of looking at relations cannot tell apart stays in the order that was sent. Where not everything finds a place the sent
+order counts, as it says what matters most (place).
 """
 
 from __future__ import annotations

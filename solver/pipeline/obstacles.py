@@ -1,7 +1,6 @@
 """What stands in a room already, when pieces are placed around it.
 
-Comes in: a Room with furniture and its Space. Goes out: wanted pieces that stay where they are, and the Space without the
-floor of those that break a rule as they stand and so cannot be wanted pieces. Not here: new pieces.
+Not here: new pieces.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""A scene whose certificate says how far each front opens.
-
-Comes in: a finished scene as it was checked. Goes out: the scene. May import: validator.
-"""
+"""A scene whose certificate says how far each front opens."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """The other ways a piece could stand in its room, and what each would have cost: the room is furnished once more with only that way left.
 
-Comes in: a room as it was furnished, and a label. Goes out: ways, the cheapest first. May import: every stage. Not here: what holds
-the piece where it stands (explain).
+Not here: what holds the piece where it stands (explain).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """furnish(): somebody's own plan -> its rooms' types and main entrance, where it says none -> reroll of its rooms.
 
-Comes in: Scene. Goes out: FurnishedPlan. May import: every stage. Not here: what a stage does inside, how a room is furnished (generate).
+Not here: how a room is furnished (generate).
 """
 
 from __future__ import annotations

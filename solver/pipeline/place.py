@@ -1,7 +1,4 @@
-"""place(): a room of the user's own and a list of pieces -> the best placement, or several, or the reason why not.
-
-Comes in: a Room and requests for pieces. Goes out: Answered. May import: every stage. Not here: what a stage does inside.
-"""
+"""place(): a room of the user's own and a list of pieces -> the best placement, or several, or the reason why not."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """One request of place: what it means to every stage, and an arrangement written down and judged.
 
-Comes in: a Room and requests for pieces; an Arrangement. Goes out: a PlaceTask; a Placement. May import: every stage. Not
-here: which arrangement (rounds, place).
+Not here: which arrangement (rounds, place).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """Why a generated room lacks a required piece, in lengths.
 
-Comes in: a room's space, its wanted pieces, its arrangement. Goes out: the arrangement with better reasons. Not here: how the
-lengths are found (placement), conflicts of sent rooms (conflicts).
+Not here: how the lengths are found (placement), conflicts of sent rooms (conflicts).
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """One broken room -> the same room repaired, and what of it could not be: `RoomProblem` -> `RoomRepair`.
 
-Comes in: a room, its space, what is locked and moved. Goes out: the room with new poses, and who has no place in it. May import:
-every stage. Not here: which rooms are broken (fix), why something cannot stand (conflicts).
+Not here: which rooms are broken (fix), why something cannot stand (conflicts).
 """
 
 from __future__ import annotations

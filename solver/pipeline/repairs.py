@@ -1,6 +1,6 @@
 """What would help: the cheapest changes with which the rest can stand, each of them tried.
 
-Comes in: a minimal conflict. Goes out: repairs, as docs/fix.md describes them. Not here: why it is one (conflicts).
+Not here: why it is one (conflicts).
 """
 
 from __future__ import annotations

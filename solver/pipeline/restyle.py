@@ -1,7 +1,4 @@
-"""restyle(): a home in another style, or with other decorations, in place.
-
-Comes in: a Scene. Goes out: Generated, in which every piece of furniture stands where it stood. May import: every stage.
-"""
+"""restyle(): a home in another style, or with other decorations, in place."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""The space that each room of a scene has, doors that the room beyond alone lists among it; and rooms as they are to be repaired.
-
-Comes in: a scene. Goes out: what tells a room's space, `RoomProblem`s. May import: furnish, repair.
-"""
+"""The space that each room of a scene has, doors that the room beyond alone lists among it; and rooms as they are to be repaired."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """What stays in a room that is furnished anew: its locked pieces, and what carries them or has them under it.
 
-Comes in: a Room as it was, its wanted pieces. Goes out: wanted pieces of which those have one candidate; the Room furnished
-around them; what lies on them. May import: every stage. Not here: placing (generate).
+Not here: placing (generate).
 
 A piece that stays takes the place of the wanted piece that it could be, so that the others relate to it: the coffee table goes
 before the locked sofa. One that could be none is wanted besides.
