@@ -1,7 +1,6 @@
 """Whether a home is accessible as a standard asks: for each room what is met, and what is missing, m.
 
-Comes in: a scene, catalogs, a profile of access.yaml. Goes out: an `AccessReport`. May import: scene, catalogs. Turning spaces are
-squares, also where a standard asks for a circle: that is stricter. The sweep of door leaves is not counted.
+Turning spaces are squares, also where a standard asks for a circle: that is stricter. The sweep of door leaves is not counted.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""A room by itself as the core's rules read it, so that it can be judged again and again with its bodies elsewhere.
-
-Comes in: a scene with one room, and the catalogs. Goes out: `RoomAlone`. May import: scene, core.
-"""
+"""A room by itself as the core's rules read it, so that it can be judged again and again with its bodies elsewhere."""
 
 from __future__ import annotations
 

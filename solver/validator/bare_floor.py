@@ -1,7 +1,4 @@
-"""How much floor of a room is empty: the largest square, and strips before a side. In whole lattice steps, by what could be in the way.
-
-Comes in: a room's bounds and boxes. Goes out: lengths and places. May import: demanded, the lattice.
-"""
+"""How much floor of a room is empty: the largest square, and strips before a side. In whole lattice steps, by what could be in the way."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
 """What is wrong with a scene; and with one that is being changed, where only what a change can touch is checked again.
 
-Comes in: a scene and the catalogs; later the scene as it was changed. Goes out: `Checked`, whose issues are those of `validate`.
-May import: scene, catalogs. Not here: the rules.
+Not here: the rules.
 
 Where bodies and people alone differ, the rooms that do not hold them keep their issues, but for what is within reach: that is
 walked anew for the storey, as a thing in one room may close the way to another. Where walls or openings differ, all is checked.

@@ -1,9 +1,7 @@
 """The rule for shapes: no part of one body is in a part of another.
 
-Comes in: what the core found in a room (solver/core/validate/crossing.cpp). Goes out: findings.
-
-Where both bodies stand on the floor and neither is under or on the other, `overlap` speaks of them. Bodies of kinds without a shape are
-passed over: what they are made of is not known.
+It is found by the core (solver/core/validate/crossing.cpp). Where both bodies stand on the floor and neither is under or on the other,
+`overlap` speaks of them. Bodies of kinds without a shape are passed over: what they are made of is not known.
 """
 
 from __future__ import annotations

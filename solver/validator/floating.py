@@ -1,12 +1,10 @@
 """The rule `floating`: a decoration lies on something, or hangs at its wall; furniture stands `on` what it says.
 
-Comes in: what the core found in a room (solver/core/validate/floating.cpp). Goes out: findings. May import: scene.
-
-A parent of a kind and size that the catalogs know carries things on its surfaces, each as far in from its edges as the kind says, and
-inside, on the boards of its carcass and in its drawers. Any
-other parent is what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name. A thing
-without a parent, or whose parent is not in the room, lies on the floor or on any of the room's bodies. Furniture that says `on`
-what it stands is judged like a thing with that parent; of other furniture nothing is said: a cupboard may hang.
+It is found by the core (solver/core/validate/floating.cpp). A parent of a kind and size that the catalogs know carries things on its
+surfaces, each as far in from its edges as the kind says, and inside, on the boards of its carcass and in its drawers. Any other parent is
+what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name. A thing without a parent, or whose
+parent is not in the room, lies on the floor or on any of the room's bodies. Furniture that says `on` what it stands is judged like a thing
+with that parent; of other furniture nothing is said: a cupboard may hang.
 """
 
 from __future__ import annotations

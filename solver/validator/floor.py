@@ -1,7 +1,4 @@
-"""The floor of rooms as the rules see it: what is clear of walls, what is kept free, and where the robot's square comes.
-
-Comes in: a scene. Goes out: rectangles [x0, z0, x1, z1] by room, room-relative metres. May import: scene.
-"""
+"""The floor of rooms as the rules see it: what is clear of walls, what is kept free, and where the robot's square comes."""
 
 from __future__ import annotations
 

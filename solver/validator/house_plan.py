@@ -1,6 +1,6 @@
 """The rules about the plan itself: rooms that share floor, openings that are in no wall, or in another's way.
 
-Comes in: a house's rooms and holes. Goes out: findings. May import: scene. Bodies are not looked at, and nothing is moved for these rules.
+Bodies are not looked at, and nothing is moved for these rules.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What a rule is asked, and what it answers.
-
-Comes in: a room, and what the core found in it. Goes out: to each rule the rows that are its own. May import: scene, core.
-"""
+"""What a rule is asked, and what it answers."""
 
 from __future__ import annotations
 

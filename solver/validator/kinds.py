@@ -1,7 +1,4 @@
-"""What the catalogs say of a name in a scene; those they do not know ask for nothing.
-
-Comes in: the catalogs. Goes out: use sides, room types; surfaces and parts as rows for the core. May import: scene, catalogs.
-"""
+"""What the catalogs say of a name in a scene; those they do not know ask for nothing."""
 
 from __future__ import annotations
 

@@ -1,7 +1,5 @@
 """Exact arithmetic: lengths as integers, boxes, and the parts of the plane they cover.
 
-Comes in: metres. Goes out: integers in quarter micrometres. May import: the count of work.
-
 A scene is read to the micrometre. Halving an extent gives half micrometres; one step finer, at a quarter, lies a robot that
 is half a micrometre narrower than asked: it passes a gap of exactly the robot's width, and nothing narrower.
 """

@@ -1,7 +1,4 @@
-"""Measures of a scene: counts, how much of the floor is covered, how much can be walked.
-
-Comes in: a scene. Goes out: plain values. May import: scene, catalogs.
-"""
+"""Measures of a scene: counts, how much of the floor is covered, how much can be walked."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """How far the fronts of furniture open before they meet something; and the rule for those that hardly open.
 
-Comes in: a room and the catalogs. Goes out: what the core found (solver/core/validate/opening.cpp), findings. May import: scene, catalogs.
-
-Each front is opened alone, all others shut. People and pets step aside, what lies on a lid is taken off; doors are closed and are walls.
+It is found by the core (solver/core/validate/opening.cpp). Each front is opened alone, all others shut. People and pets step aside, what
+lies on a lid is taken off; doors are closed and are walls.
 """
 
 from __future__ import annotations

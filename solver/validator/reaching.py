@@ -1,7 +1,4 @@
-"""The rule `unreachable`: a square as wide as the robot comes to every room and every use side.
-
-Comes in: a `World`, its walks and the catalogs. Goes out: findings by room. May import: scene, catalogs.
-"""
+"""The rule `unreachable`: a square as wide as the robot comes to every room and every use side."""
 
 from __future__ import annotations
 

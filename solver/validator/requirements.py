@@ -1,7 +1,4 @@
-"""The rule `missing_required`: a piece that a room's type requires is not there.
-
-Comes in: a room and the catalogs. Goes out: findings. May import: scene, catalogs.
-"""
+"""The rule `missing_required`: a piece that a room's type requires is not there."""
 
 from __future__ import annotations
 

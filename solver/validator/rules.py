@@ -1,7 +1,4 @@
-"""All rules, in the order of the table in docs/scene.md.
-
-Comes in: a room to be judged. Goes out: issues. May import: scene.
-"""
+"""All rules, in the order of the table in docs/scene.md."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Rooms and storeys as the core reads them (solver/core/validate/room.hpp and walk.hpp).
-
-Comes in: a `World`, and what the catalogs say of kinds. Goes out: bytes for the core, and its answers. May import: scene, core.
-"""
+"""Rooms and storeys as the core reads them (solver/core/validate/room.hpp and walk.hpp)."""
 
 from __future__ import annotations
 

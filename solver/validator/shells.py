@@ -1,7 +1,4 @@
-"""The openings on a room's walls, and what is fitted to them; doors closed. Walls are around them (solver/core/validate/shell.cpp).
-
-Comes in: a `World` and one of its places. Goes out: rows for the core. May import: scene, wall_fittings.
-"""
+"""The openings on a room's walls, and what is fitted to them; doors closed. Walls are around them (solver/core/validate/shell.cpp)."""
 
 from __future__ import annotations
 

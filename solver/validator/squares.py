@@ -1,7 +1,4 @@
-"""What openings keep free: the squares of doors and passages, and the strips before windows.
-
-Comes in: a `World` and one of its places. Goes out: boxes in lattice steps. May import: scene.
-"""
+"""What openings keep free: the squares of doors and passages, and the strips before windows."""
 
 from __future__ import annotations
 

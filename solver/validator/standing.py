@@ -1,7 +1,4 @@
-"""The rules for where bodies stand, in words: one function each, a room at a time.
-
-Comes in: what the core found in a room (solver/core/validate/standing.cpp). Goes out: findings. May import: scene.
-"""
+"""The rules for where bodies stand, in words: one function each, a room at a time; found by solver/core/validate/standing.cpp."""
 
 from __future__ import annotations
 

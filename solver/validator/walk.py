@@ -1,7 +1,5 @@
 """Where a square can walk: the free space of a storey.
 
-Comes in: a `World`, and its rooms as the core reads them. Goes out: for each storey its `Walk`. May import: scene, core.
-
 The work is the core's (solver/core/validate/walk.hpp): the square's centre is free where the square meets no body and no wall. See
 lattice.py for why gaps of exactly the square's side pass.
 """

@@ -1,7 +1,4 @@
-"""A scene as the rules see it: rooms with their floor, walls, openings and bodies, all in exact numbers.
-
-Comes in: a scene. Goes out: a `World`. May import: scene.
-"""
+"""A scene as the rules see it: rooms with their floor, walls, openings and bodies, all in exact numbers."""
 
 from __future__ import annotations
 
