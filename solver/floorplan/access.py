@@ -124,14 +124,9 @@ class RoomAccess:
 
 
 def door_tree(entrance: int, typed: RoomAccess) -> tuple[tuple[Joint, int], ...]:
-    """Finds the cheapest way to every room (Dijkstra 1959 over passing_cost).
+    """Finds the cheapest way from the room with the main entrance to every other (Dijkstra 1959 over passing_cost).
 
-    Args:
-        entrance: index of the room with the main entrance.
-        typed: the rooms, their types and shared walls.
-
-    Returns:
-        For every room but the entrance's: the joint of its door and its own index. Of equal ways the longest wall wins.
+    Returns for each of those the joint of its door and its own index. Of equal ways the longest wall wins.
     """
     by_room = neighbours(len(typed.types), typed.shared)
     best: dict[int, tuple[float, int]] = {entrance: (0.0, 0)}

@@ -26,14 +26,7 @@ ROUND_MM: Final = 50
 
 
 def cut_at(stream: Stream, low: int, high: int, margins: tuple[int, int]) -> int:
-    """Draws where to cut the interval [low, high], mm.
-
-    Args:
-        stream: the node's own stream.
-        low: start of the interval.
-        high: end of the interval.
-        margins: least lengths of the two parts; together at most the interval.
-    """
+    """Draws where to cut the interval [low, high], mm; `margins` are least lengths of the two parts, together at most the interval."""
     length = high - low
     first = max(margins[0], round(length * SHARES[0]))
     last = min(length - margins[1], round(length * SHARES[1]))
@@ -53,17 +46,10 @@ class _Node:
 
 
 def partition(outline: Rect, least: int, max_depth: int, seed: int, parts: Sequence[GivenPart] = ()) -> Layout:
-    """Cuts the house into rooms without a hallway.
+    """Cuts the house, or the least rectangle around it, mm, into rooms without a hallway; returns them in the tree's order.
 
-    Args:
-        outline: the house, or the least rectangle around it, mm.
-        least: smallest side of a room, mm.
-        max_depth: levels of cuts.
-        seed: the house's seed.
-        parts: the rectangles of a house that is no rectangle itself; cuts between them are levels, too.
-
-    Returns:
-        The rooms in the tree's order, and one corridor for each cut.
+    No side is shorter than `least` mm; each cut has one corridor. `parts` are the rectangles of a house that is no rectangle itself; cuts
+    between them are levels, too.
     """
     leaves: dict[str, Rect] = {}
     nodes = [_Node(rect, path, max(max_depth - len(path), 0)) for rect, path in parts] or [_Node(outline, "", max_depth)]

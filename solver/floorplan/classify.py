@@ -54,14 +54,9 @@ def check_forced(request: Request, count: int, rooms: Mapping[str, RoomType]) ->
 
 
 def classify(fitness: Fitness, request: Request) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Gives every room a type.
+    """Gives every room of a layout a type; returns the types by room index, and notes.
 
-    Args:
-        fitness: the layout's rooms and what they suit.
-        request: force_types and outdoor are read; force_types must have been checked.
-
-    Returns:
-        The types by room index, and notes.
+    Of the request `force_types`, which must have been checked, and `outdoor` are read.
     """
     draft = _Draft(fitness, request)
     draft.essentials()

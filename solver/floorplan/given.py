@@ -44,11 +44,9 @@ def parts_of(corners: Sequence[tuple[float, float]], least: int) -> tuple[GivenP
 
 
 def tilings_of(corners: Sequence[tuple[float, float]], stream: Stream) -> tuple[tuple[Rect, ...], ...]:
-    """Returns a few ways to cut an outline into rectangles, the widest least side first; its north-west bound becomes the origin.
+    """Returns a few ways to cut an outline, m, into rectangles, the widest least side first; its north-west bound becomes the origin.
 
-    Args:
-        corners: of the outline, m.
-        stream: draws which ways are looked at.
+    The stream draws which ways are looked at.
 
     Raises:
         RequestError: the corners are no outline of a house.

@@ -107,13 +107,8 @@ def open_walls(house: OpenedHouse, tree: Sequence[tuple[Joint, int]], entrance: 
     No leaf sweeps another leaf or the square of another door; squares of different doors in a furnished room stay apart where the walls
     allow. Openings are moved along their walls where a room has no wall as whole as its type's `plan.keeps` asks.
 
-    Args:
-        house: the rooms.
-        tree: the joint of every room's door, and the room that is entered by it.
-        entrance: room and wall of the main entrance; its leaf opens inwards.
-
-    Returns:
-        The openings, and a note for each room for cars that has no door to the street.
+    The tree has the joint of every room's door, and the room that is entered by it; the entrance's leaf opens inwards. Returns the
+    openings, and a note for each room for cars that has no door to the street.
     """
     by_length = sorted(tree, key=lambda item: (item[0].length, item[0]))
     cuts = tuple(_cut(row) for row in _CUT.iter_unpack(ask("open_walls", rows_of(house, by_length, entrance))))
@@ -123,14 +118,7 @@ def open_walls(house: OpenedHouse, tree: Sequence[tuple[Joint, int]], entrance: 
 
 
 def door_places(house: OpenedHouse, shared: Sequence[Joint], cuts: Sequence[Cut], moved: Cut) -> tuple[int, ...]:
-    """Returns where else in its wall one of the openings could stand, mm in the house, what differs most first.
-
-    Args:
-        house: the rooms.
-        shared: the walls that two rooms share.
-        cuts: all openings.
-        moved: the one in question.
-    """
+    """Returns where else in its wall one of all openings (`cuts`) could stand, mm in the house, what differs most first."""
     joint = [(one, one.a) for one in shared if (one.a, one.b) == tuple(sorted(moved.sides))]
     others = [*(cut for cut in cuts if cut.id != moved.id), moved]
     return tuple(place for (place,) in _PLACE.iter_unpack(ask("door_places", rows_of(house, joint, (0, WALLS[0]), others))))

@@ -156,15 +156,10 @@ def _cut(plan: FloorPlan, opening_id: str) -> Cut:
 
 
 def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
-    """Returns where else in its wall a door could stand.
+    """Returns where else in its wall a door or passage could stand; none lets a leaf or square meet another's.
 
-    Args:
-        plan: the floor plan.
-        opening_id: id of a door or passage.
-
-    Returns:
-        Positions of its centre along x (walls north and south) or z (east and west), mm in the house: the ends of the
-        shared wall first, then its quarters, then every 0.1 m. None lets a leaf or square meet another's.
+    Positions of its centre along x (walls north and south) or z (east and west), mm in the house: the ends of the shared wall first, then
+    its quarters, then every 0.1 m.
     """
     drawing = plan.drawing
     house = OpenedHouse(drawing.layout, drawing.rects, drawing.types, drawing.catalogs.rooms)
@@ -172,13 +167,7 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
 
 
 def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPlan:
-    """Returns the plan with one door moved along its wall.
-
-    Args:
-        plan: the floor plan.
-        opening_id: id of a door or passage.
-        position_mm: one of door_positions.
-    """
+    """Returns the plan with one door or passage moved along its wall to one of `door_positions`."""
     drawing = plan.drawing
     moved = _cut(plan, opening_id)._replace(centre=position_mm)
     cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)

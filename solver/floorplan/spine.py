@@ -130,16 +130,7 @@ class _Carver:
 
 
 def carve(outline: Rect, bounds: RoomBounds, seed: int) -> Layout | None:
-    """Cuts the house into rooms along a hallway spine.
-
-    Args:
-        outline: the house, mm.
-        bounds: what its rooms keep to.
-        seed: the house's seed.
-
-    Returns:
-        The layout; None where a half would be narrower than the least side.
-    """
+    """Cuts the house, mm, into rooms along a hallway spine; None where a half would be narrower than the least side."""
     axis = "z" if outline.width >= outline.depth else "x"
     low, high = span(outline, axis)
     at = low + (high - low - bounds.hallway) // 2

@@ -170,10 +170,6 @@ def set_apart(layout: Layout, outdoor: Sequence[bool]) -> tuple[Rect, ...]:
     """Returns the rooms as they are written: those outdoors begin where the outer wall of the house ends that they lie at.
 
     A wall grows outwards from its room's face: the lines of rooms on its two sides are apart by what it is thicker than inner walls.
-
-    Args:
-        layout: the rooms.
-        outdoor: which of them are.
     """
     more = layout.walls.outer - layout.walls.thickness
     if not more or not any(outdoor):

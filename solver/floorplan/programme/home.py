@@ -43,12 +43,7 @@ PLAINER: Final = {"U": ("U", "L", "rectangle"), "T": ("T", "L", "rectangle"), "L
 
 
 def plan_home(request: Request, catalogs: Catalogs, walls: HouseWalls) -> PlannedHome:
-    """Plans a home.
-
-    Args:
-        request: its seed must be set, and its programme or its area.
-        catalogs: room types and presets.
-        walls: how thick walls are.
+    """Plans a home; the request's seed must be set, and its programme or its area.
 
     Raises:
         RequestError: the programme cannot be read, or what does not go with it is asked for.

@@ -82,28 +82,14 @@ def find_home(
 ) -> FoundHome | None:
     """Searches in the kind that the seed draws; in the others too where a room falls short in it.
 
-    Args:
-        planned: the rooms.
-        frame_of: the frame of a house of a kind.
-        seed: what the search begins with.
-        walls: how thick walls are.
-        outline: RECTANGLE, L, T or U; other than a rectangle only where the frame is free.
-
-    Returns:
-        None where nothing has the outline; a rectangle is always found.
+    `frame_of` tells the frame of a house of a kind. The outline is a rectangle, L, T or U; other than a rectangle only where the frame is
+    free. None where nothing has the outline; a rectangle is always found.
     """
     return _read(ask("find_home", home_rows(planned, frame_of, seed, walls, outline)), len(planned))
 
 
 def find_home_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]], seed: int, walls: HouseWalls) -> FoundHome | None:
-    """Searches in an outline that is given.
-
-    Args:
-        planned: the rooms.
-        tilings: rectangles that the outline may be cut into; those of more rectangles than there are rooms are left out.
-        seed: the house's seed.
-        walls: how thick walls are.
-    """
+    """Searches in an outline that is given, by the rectangles that it may be cut into; no more of them than there are rooms."""
     return _read(ask("find_home", rows_within(planned, tilings, seed, walls)), len(planned))
 
 

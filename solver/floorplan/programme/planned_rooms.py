@@ -181,12 +181,9 @@ def _garages(cars: int, names: Sequence[str], catalogs: Catalogs) -> list[str]:
 
 
 def planned_rooms(types: Sequence[str], catalogs: Catalogs, area_m2: float | None) -> tuple[PlannedRoom, ...]:
-    """Returns the rooms with their sizes.
+    """Returns rooms of these types with their sizes.
 
-    Args:
-        types: the room types.
-        catalogs: the room types' limits.
-        area_m2: floor the house is wished to have, hallways included; the rooms' typical areas by default.
+    `area_m2` is the floor the house is wished to have, hallways included; the rooms' typical areas by default.
     """
     rooms = catalogs.of_home(types).rooms
     kinds = [rooms[name] for name in types]

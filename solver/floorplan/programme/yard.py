@@ -60,13 +60,7 @@ def _less(length: int) -> int:
 
 
 def with_yard(home: PlannedHome, frame: Frame, catalogs: Catalogs) -> PlannedHome:
-    """Adds a garden.
-
-    Args:
-        home: as planned for `house_frame`.
-        frame: outer extents of the plot, mm; 0 where they were chosen.
-        catalogs: which rooms are ways through.
-    """
+    """Adds a garden to a home as it was planned for `house_frame`; `frame` is that of the plot, mm, 0 where it was chosen."""
     along = frame.depth if home.kind == "axial" else frame.width
     if along and along < YARD_MM + HOUSE_MM:
         return replace(home, notes=(*home.notes, f"no backyard: the house takes the whole plot of {along / 1000:g} m"))
