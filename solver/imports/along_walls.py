@@ -23,12 +23,8 @@ WITHIN: Final = 0.2
 def outer_walls(rooms: Sequence[DrawnRoom], thicknesses: Sequence[Sequence[float | None]], usual: float) -> Iterator[DrawnWall]:
     """Yields the outer walls of rooms that say how thick they are, where their outlines are the usual wall's middle line.
 
-    What another room shares of such a line is no outer wall.
-
-    Args:
-        rooms: whose outlines' points come clockwise or not.
-        thicknesses: of each room, by edge, in the file's unit; None where it is the usual.
-        usual: thickness.
+    What another room shares of such a line is no outer wall. Thicknesses are by edge, in the file's unit, None where it is the usual;
+    points come clockwise or not.
     """
     lines = _Lines(rooms)
     for number, (room, own) in enumerate(zip(rooms, thicknesses, strict=True)):

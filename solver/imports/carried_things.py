@@ -21,12 +21,7 @@ NAMES: Final[dict[tuple[str, int], WallName]] = {("x", -1): "north", ("x", 1): "
 
 
 def with_carriers(rooms: Sequence[Room], wall_thickness: float) -> list[Room]:
-    """Gives decorations above the floor what carries them; those that nothing does stay as they are.
-
-    Args:
-        rooms: their outlines are rectilinear.
-        wall_thickness: the scene's, m.
-    """
+    """Gives decorations above the floor of rectilinear rooms what carries them; those that nothing does stay as they are."""
     return [replace(room, decorations=tuple(_with_carrier(one, room, wall_thickness / 2) for one in room.decorations)) for room in rooms]
 
 

@@ -68,10 +68,7 @@ def _without_rooms(plan: DrawnPlan) -> FieldError:
 def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPlan:
     """Returns a plan in mm; heights, elevations and the sizes of pieces in m.
 
-    Args:
-        plan: in the file's unit.
-        metres: the length of that unit.
-        notes: that the plan was turned is noted there.
+    `metres` is the length of its unit. Where the plan was turned that is noted.
 
     Raises:
         FieldError: it is larger or smaller than any house.

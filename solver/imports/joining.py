@@ -56,14 +56,9 @@ class Joined:
 def joined(
     openings: Sequence[PlacedDrawing], edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], half: int, notes: PlanNotes
 ) -> list[Joined]:
-    """Returns openings in their walls.
+    """Returns openings in the walls of rooms, whose edges and levels are given; `half` is half the usual wall, mm.
 
-    Args:
-        openings: as drawn.
-        edges: of each room.
-        levels: of each room.
-        half: half the usual wall, mm.
-        notes: what was shifted, shortened and left out is noted there.
+    What was shifted, shortened and left out is noted.
     """
     by_axis: dict[tuple[int, str], list[PlanEdge]] = defaultdict(list)
     for room, level in zip(edges, levels, strict=True):

@@ -37,12 +37,9 @@ class Grown:
 
 
 def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness: int | None) -> Grown:
-    """Returns rooms grown to the lines of their walls.
+    """Returns rooms, edges along inner faces, clockwise, grown to the lines of their walls.
 
-    Args:
-        rooms: edges along inner faces, clockwise.
-        levels: of the rooms.
-        thickness: of the walls, mm, where the file says it.
+    `thickness` is that of the walls, mm, where the file says it.
     """
     edges = rooms
     pairs = _facing_pairs(edges, levels)

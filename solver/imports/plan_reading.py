@@ -100,13 +100,7 @@ def format_of_plan(file: PlanFile) -> str | None:
 
 
 def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes]:
-    """Returns the scene that a file draws, and what is not as it says.
-
-    Args:
-        file: the file.
-        format: one of READERS.
-        settings: what the caller says.
-        catalogs: whose room types and kinds are known.
+    """Returns the scene that a file in one of the formats of READERS draws, and what is not as it says.
 
     Raises:
         SyntaxFault: it cannot be read at all.

@@ -102,12 +102,8 @@ def plan_of_shapes(
 ) -> DrawnPlan:
     """Returns the plan that shapes draw; where they draw no rooms, those between their walls.
 
-    Args:
-        shapes: lines and outlines.
-        texts: which name the rooms that they stand in.
-        swings: of doors' leaves.
-        metres: tells the length of the unit by the openings, m; None where nothing does.
-        unread: what is left out already.
+    Texts name the rooms that they stand in, swings are of doors' leaves. `metres` tells the length of the unit by the openings, m; None
+    where nothing does. `unread` is what is left out already.
 
     Raises:
         FieldError: there are more shapes than in any home.

@@ -23,11 +23,9 @@ Cells = NDArray[np.bool_]
 
 
 def stepped(polygon: Polygon, rooms: int = 1) -> FloorCorners:
-    """Returns the corners of the largest rectilinear part inside a polygon; empty where there is none, or it is too intricate.
+    """Returns the corners of the largest rectilinear part inside a polygon, mm; empty where there is none, or it is too intricate.
 
-    Args:
-        polygon: the outline, mm.
-        rooms: how many the plan has: what the work is dealt to.
+    The work is dealt to the plan's `rooms`.
     """
     step, most = STEP, min(MOST_CELLS, ALL_CELLS // rooms)
     while step <= 64 * STEP:

@@ -54,12 +54,9 @@ def _squared(piece: Furniture) -> float:
 
 
 def trimmed(room: Room, half_wall: int, notes: PlanNotes) -> Room:
-    """Returns a room of whose furniture what reaches up to HAIR into walls or other pieces is cut, and told.
+    """Returns a room of whose furniture what reaches up to HAIR into walls or other pieces is cut, and noted.
 
-    Args:
-        room: its outline is rectilinear.
-        half_wall: how far inside of its lines the room's clear floor begins, whole mm.
-        notes: what is cut is noted here.
+    Its outline is rectilinear; its clear floor begins `half_wall` mm inside of its lines.
     """
     boxes = {piece.id: _DrawnBox(piece) for piece in room.furniture if abs(piece.rotation - _squared(piece)) <= ASKEW}
     for box in boxes.values():

@@ -38,12 +38,9 @@ def unit_named(word: str | None) -> float | None:
 
 
 def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
-    """Returns the length of a plan's unit, m.
+    """Returns the length of a plan's unit, m; what was guessed is noted.
 
-    Args:
-        plan: as drawn.
-        asked: what the caller says: a unit's name or a number of metres.
-        notes: what was guessed is noted there.
+    `asked` is what the caller says: a unit's name or a number of metres.
 
     Raises:
         FieldError: nobody says, and the doors do not tell.

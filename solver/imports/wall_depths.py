@@ -37,11 +37,9 @@ class WallBand(NamedTuple):
 
 
 class WallDepths:
-    """The walls that a file draws.
+    """The walls that a file draws, with their thickness, mm; slanted ones are passed over.
 
-    Args:
-        walls: with their thickness, mm; slanted ones are passed over.
-        faces: lines along faces of walls: between two of them there is a wall where none of those lies.
+    `faces` are lines along faces of walls: between two of them there is a wall where none of those lies.
     """
 
     def __init__(self, walls: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]] = ()) -> None:
@@ -106,13 +104,8 @@ def faces_behind(
 ) -> tuple[int, list[list[PlanEdge]] | None]:
     """Returns how thick walls are, mm, and where rooms that are drawn along their lines have their faces.
 
-    None in place of the faces where all lie half that thickness inside of the lines: the rooms may stay as they are drawn.
-
-    Args:
-        edges: of each room, along lines.
-        levels: of each room.
-        depths: the walls that the file draws.
-        usual: what counts where it draws none, mm.
+    None in place of the faces where all lie half that thickness inside of the lines: the rooms may stay as they are drawn. `usual` counts
+    where the file draws no wall, mm.
     """
     found = [[depths.face(edge, level) for edge in room] for room, level in zip(edges, levels, strict=True)]
     inside = sorted(
@@ -137,11 +130,7 @@ def outer_thicknesses(
 ) -> list[tuple[float | None, ...] | None]:
     """Returns for each room how thick its outer walls are where they are not as the usual, m, by its edges; None where all are.
 
-    Args:
-        depths: the walls that the file draws.
-        edges: of each room, along the lines of its walls.
-        levels: of each room.
-        usual: the scene's thickness, mm.
+    Edges lie along the lines of walls; `usual` is the scene's thickness, mm.
     """
     facing = FacingEdges(edges, levels)
     found = []
@@ -176,12 +165,7 @@ def _hiding(depths: WallDepths, edge: PlanEdge, level: int) -> WallBand | None:
 
 
 class FacingEdges:
-    """Edges of rooms by what they look at across a wall.
-
-    Args:
-        edges: of each room, along the lines of its walls.
-        levels: of each room.
-    """
+    """Edges of rooms, along the lines of their walls, by what they look at across a wall."""
 
     def __init__(self, edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> None:
         self._edges: dict[tuple[int, str, int], list[PlanEdge]] = defaultdict(list)

@@ -22,9 +22,7 @@ GAPS = "enclose no room: gaps in which no door, window or opening is drawn leave
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     """Returns a plan that draws thick walls and no room with the rooms that its walls enclose on each level; any other as it is.
 
-    Args:
-        plan: as drawn.
-        metres: the length of its unit, where the caller says it.
+    `metres` is the length of its unit, where the caller says it.
     """
     walls = [one for one in plan.walls if one.thickness > 0 and math.dist(one.start, one.end) > 0]
     if plan.rooms or not walls:
@@ -53,10 +51,8 @@ def rooms_between(
 ) -> tuple[list[DrawnRoom], float | None, list[Unread]]:
     """Returns the rooms that walls enclose, how thick walls are (None where they are drawn as single lines), what could not be read.
 
-    Args:
-        walls: points of lines and outlines; closed outlines repeat their first point.
-        openings: by which gaps in walls are closed.
-        metres: the length of the drawing's unit, None where nothing tells it.
+    Closed outlines repeat their first point; openings close gaps in walls. `metres` is the length of the drawing's unit, None where nothing
+    tells it.
     """
     if metres is None:
         return [], None, [Unread("walls", NO_UNIT)]

@@ -65,12 +65,9 @@ def is_dxf(content: bytes) -> bool:
 
 
 def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
-    """Reads the model space of a drawing.
+    """Reads the model space of a drawing; `metres` is the length of its unit, where the caller says it.
 
-    Args:
-        content: of the file.
-        metres: the length of its unit, where the caller says it.
-        catalogs: whose names of rooms are looked for among the texts; ours by default.
+    The catalogs' names of rooms are looked for among the texts.
 
     Raises:
         FieldError: ezdxf is not installed; or there is more in it than in any home.

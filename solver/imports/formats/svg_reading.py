@@ -55,12 +55,9 @@ def is_svg(content: bytes) -> bool:
 
 
 def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
-    """Reads a drawing.
+    """Reads a drawing; `metres` is the length of its unit, where the caller says it.
 
-    Args:
-        content: of the file.
-        metres: the length of its unit, where the caller says it.
-        catalogs: whose names of rooms tell which shapes are rooms; ours by default.
+    The catalogs' names of rooms tell which shapes are rooms.
 
     Raises:
         SyntaxFault: it is none, declares entities, or draws more than any plan.
