@@ -32,10 +32,7 @@ def with_walker(request: Request, catalogs: Catalogs) -> Request:
 def walked_by(scene: Scene, access: str | None, catalogs: Catalogs) -> dict[str, Any]:
     """Returns what a scene's request says where its rooms are furnished for a profile: that, and who walks there.
 
-    Args:
-        scene: the plan.
-        access: the profile, or "none"; None: as the scene's request says.
-        catalogs: where the profile is.
+    `access` is the profile, or "none"; None: as the scene's request says.
 
     Raises:
         RequestError: there is no such profile.

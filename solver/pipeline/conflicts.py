@@ -44,12 +44,8 @@ class _Verdict:
 def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     """Explains what is locked wrongly, every piece that found no place, and those that stand where nobody can use them.
 
-    Each by a minimal set that cannot stand, or be used, together; or by saying that none was found. Each repair of a room's only
-    conflict leaves the room clean. Where there are several, it does so with the first of each other one: to leave out what that is about.
-
-    Args:
-        house: as it is answered.
-        repair: of one of its rooms.
+    Each by a minimal set that cannot stand, or be used, together; or by saying that none was found. Each repair of a room's only conflict
+    leaves the room clean. Where there are several, it does so with the first of each other one: to leave out what that is about.
     """
     verdicts = [*_verdicts(repair)]
     offered = _offered(house, repair, verdicts) if verdicts and repair.problem.settings.offering else [()] * len(verdicts)

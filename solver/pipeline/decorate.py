@@ -20,12 +20,7 @@ from solver.streams import Stream
 def decorated(scene: Scene, rooms: Container[str], catalogs: Catalogs, seed: int, space_of: Callable[[Room], Space] | None = None) -> Scene:
     """Decorates the rooms of those ids anew if the scene's request asks for it, each from a stream of its own.
 
-    Args:
-        scene: furnished; its request also names the style.
-        rooms: ids; what decorated them before goes.
-        catalogs: what to decorate with.
-        seed: decides.
-        space_of: tells a room's space, where that is known.
+    The request names the style, too; what decorated the rooms before goes. `space_of` tells a room's space, where that is known.
     """
     asked = scene.request or {}
     wanted, style = asked.get("decorate") is True, asked.get("style")

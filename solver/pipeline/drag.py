@@ -50,16 +50,10 @@ def alone(scene: Scene, room: Room) -> Scene:
 
 
 def opening_of(scene: Scene, label: str, locked: Sequence[str], catalogs: Catalogs) -> bytes | None:
-    """Prepares a room for a drag.
+    """Prepares a room, a scene as `alone` returns it, for a drag of the piece of an id, which need not stand at a wall.
 
-    Args:
-        scene: one room, as `alone` returns it.
-        label: id of the piece in hand; it need not stand at a wall.
-        locked: ids that stay, besides pieces that say so themselves.
-        catalogs: whose kinds are known.
-
-    Returns:
-        Bytes for the core; None where the piece cannot be dragged by itself: it is locked, flat, or stands on another.
+    `locked` are ids that stay, besides pieces that say so themselves. Returns bytes for the core; None where the piece cannot be dragged by
+    itself: it is locked, flat, or stands on another.
     """
     settings = RepairSettings(catalogs, locked=frozenset(locked), moved=frozenset((label,)), walk=RULES["unreachable"] == "error")
     (room,) = scene.rooms
@@ -87,10 +81,7 @@ def riders_of(opening: bytes, ids: Sequence[str]) -> frozenset[str]:
 
 
 class Dragging:
-    """A drag under way, in an instance of the core of its own.
-
-    Args:
-        opening: what `opening_of` returned.
+    """A drag under way, in an instance of the core of its own, as `opening_of` prepared it.
 
     Raises:
         CoreFailed: the bytes are none of `opening_of`.
@@ -106,12 +97,9 @@ class Dragging:
         self._memory = self._instance.lent()  # once this is gone the instance is idle again
 
     def frame(self, x: float, z: float, spots: Spots) -> FrameAnswer:
-        """Answers one frame.
+        """Answers one frame: where the middle of the piece in hand is wished, m, and where all was in the last frame.
 
-        Args:
-            x: where the middle of the piece in hand is wished, m.
-            z: the same.
-            spots: where all was in the last frame; not a number where that is unknown.
+        Spots are not a number where that is unknown.
 
         Raises:
             CoreFailed: the core ended the call.

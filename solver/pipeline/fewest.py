@@ -19,12 +19,8 @@ WORK_SHARE = 4
 def without_fewest(space: Space, pieces: Sequence[Piece], work: float) -> Arrangement | None:
     """Returns an arrangement, walkable, of all pieces but a few in the way; None where leaving out all that may be moved does not do.
 
-    Of those in the way, the least important first, as many go as it takes; less those before the last of them that need not go.
-
-    Args:
-        space: the room's.
-        pieces: the most important first.
-        work: what one attempt at the whole room may cost, in QPs of a small room.
+    Of those in the way, the least important first, as many go as it takes; less those before the last of them that need not go. `work` is
+    what one attempt at the whole room may cost, in QPs of a small room.
     """
     blamed = in_the_way(space, pieces)
     order = tuple(piece.label for piece in reversed(pieces) if piece.label in blamed)

@@ -111,14 +111,8 @@ class SearchFrame:
 def frame_of(room: Room, kinds: Iterable[Kind], tucked: Iterable[Kind], relations: Iterable[RelationSpec]) -> SearchFrame:
     """Returns the frame in which a room is solved.
 
-    A room with an outline stays as it is. One is mirrored only where nothing says left or right: no relation, no use side and,
-    where something reaches under another, no shape.
-
-    Args:
-        room: as sent.
-        kinds: of all pieces in it.
-        tucked: of those that reach under another one, or have another one reach under them.
-        relations: of all pieces in it.
+    A room with an outline stays as it is. One is mirrored only where nothing says left or right: no relation, no use side and, where
+    something reaches under another (`tucked`), no shape.
     """
     sides = (room.width, room.depth)
     lattice = all(abs(side * 1000 - to_mm(side)) < _LATTICE for side in sides)

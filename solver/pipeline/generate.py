@@ -152,8 +152,7 @@ def generator(catalogs: Catalogs) -> dict[str, Any]:
 def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...], tuple[tuple[str, str], ...]]:
     """Returns what placement was asked for in a room of a generated scene, and what not.
 
-    Returns:
-        The room's space, the pieces with their candidates, and what else its type lists with the reasons why that is not wanted.
+    The room's space, the pieces with their candidates, and what else its type lists with the reasons why that is not wanted.
     """
     setting = _setting_of(scene, catalogs, scene.seed or 0)
     space, wanted = _wished(room, setting)

@@ -17,10 +17,7 @@ from solver.scene_bodies import counted
 def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> Catalogs:
     """Returns the catalogs as they are for a scene's home: planned for a programme or an area, or plain.
 
-    Args:
-        scene: the home.
-        known: all catalogs.
-        but: ids of rooms whose furniture does not count.
+    `but` are ids of rooms whose furniture does not count.
     """
     request = scene.request or {}
     planned = request.get("program") is not None or request.get("area") is not None
@@ -32,11 +29,7 @@ def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> C
 def inhabited(scene: Scene, rooms: Sequence[Room], household: Household, before: Sequence[Dynamic] | None = None) -> Scene:
     """Returns a scene with people and pets in some of its rooms; nobody comes where its request says so.
 
-    Args:
-        scene: the house.
-        rooms: of its rooms, those that are peopled.
-        household: who may come, by the catalogs for its home.
-        before: who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
+    `before` is who was in the house, where only these rooms are peopled anew; those elsewhere stay. None: all come anew.
     """
     if (scene.request or {}).get("people") is False:
         household = replace(household, catalogs=household.catalogs.model_copy(update={"people": {}}))

@@ -18,16 +18,9 @@ MATTERS: Final = 10.0
 
 
 def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, mattering: Collection[str] = ()) -> Arrangement:
-    """Insists on the most important piece that matters and was left out.
+    """Insists on the most important piece that matters and was left out; by default what is dear to leave out matters.
 
-    Args:
-        space: the room.
-        wanted: what it wants.
-        arrangement: how it was furnished.
-        mattering: the labels of the pieces that matter as if they were required; by default what is dear to leave out matters.
-
-    Returns:
-        The arrangement with it where that is cheaper, all that is left out counted; else the arrangement as it was.
+    Returns the arrangement with it where that is cheaper, all that is left out counted; else the arrangement as it was.
     """
     gone = {label for label, _ in arrangement.left_out}
     lacking = (piece for piece in wanted if piece.label in gone and not (piece.required or piece.is_floor))

@@ -28,14 +28,9 @@ def least_moved(space: Space, pieces: Sequence[Piece], budget: Budget) -> Arrang
 
 
 def missing_length(space: Space, pieces: Sequence[Piece], budget: Budget, walk: bool, prove: bool = True) -> Shortfall | None:
-    """Returns which lengths add up to more than the room has for pieces that cannot stand together; None where no one length is missing.
+    """Returns which lengths add up to more than the room has for a minimal conflict; None where no one length is missing.
 
-    Args:
-        space: the room's.
-        pieces: a minimal conflict.
-        budget: what trying may cost.
-        walk: whether they must be within reach too.
-        prove: whether a "no" on the way is worth the work of its proof.
+    `walk`: the pieces must be within reach, too; `prove`: a "no" on the way is worth the work of its proof.
     """
     return shortfall(
         space,

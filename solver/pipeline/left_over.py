@@ -149,8 +149,7 @@ def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None
 def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
     """Takes bodies out, one at a time and the least important first, as long as that leaves less broken.
 
-    Returns:
-        The house, and for each body that is gone the rule that it broke.
+    Returns the house, and for each body that is gone the rule that it broke.
     """
     reasons, budget = list[Conflict](), Budget(LEAVING_WORK, is_known=True)
     lasting = _without_bodies(house, budget)

@@ -17,12 +17,7 @@ ROUNDS_TOLD: Final = 2
 
 
 def by_content(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind]) -> tuple[PieceRequest, ...]:
-    """Returns requests sorted by kind, size, number and relations.
-
-    Args:
-        requests: with every size filled in.
-        kinds: by id, of the requests and of what stands already.
-    """
+    """Returns requests, with every size filled in, sorted by kind, size, number and relations."""
     told = {name: repr((kind.name, kind.size)) for name, kind in kinds.items()}
     for request in requests:
         told[request.id] = repr((not request.required, kinds[request.id].name, request.size, request.count))

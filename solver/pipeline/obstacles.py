@@ -23,13 +23,7 @@ NOWHERE = Rect(1 << 40, 1 << 40, -1 << 40, -1 << 40)
 
 
 def obstacles(room: Room, space: Space, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...]]:
-    """Returns the space around what stands in a room, and what stands there as pieces with one way each.
-
-    Args:
-        room: as sent; nothing in it moves.
-        space: the room's `space_of`.
-        catalogs: how kinds are used.
-    """
+    """Returns the space around what stands in a room, and what stands there, which does not move, as pieces with one way each."""
     loose = {body.id for body in floor_bodies(room)}
     bodies = [body for body in all_bodies(room) if body.id in loose or (isinstance(body, Furniture) and body.on is not None)]
     named = {body.id for body in bodies}

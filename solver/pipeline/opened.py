@@ -14,10 +14,7 @@ from solver.validator.opening import certified_fronts, travels_in
 def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = None) -> Scene:
     """Returns a scene whose certificate says of some rooms, or of all, how far their fronts open, and what they meet.
 
-    Args:
-        scene: as it was checked; no rule reads what is added.
-        checked: what was found in it.
-        rooms: whose fronts are said; None: of all rooms.
+    The scene is as it was checked; no rule reads what is added.
     """
     document: dict[str, Any] = dict(scene.certificate or {})
     entries: dict[str, Any] = dict(document.get("rooms") or {})

@@ -148,8 +148,7 @@ def _with_finishes(scene: Scene, known: Catalogs, seed: int) -> Scene:
 def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known: Catalogs) -> tuple[Scene, dict[str, str]]:
     """Furnishes the rooms asked for: the empty ones together, those in which something stays one by one.
 
-    Returns:
-        The scene, and why rooms were left as they were.
+    Returns the scene, and why rooms were left as they were.
     """
     if keep == "none":
         bare = (replace(room, furniture=(), decorations=()) if room.id in asked else room for room in scene.rooms)

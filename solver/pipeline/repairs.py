@@ -32,12 +32,9 @@ PIECE_WORK, BODY_WORK = 20.0, 2.0
 
 @dataclass(frozen=True)
 class RepairGoal:
-    """What a repair has to do.
+    """What a repair has to do: the room must break no rule in the house as it is answered, without people.
 
-    Args:
-        house: as it is answered, without people: the room must break no rule in it.
-        problems: the room as it is answered, and as it was sent: repaired, all pieces of each must find their places.
-        budget: what trying may cost.
+    `problems` are the room as it is answered, and as it was sent: repaired, all pieces of each must find their places.
     """
 
     house: Checked
@@ -56,12 +53,9 @@ class RepairGoal:
 
 
 def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
-    """Returns what would help, cheapest first: to stand free of its wall, to unlock, to turn, to shrink, to leave out one of a conflict.
+    """Returns what would help a conflict's members, cheapest first: to stand free of its wall, to unlock, to turn, to shrink, to leave out.
 
-    Args:
-        goal: what it has to do.
-        members: the conflict.
-        short: which lengths are missing, if that is known.
+    `short` says which lengths are missing, if that is known.
     """
     bodies, locked = goal.bodies, goal.locks
     members = [member for member in members if member in bodies]  # what ends another conflict may leave one out

@@ -71,9 +71,7 @@ class Round:
 def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     """Returns the best placement of all rounds, without the pieces whose required relations it does not hold.
 
-    Args:
-        task: the request.
-        wanted: the pieces, each after those it refers to.
+    The pieces come each after those it refers to.
     """
     best, given_up = _best(task, wanted), list[str]()
     while broken := best.breaking:
@@ -109,12 +107,7 @@ def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
 
 
 def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
-    """Returns a good placement in at most two rounds.
-
-    Args:
-        task: the request.
-        wanted: the pieces, perhaps with fewer candidates.
-    """
+    """Returns a good placement in at most two rounds of the pieces, perhaps with fewer candidates."""
     found = _first(task, wanted, FIRST)
     return found if found.perfect or is_call_spent() else min(found, _mended(task, wanted, found), key=lambda one: one.score)
 

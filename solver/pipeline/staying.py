@@ -22,12 +22,9 @@ from solver.scene import Decoration, Furniture, Room
 
 @dataclass(frozen=True)
 class Staying:
-    """The pieces that stay in a room.
+    """The pieces that stay in a room as it was, with those alone, and what lies on them.
 
-    Args:
-        room: as it was, with those pieces alone.
-        things: what lies on them.
-        labels: under which label each is wanted, by id; those that break a rule where they stand have none: they are in the way.
+    `labels` say under which label each is wanted, by id; those that break a rule where they stand have none: they are in the way.
     """
 
     room: Room
@@ -77,14 +74,7 @@ def _lies_on(thing: Decoration, things: Mapping[str, Decoration]) -> str | None:
 
 
 def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Staying, Space, tuple[Piece, ...]]:
-    """Returns a room's wanted pieces around those that stay.
-
-    Args:
-        staying: what stays.
-        space: the room's.
-        wanted: its pieces, as for an empty room.
-        catalogs: what the kinds of the wanted pieces are called.
-    """
+    """Returns a room's wanted pieces, as for an empty room, around those that stay."""
     blocked, standing = obstacles(staying.room, space, catalogs)
     sent = {piece.id: piece for piece in staying.room.furniture}
     takes = _matched(staying.room.furniture, wanted, catalogs)
@@ -148,13 +138,7 @@ def _linked(ordered: Sequence[Piece], fixed: Collection[str]) -> tuple[Piece, ..
 
 
 def rejoined(made: Sequence[Furniture], placed: Sequence[Placed], staying: Staying) -> Room:
-    """Returns a room with what stays as it was, and new pieces under ids that differ from it.
-
-    Args:
-        made: the new pieces.
-        placed: where they were placed, in the same order.
-        staying: what stays.
-    """
+    """Returns a room with what stays as it was, and new pieces, where they were placed, under ids that differ from it."""
     new = _free_ids([piece.id for piece in made], {*staying.ids, *(thing.id for thing in staying.things)})
     ids = {label: name for name, label in staying.labels.items()}
     ids |= {one.label: new[piece.id] for one, piece in zip(placed, made, strict=True)}
