@@ -17,12 +17,9 @@ _BIT: Final = {wall: 1 << number for number, wall in enumerate(WALLS)}
 
 @dataclass(frozen=True)
 class RoomAlone:
-    """A room as a storey of its own.
+    """A room as a storey of its own: its rows as the core reads it, and furniture, small things, people in their order.
 
-    Args:
-        rows: as the core reads it (solver/core/validate/walk.hpp).
-        bodies: furniture, small things, people, in the order of the rows.
-        uses: of each body the walls its use sides look to, as bits: of which one must be come to, and which all must.
+    `uses` are of each body the walls its use sides look to, as bits: of which one must be come to, and which all must.
     """
 
     rows: bytes

@@ -40,13 +40,9 @@ def largest_square(bounds: ExactBox, taken: Sequence[ExactBox]) -> ExactBox | No
 
 
 def _first_start(bounds: ExactBox, ahead: NDArray[np.int64], z: int, side: int) -> int | None:
-    """Returns the westernmost place where an empty square of a side, its north at z, begins.
+    """Returns the westernmost place within bounds where an empty square of a side, its north at z, begins.
 
-    Args:
-        bounds: where the square is to lie.
-        ahead: the boxes that end south of z, from west to east by where they begin.
-        z: its north.
-        side: how long its sides are.
+    `ahead` are the boxes that end south of z, from west to east by where they begin.
     """
     beside = ahead[ahead[:, 1] < z + side]
     starts = np.maximum.accumulate(np.concatenate(([bounds.x0], beside[:, 2])))

@@ -78,12 +78,6 @@ def travels_in(case: RuleCase) -> list[FrontTravel]:
 def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
     """Returns how far every front of a room opens, in the order of its furniture.
 
-    Args:
-        world: its house.
-        place: the room.
-        kinds: what the catalogs say.
-        rows: the room as the core reads it.
-
     Raises:
         TooMuch: the call may not have so much work.
     """

@@ -53,12 +53,8 @@ def storey_bytes(
 ) -> bytes:
     """Returns the rooms of a storey as bytes.
 
-    Args:
-        world: the house.
-        placed: its rooms, each with its bytes.
-        bridges: floor inside doorways between walls that lie apart.
-        entrances: a step of floor along every door that one comes in by.
-        most: how many boxes a tile of the floor holds before it is halved.
+    `bridges` are floor inside doorways between walls that lie apart, `entrances` a step of floor along every door that one comes in by; a
+    tile of the floor holds `most` boxes before it is halved.
     """
     rooms = [_PLACE.pack(place.x, place.z) + rows for place, rows in placed]
     head = _STOREY.pack(world.half_wall, reach_of(world), len(rooms), len(bridges), len(entrances), most)

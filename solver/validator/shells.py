@@ -83,14 +83,9 @@ def _demand_cuts(holes: Sequence[WallEdge]) -> None:
 
 @lru_cache(maxsize=256)
 def _fitted(kind: str, width: float, up: Span, turns: tuple[str | None, int], thickness: float) -> tuple[int, bytes]:
-    """Returns what is fitted to an opening that begins at 0, its leaf closed, as the core reads it: how many boxes, and their rows.
+    """Returns what is fitted to an opening that begins at 0, m, its leaf closed, as the core reads it: how many boxes, and their rows.
 
-    Args:
-        kind: the opening's.
-        width: its width, m.
-        up: from where to where it is high, m.
-        turns: at which end its leaf hangs, and whether it turns across the wall to where x or z grow, +1, or -1.
-        thickness: the wall's, m.
+    `turns` says at which end its leaf hangs, and whether it turns across the wall to where x or z grow, +1, or -1.
     """
     along, head = (0.0, width), up[1]
     if kind == "window":

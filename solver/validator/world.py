@@ -161,9 +161,7 @@ class World:
 def world_of(scene: Scene, before: World | None = None) -> World:
     """Reads a scene into exact numbers.
 
-    Args:
-        scene: any that could be read.
-        before: a scene's that differs from this one in bodies and people alone: its rooms' walls and openings are taken as they are.
+    `before` is a scene's that differs in bodies and people alone: its rooms' walls and openings are taken as they are.
     """
     people: dict[str | None, list[Dynamic]] = {}
     for person in scene.dynamic:
