@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import islice
 
 from solver.answers import Move
 from solver.body_rows import count_decorations, count_furniture
-from solver.errors import SceneError, all_of
+from solver.errors import MOST_TOLD, SceneError, all_of
 from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
@@ -86,17 +87,19 @@ def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
     """
     have = set(known)
     named = ((f"{field}[{k}]", one) for field, ids in wanted.items() for k, one in enumerate(ids) if one not in have)
-    all_of(partial(check_id, field, one, known) for field, one in named)
+    all_of(partial(check_id, field, one, known) for field, one in islice(named, MOST_TOLD))
 
 
 def check_id(field_name: str, wanted: str, known: Sequence[str]) -> None:
     """Refuses an id that a scene does not have.
 
     Raises:
-        SceneError: names the field and some ids that would do.
+        SceneError: names the field and some ids that would do, those first that are called so in another room or are in the room meant.
     """
     if wanted not in known:
-        shown = ", ".join(known[:12]) + (", ..." if len(known) > 12 else "")
+        room, _, own = wanted.rpartition("/")
+        likely = sorted(known, key=lambda one: (one.rpartition("/")[2] != own, one.rpartition("/")[0] != room))
+        shown = ", ".join(likely[:12]) + (", ..." if len(known) > 12 else "")
         raise SceneError(
             field_name, f"nothing in the scene has the id {wanted!r}", f"one of {shown}" if known else "no id: nothing is there"
         )

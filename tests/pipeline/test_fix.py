@@ -174,3 +174,12 @@ def test_a_piece_is_taken_out_of_a_doorway_and_from_a_window() -> None:
 def test_an_unknown_id_is_refused_by_name(field: str) -> None:
     with pytest.raises(SceneError, match=rf"{field}\[0\].*nothing in the scene has the id 'ghost'"):
         fix(room_of(), **{field: ["ghost"]})  # type: ignore[arg-type]
+
+
+def test_an_unknown_id_is_told_the_likeliest_first() -> None:
+    """Of a home's hundreds only some are named: the one of another room, then those of the room meant."""
+    names = [f"kitchen_1/chair_{k}" for k in range(20)] + ["den_2/lamp_1", "hall_3/sofa_1"]
+    known = [replace(body(name, 1.0, 1.0, (0.3, 0.3, 0.5)), id=name) for name in names]
+    with pytest.raises(SceneError) as refused:
+        fix(room_of(*known), moved=["den_2/sofa_1"])
+    assert (refused.value.allowed or "").startswith("one of hall_3/sofa_1, den_2/lamp_1, kitchen_1/chair_0, ")
