@@ -17,7 +17,7 @@ from tests.core.test_native_decorate import answer, request
 from tests.decorations.random_rooms import furnished, random_decorating, random_settings, settings_named
 
 KNOWN = load_catalogs()
-GOLDEN = "48dbb3331b79810df1083e8a1e3e1f7c6a8e42efa3d5f50a63028fab1d1a1fbd"
+GOLDEN = "0ab53a2746055aa9d80618ff4876582ad64820f4edbe6d305803cb685d9ab38d"
 """Of 300 random rooms, half of them decorated at random, recorded when one first walked through garage doors."""
 
 
