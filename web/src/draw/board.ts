@@ -131,7 +131,7 @@ export class Board {
     return [
       use("choose", "Choose and move", "Choose", "V"), use("room", "Draw a room", "Room", "B"),
       use("add", "Add area to the chosen room", "Add area", "U"), use("cut", "Cut area from the chosen room", "Cut area", "X"),
-      use("door", "Door", "Door", "D"), use("window", "Window", "Window", "W"), use("passage", "Passage without a leaf", "Passage", "P"), use("garage_door", "Garage door", "Garage", "G"),
+      use("door", "Door", "Door", "D"), use("window", "Window", "Window", "W"), use("passage", "Passage without a leaf", "Passage", "P"), use("garage_door", "Door of a garage", "Garage", "G"),
       { name: "new", words: "4 × 3 m room", sign: "4 × 3 m", keys: "N", act: () => this.#addRoom() },
       { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.#plan.undo() },
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.#plan.redo() },
