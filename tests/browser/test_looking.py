@@ -55,6 +55,7 @@ def test_a_floor_clicked_tells_its_room(visit: Visit) -> None:
     assert visit.page.evaluate("told") == clicked
 
 
+@pytest.mark.draws_all
 def test_a_canvas_of_another_size_is_shown_with_the_house_and_never_empty(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     wider, drawn = visit.page.evaluate(DRAWN_WHEN_FOLDED)

@@ -248,7 +248,7 @@ def test_a_full_disk_is_said_and_leavesnothing_half_written(
 
 
 def test_homes_that_break_rules_or_cannot_be_are_kept_and_marked(tmp_path: Path) -> None:
-    made(tmp_path / "wide", "--workers", "1", "--seeds", "0-3", "--robot-width", "1.6", status=1)
+    made(tmp_path / "wide", "--workers", "1", "--seeds", "0-3", "--robot-width", "1.6", "--min-room-size", "2", status=1)
     houses = rows(tmp_path / "wide", "houses")
     assert len(houses) == 4 and "errors" in {row["status"] for row in houses}
     for row in houses:
