@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path, PurePath
 
@@ -10,11 +11,12 @@ from solver.export_formats import EXPORTERS
 from solver.scene import Scene
 
 
-def load(source: str | bytes | PathLike[str], format: str | None = None) -> Scene:
-    """Reads a scene from a file or a text; of an answer that holds a scene (of `POST /generate`, say) that one.
+def load(source: str | bytes | PathLike[str] | Mapping[str, object], format: str | None = None) -> Scene:
+    """Reads a scene from a file, a text or a document that was read already; of an answer that holds one (of `POST /generate`, say) that.
 
     Args:
-        source: a path; or the text itself, as bytes, or as a `str` that has more than one line or begins with a brace.
+        source: a path; or the text itself, as bytes, or as a `str` that has more than one line or begins with a brace;
+            or a mapping, such as `json.load` or a client's `response.json()` gives.
         format: "json", "yaml" or "glb"; by default by the file's name, else by how the content begins.
 
     Raises:
@@ -28,16 +30,23 @@ def load(source: str | bytes | PathLike[str], format: str | None = None) -> Scen
         >>> scene.rooms[0].id, scene.rooms[0].width
         ('office_0', 4.0)
     """
-    from solver.exchange import format_of_file, load_text, read_scene
+    from solver.exchange import read_scene
+
+    document = dict(source) if isinstance(source, Mapping) else _document(source, format)
+    if isinstance(document, dict) and "scene" in document and "rooms" not in document:
+        document = document["scene"]
+    return read_scene(document)
+
+
+def _document(source: str | bytes | PathLike[str], format: str | None) -> object:
+    """Reads a file or a text."""
+    from solver.exchange import format_of_file, load_text
 
     if isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
         source = source.encode()
     content = source if isinstance(source, bytes) else Path(source).read_bytes()
     name = "" if isinstance(source, bytes) else str(source)
-    document = load_text(content, format or format_of_file(name, content))
-    if isinstance(document, dict) and "scene" in document and "rooms" not in document:
-        document = document["scene"]
-    return read_scene(document)
+    return load_text(content, format or format_of_file(name, content))
 
 
 def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | None = None) -> str:

@@ -97,7 +97,8 @@ def test_what_export_writes_is_refused_with_its_name(house: Scene, tmp_path: Pat
 
 
 def test_of_an_answer_the_scene_is_read(house: Scene) -> None:
-    assert load(json.dumps({"scene": json.loads(dump(house, format="json")), "issues": []})) == house
+    answer = {"scene": json.loads(dump(house, format="json")), "issues": []}
+    assert load(json.dumps(answer)) == load(answer) == load(answer["scene"]) == house
 
 
 @pytest.mark.parametrize(
