@@ -11,7 +11,7 @@ from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
 from solver.pipeline.others import other_placements
-from solver.pipeline.place_task import PlaceTask, task_of, without_wishes
+from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_wishes
 from solver.pipeline.rounds import Round, best_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
@@ -57,30 +57,35 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     if not 1 <= alternatives <= MOST_ALTERNATIVES:
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)
-    known, setting = catalogs or load_catalogs(), (wall_thickness, robot_width, engine, height)
-    in_room = partial(task_of, room, catalogs=known, setting=setting)
-    task = in_room(pieces)
+    setting = PlaceSetting(wall_thickness, robot_width, engine, height)
+    in_room = partial(task_of, room, catalogs=catalogs or load_catalogs())
+    task = in_room(pieces, setting=setting)
     timing.lap("furnish")
     task, found = _placed(in_room, task, pieces)
     best = settled(task, found)
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
     timing.lap("alternatives")
+    if found.score[0] and task.space.gap_mm:  # what a distance from the walls keeps out has a place
+        task = in_room(pieces, setting=setting._replace(flush=True))
     conflicts = _conflicts(task, best, found)
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
 
 
 def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest]) -> tuple[PlaceTask, Round]:
-    """Returns the best placement, and the task that it solves: where not all can stand, it counts what matters most, and then no wish."""
+    """Returns the best placement, and the task that it solves.
+
+    Where not all can stand it counts what matters most, where something required cannot no distance from the walls, and then no wish.
+    """
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
-        listed = in_room(pieces, as_sent=True)
+        listed = in_room(pieces, setting=task.setting._replace(flush=found.score[0] > 0), as_sent=True)
         other = best_placement(listed, listed.pieces)
         if other.score[0] <= found.score[0]:
             task, found = listed, other
     if found.score[0] and not is_call_spent():
-        bare = in_room([without_wishes(piece) for piece in pieces])
+        bare = in_room([without_wishes(piece) for piece in pieces], setting=task.setting._replace(flush=True))
         other = best_placement(bare, bare.pieces)
         if not other.score[0]:
             return replace(bare, requests=task.requests), replace(other, whole=False)

@@ -52,6 +52,25 @@ class Framed(NamedTuple):
     there: Sequence[Piece]
 
 
+class PlaceSetting(NamedTuple):
+    """What a list is placed in besides its room.
+
+    Of the room its `wall_thickness`, how high it is, None: not known, and the square that must be able to walk in it, all m;
+    the engine of the final solve; `flush`: backs touch the walls, else they stand a little off.
+    """
+
+    wall_thickness: float
+    robot_width: float
+    engine: str
+    height: float | None
+    flush: bool = False
+
+    def space_in(self, room: Room) -> Space:
+        """Returns where a room's furniture may stand."""
+        space = space_of(room, self.wall_thickness, self.robot_width)
+        return replace(space, gap_mm=0) if self.flush else space
+
+
 @dataclass(frozen=True)
 class PlaceTask:
     """What every placement of one request shares."""
@@ -59,10 +78,7 @@ class PlaceTask:
     room: Room
     requests: tuple[PieceRequest, ...]
     catalogs: Catalogs
-    wall_thickness: float
-    robot_width: float
-    engine: str
-    height: float | None
+    setting: PlaceSetting
     space: Space
     """Of the room as it was sent."""
     bare: FinishedRoom
@@ -99,25 +115,22 @@ class PlaceTask:
         return kept_pieces(room, space, listing, there, NEARLY_ALL)
 
 
-def task_of(
-    room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: tuple[float, float, str, float | None], as_sent: bool = False
-) -> PlaceTask:
+def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: PlaceSetting, as_sent: bool = False) -> PlaceTask:
     """Checks a request and says what it means.
 
     Args:
         room: with what stands in it.
         requests: what is wanted.
         catalogs: whose kinds are known.
-        setting: wall thickness, m; the square that must be able to walk, m; the engine of the final solve; how high the room is, m.
+        setting: of the room, and of the solve.
         as_sent: the pieces are placed in the order of the list, the most important first; else in one that does not depend on it.
 
     Raises:
         RequestError: a field is wrong.
     """
-    wall_thickness, robot_width, engine, height = setting
     words = understood(Scene(rooms=(room,)), catalogs)
     room = words.scene.rooms[0]
-    ceiling = None if room.outdoor else height
+    ceiling = None if room.outdoor else setting.height
     sent = checked(room, requests, catalogs, ceiling)
     kinds = kinds_of(room, sent, catalogs)
     if ceiling is not None:
@@ -125,12 +138,12 @@ def task_of(
     wanted = sent if as_sent else by_content(sent, kinds)
     names = labels_by_name(room, wanted)
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}
-    own = space_of(room, wall_thickness, robot_width)
+    own = setting.space_in(room)
     relations = [*_every_relation(wanted, habits_of(wanted, kinds, catalogs, own.clear))]
     tucked = [by_label[one] for label, spec in relations if tucks(spec) for name in (label, *spec.of) for one in names.get(name, (name,))]
     frame = frame_of(room, kinds.values(), tucked, (spec for _, spec in relations))
     inside = frame.room(room)
-    space, there = obstacles(inside, space_of(inside, wall_thickness, robot_width), catalogs)
+    space, there = obstacles(inside, setting.space_in(inside), catalogs)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
     ordered = in_order(wanted, goes_to)
@@ -139,7 +152,7 @@ def task_of(
     framed = Framed(space, _bare(inside, space, by_label, names), inside, listing, there)
     bare = _bare(room, own, by_label, names)
     return PlaceTask(
-        room, in_order(sent, goes_to), catalogs, wall_thickness, robot_width, engine, height, own, bare, frame, framed, listed, by_label,
+        room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listed, by_label,
         words,
     )  # fmt: skip
 
@@ -180,10 +193,10 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     arrangement = task.frame.back(arrangement)
     room = _written(task, arrangement)
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
-    request = {"robot_width": task.robot_width}
+    request = {"robot_width": task.setting.robot_width}
     room = task.words.in_their_words(Scene(rooms=(room,))).rooms[0]
-    levels = () if task.height is None else (Level(room.level, height=task.height),)
-    scene = Scene(request=request, wall_thickness=task.wall_thickness, rooms=(room,), levels=levels, certificate=document)
+    levels = () if task.setting.height is None else (Level(room.level, height=task.setting.height),)
+    scene = Scene(request=request, wall_thickness=task.setting.wall_thickness, rooms=(room,), levels=levels, certificate=document)
     stands = {piece.id for piece in task.room.furniture}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
     bodies = {one.id: standing(one, task.space.clear, _heights(task.kinds[one.id])) for one in room.furniture}

@@ -180,7 +180,7 @@ def _to_be_tried_again(found: Round) -> list[str]:
 
 def settled(task: PlaceTask, found: Round) -> Placement:
     """Returns the placement of an arrangement after the final solve."""
-    arrangement = finish([found.draft], task.engine)[0]
+    arrangement = finish([found.draft], task.setting.engine)[0]
     placement = finished(task, replace(arrangement, best=arrangement.best and found.whole))
     worth = [rule.cost for _, rule in relations_of(task.requests)]
     missed = round(sum(cost for relation, cost in zip(placement.relations, worth, strict=True) if not relation.held), 6)

@@ -59,3 +59,27 @@ def test_what_stands_in_another_answer_is_called_impossible_in_none(name: str, w
     for conflict in answer(name, wishes).conflicts:
         stand = not missing(name, not wishes).intersection(conflict.ids)
         assert conflict.message.startswith("not found: ") or not stand
+
+
+@pytest.mark.parametrize("wish", [None, "against_wall", "in_corner"])
+@pytest.mark.parametrize("spare", [0, 1, 20, 29, 30, 45])
+def test_what_is_as_long_as_the_room_is_wide_stands_across(spare: int, wish: str | None) -> None:
+    width = 2.0 + spare / 1000
+    door = Opening("door", "door", "south", 0.6, 0.8, 2.0, connects_to="EXTERIOR")
+    rules = (RelationSpec(type=wish),) if wish else ()
+    found = place(Room("den", width=width, depth=2.7, openings=(door,)), [PieceRequest("bed", "bed", 1.2, 2.0, 0.5, relations=rules)])
+    (bed,) = found.best.scene.rooms[0].furniture
+    assert bed.rotation in (90, 270)
+    from_west, from_east = bed.x - 1.0, width - (bed.x + 1.0)
+    assert min(from_west, from_east) >= -1e-9
+    back = from_west if bed.rotation == 90 else from_east
+    assert back == pytest.approx(0.03 if spare >= 30 else 0.0)
+    assert all(one.held for one in found.best.relations)
+    assert (found.conflicts, found.best.issues) == ((), ())
+
+
+def test_what_is_longer_than_the_room_is_wide_is_said_to_stand_nowhere() -> None:
+    door = Opening("door", "door", "south", 0.6, 0.8, 2.0, connects_to="EXTERIOR")
+    found = place(Room("den", width=1.999, depth=2.7, openings=(door,)), [PieceRequest("bed", "bed", 1.2, 2.0, 0.5)])
+    assert found.best.scene.rooms[0].furniture == ()
+    assert [conflict.ids for conflict in found.conflicts] == [("bed",)]

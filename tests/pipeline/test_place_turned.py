@@ -16,7 +16,7 @@ from service.contract import PlaceBody
 from solver import place
 from solver.exchange import read
 from solver.pipeline.frames import frame_of
-from solver.pipeline.place_task import task_of
+from solver.pipeline.place_task import PlaceSetting, task_of
 from solver.requested import Answered
 from solver.scene import Furniture, Opening, Room
 from tests.pipeline.place_lists import drawn
@@ -96,7 +96,7 @@ def test_lists_with_too_many_ways_are_searched_among_the_likeliest_only() -> Non
     ways = []
     for pieces in ([*tables, *chairs], tables[:1]):
         body = read(PlaceBody, {"room": room, "pieces": pieces})
-        ways.append(task_of(body.room, body.pieces, CATALOGS, (0.1, 0.6, "osqp", None)).nearly_all)
+        ways.append(task_of(body.room, body.pieces, CATALOGS, PlaceSetting(0.1, 0.6, "osqp", None)).nearly_all)
     assert ways[0] is None
     assert ways[1] is not None
 
