@@ -48,16 +48,16 @@ def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[
 
 
 def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
-    wide = f"a square of {words(world.robot)}"
+    wide = f"somebody {words(world.robot)} wide"
     ways = ", ".join(dict.fromkeys(hole.opening.id for hole in walk.entrances))
     if walk.floor(place, only_entered=False) < LEAST_FLOOR:
         return f"{place.room.id} has less than 0.25 m2 where {wide} can stand"
     if walk.entrances and not walk.comes_in:
-        return f"{wide} cannot come in through {ways}, so not to {place.room.id}"
-    return f"{wide} cannot come to {place.room.id} from {ways or 'the largest free floor'}"
+        return f"{wide} cannot get in through {ways}, so not to {place.room.id}"
+    return f"{wide} cannot get to {place.room.id} from {ways or 'the largest free floor'}"
 
 
 def _side_message(world: World, piece: Furniture, use: Use, missed: tuple[str, ...]) -> str:
     joined = " and its " if use.need == "all" else " or its "
     sides = joined.join(f"{side} ({side_of(piece.rotation, side)})" for side in missed)
-    return f"a square of {words(world.robot)} cannot come to {piece.id}'s {sides}"
+    return f"somebody {words(world.robot)} wide cannot get to {piece.id}'s {sides}"

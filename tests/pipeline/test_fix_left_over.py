@@ -40,7 +40,7 @@ def test_a_room_without_a_door_is_said_to_be_that_first() -> None:
 def test_what_keeps_all_out_of_the_house_is_said_once() -> None:
     fixed = fix(house(False, replace(FRONT, width=0.5), NEXT))
     assert [issue.room for issue in fixed.issues if issue.severity == "error"] == ["room_0", "back_1"]
-    told = "not found: no repair for this: a square of 60 cm cannot come in through front, so not to room_0, back_1"
+    told = "not found: no repair for this: somebody 60 cm wide cannot get in through front, so not to room_0, back_1"
     assert [(conflict.ids, conflict.message) for conflict in fixed.conflicts] == [((), told)]
     assert is_told(told)
 
@@ -54,7 +54,7 @@ def test_rooms_that_cannot_be_come_to_from_the_entrance_are_said_in_one() -> Non
     far = replace(back, openings=(replace(narrow, wall="west", connects_to="room_0"),))
     fixed = fix(replace(scene, rooms=(hall, far, beside)))
     assert [conflict.message for conflict in fixed.conflicts] == [
-        "not found: no repair for this: a square of 60 cm cannot come to back_1, side_2 from front"
+        "not found: no repair for this: somebody 60 cm wide cannot get to back_1, side_2 from front"
     ]
 
 

@@ -117,7 +117,7 @@ def blocked() -> Scene:
 
 def test_who_stands_in_the_only_way_steps_aside_and_nothing_else_moves() -> None:
     scene = blocked()
-    assert any("cannot come to" in message for message in errors(scene))
+    assert any("cannot get to" in message for message in errors(scene))
     assert errors(replace(scene, dynamic=())) == []
     fixed = fix(scene)
     assert errors(fixed.scene) == []

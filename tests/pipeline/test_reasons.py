@@ -36,7 +36,7 @@ def test_a_room_too_small_to_enter_is_said_to_be_that_and_not_to_be_some_length_
     issues = reroll(bare("bathroom", 0.8, 0.8), ["r"]).issues
     missing = [one.message for one in issues if one.rule == "missing_required"]
     assert missing and not any("short" in message for message in missing)
-    assert any("less than 0.25 m2 where a square of 60 cm can stand" in one.message for one in issues)
+    assert any("less than 0.25 m2 where somebody 60 cm wide can stand" in one.message for one in issues)
 
 
 def test_what_is_not_left_out_is_not_explained() -> None:
