@@ -250,7 +250,7 @@ def _schema(options: Namespace) -> int:
 def _assets(options: Namespace) -> int:
     """Checks a folder of assets: says on standard error what is refused and what was guessed."""
     from catalogs.assets.asset_check import checked_folder
-    from solver.exports.asset_levels import levels_of
+    from solver.exports.asset_surfaces import levels_of
 
     found = checked_folder(Path(options.folder), _catalogs(options), levels_of if options.surfaces else None)
     _put(found.text.encode(), options.output)

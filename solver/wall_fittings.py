@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 FRAME: Final = 0.06
-"""How wide a frame's bars are, m: a leaf that stands open, with its handle, is then no wider than its opening (door_parts)."""
+"""How wide a frame's bars are, m: a leaf that stands open, with its handle, is then no wider than its opening (door_leaves)."""
 FRAME_PROUD: Final = 0.01
 GLASS_THICKNESS: Final = 0.012
 SILL_BOARD: Final = 0.03

@@ -1,11 +1,13 @@
 """What moves in a house as simulators have it, the fronts of bodies and the leaves of doors: links of their own on joints.
 
+What lies in drawers goes with them in formats in which it does not move by itself.
+
 z is up, as in colliders: a hinge's frame is that of what it hangs on, moved to the hinge.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from math import radians
 from typing import Final, Literal, NamedTuple
@@ -13,7 +15,7 @@ from typing import Final, Literal, NamedTuple
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
 from solver.exports.colliders import Collider, Triple, collider_of, colliders_of, leaf_colliders, parts_of_hung_leaf, shares_of, z_up
-from solver.exports.model import BodyFront, DoorLeaf, ModelBody, Paint
+from solver.exports.model import BodyFront, DoorLeaf, ModelBody, Paint, Point
 
 Z_UP: Final[dict[Axis, tuple[Axis, Literal[1, -1]]]] = {"x": ("x", 1), "y": ("z", 1), "z": ("y", -1)}
 """What an axis is called where z is up, and whether it points the other way there."""
@@ -134,3 +136,47 @@ def _shares(parts: tuple[BodyPart, ...], fronts: tuple[BodyFront, ...]) -> tuple
     """Returns which part of its body each front weighs: that of its solids' volume."""
     volumes = shares_of(tuple(map(collider_of, parts)))
     return tuple(sum(volumes[number][0] / volumes[number][1] for number in front.parts) for front in fronts)
+
+
+class HeldThing(NamedTuple):
+    """A body that lies in a drawer: of which piece, which of its fronts; its place from the front's hinge, in the piece's own frame, m.
+
+    `turn` is its turn against the piece, degrees.
+    """
+
+    body: ModelBody
+    piece: str
+    front: str
+    at: Point
+    turn: float
+
+
+def held_things(bodies: Sequence[ModelBody]) -> Mapping[str, HeldThing]:
+    """Returns what lies in drawers, by id."""
+    pieces = {body.id: body for body in bodies if any(front.slides for front in body.fronts)}
+    things = ((body, pieces[body.parent]) for body in bodies if body.parent in pieces)
+    return {body.id: held for body, piece in things if (held := _held(body, piece))}
+
+
+def held_in(held: Mapping[str, HeldThing], piece: str, front: str) -> list[HeldThing]:
+    """Returns what lies in one front of a piece."""
+    return [thing for thing in held.values() if thing.piece == piece and thing.front == front] if held else []
+
+
+def _held(body: ModelBody, piece: ModelBody) -> HeldThing | None:
+    """Returns a body as what lies in the drawer of a piece in whose tray its middle is; None where it is in none."""
+    (across, along), up = piece.local(body.x, body.z), body.y - piece.y
+    at, middle = (across, up, along), (across, up + body.height / 2, along)
+    for front in piece.fronts:
+        if front.slides and _is_in(middle, piece, front):
+            x, y, z = (round(own - hinge, 6) for own, hinge in zip(at, front.hinge, strict=True))
+            return HeldThing(body, piece.id, front.name, (x, y, z), (body.turn - piece.turn) % 360)
+    return None
+
+
+def _is_in(middle: Point, piece: ModelBody, front: BodyFront) -> bool:
+    """Tells whether a point is within the box around a front's parts."""
+    parts = [piece.parts[number] for number in front.parts]
+    low = [min(part.at[k] - part.size[k] / 2 for part in parts) for k in range(3)]
+    high = [max(part.at[k] + part.size[k] / 2 for part in parts) for k in range(3)]
+    return all(a < at < b for a, at, b in zip(low, middle, high, strict=True))

@@ -1,7 +1,7 @@
 """A home as rows of tables, for those who train on many: rooms, pieces, what things can stand on, doors, fronts, the graph of rooms.
 
 service/dataset/table_schemas.py says what the rows hold, in the same order. Poses are in the house: x east, y up, z south, m; turns in
-degrees about +y, 0 facing south.
+degrees about +y, 0 facing south. Things can stand on surfaces, on boards inside and on the bottoms of drawers.
 """
 
 from __future__ import annotations
@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from math import cos, radians, sin
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.kind_book import KindBook
+from catalogs.insides import insides_of
+from catalogs.kind_book import UPRIGHT, KindBook
 from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, count_decorations, count_furniture, rows_in
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
-from solver.exports.receptacles import receptacles_of
 from solver.exports.wall_bands import WallBands
 from solver.exports.wall_lines import RoomFinder, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
@@ -160,3 +160,45 @@ def _fronts(seed: int | None, fronts: Mapping[str, Mapping[str, Any]]) -> Iterat
     for piece, ways in fronts.items():
         for front, said in ways.items():
             yield seed, piece, front, *((float(said["opens"]), said["meets"]) if isinstance(said, Mapping) else _OPEN)
+
+
+class Receptacle(NamedTuple):
+    """A rectangle that things can stand on.
+
+    `surface` is what the kind calls it; inside a body `shelves` or `drawers`, of these with the `front` that it moves with. Its middle
+    is `x` to the right and `z` to the front of the body's, `height` above the underside; `clearance` is free over it (None: open), m.
+    """
+
+    surface: str
+    front: str | None
+    x: float
+    z: float
+    height: float
+    width: float
+    depth: float
+    clearance: float | None
+
+
+@lru_cache(maxsize=1 << 12)
+def receptacles_of(book: KindBook, sort: str, key: str | None, size: tuple[float, float, float]) -> tuple[Receptacle, ...]:
+    """Returns what a body carries things on, its surfaces as the catalogs list them, then what is inside.
+
+    Nothing stands on people and pets, nor on what is tipped or of no kind. What is inside is known of bodies as large as their kind.
+    """
+    return () if key is None or sort == "dynamic" or key.endswith(UPRIGHT) else tuple(_found(book, sort, key, size))
+
+
+def _found(book: KindBook, sort: str, key: str, size: tuple[float, float, float]) -> Iterator[Receptacle]:
+    kind, (width, depth, height) = book.spec(sort, key), size
+    for one in kind.surfaces:
+        sides = width - 2 * one.inset, depth - 2 * one.inset
+        if min(sides) > 0:
+            yield _rounded(one.name, None, 0.0, 0.0, one.height * height / kind.size[2], *sides, one.clearance)
+    for inside in insides_of(book.solids(key), size) if sort == "furniture" and size == kind.size else ():
+        (x0, x1), (z0, z1) = inside.x, inside.z
+        middle = (x0 + x1) / 2, (z0 + z1) / 2
+        yield _rounded(inside.sort, inside.drawer, *middle, inside.height, x1 - x0, z1 - z0, inside.clearance)
+
+
+def _rounded(surface: str, front: str | None, *lengths: float | None) -> Receptacle:
+    return Receptacle(surface, front, *[None if length is None else round(length, 6) for length in lengths])  # type: ignore[arg-type]

@@ -13,8 +13,7 @@ from typing import Literal, NamedTuple
 
 from solver.demanded import demand
 from solver.exports.model import PlacedOpening
-from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, WallBands, thick
-from solver.exports.wall_edges import Line, OutlineEdge, PlanAxis, edges_of, on_lattice
+from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, OutlineEdge, PlanAxis, WallBands, edges_of, on_lattice, thick
 from solver.geometry import bounds_of_points, edges_round
 from solver.scene import Opening, Room
 

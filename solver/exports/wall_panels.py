@@ -11,8 +11,7 @@ from typing import Final, Literal, NamedTuple
 from solver.demanded import demand
 from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
-from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE
-from solver.exports.wall_edges import Line, PlanAxis
+from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.scene import Room
 from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, cut_at_holes, door_bars, window_bars

@@ -10,7 +10,7 @@ import yaml
 from catalogs import Catalogs, add_assets, load_catalogs
 from catalogs.assets.asset_check import checked_folder, words_of
 from service.cli import main
-from solver.exports.asset_levels import levels_of
+from solver.exports.asset_surfaces import levels_of
 from tests.assets.makers import folder, shape, under
 
 

@@ -14,7 +14,7 @@ from pxr import UsdGeom
 from catalogs import load_catalogs
 from catalogs.insides import insides_of
 from solver.exports import ExportSettings, HouseModel, describe, written_as
-from solver.exports.in_drawers import held_things
+from solver.exports.moving_parts import held_things
 from solver.scene import Decoration, Furniture, Room, Scene
 from tests.exports.physics import mjcf, started
 from tests.exports.readers import glb, sdf, urdf, usd

@@ -12,8 +12,7 @@ from catalogs import load_catalogs
 from solver.exports import ExportSettings, describe, written_as
 from solver.exports.model import DoorLeaf, HouseModel
 from solver.exports.plan_rooms import PlanBox, label_box
-from solver.exports.plan_storeys import drawing_ranks, open_leaf, storeys_of
-from solver.exports.plan_symbols import marks_of
+from solver.exports.plan_storeys import drawing_ranks, marks_of, open_leaf, storeys_of
 from solver.scene import Opening, Room, Scene
 from solver.wall_fittings import FRAME
 from tests.exports import homes

@@ -16,10 +16,9 @@ from solver.body_parts import BodyPart
 from solver.exports.asset_files import fit_of
 from solver.exports.colliders import FLOOR
 from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
-from solver.exports.formats.glb_book import Geometry, GltfBook, geometry_of
-from solver.exports.glb_merging import AssetNodes
-from solver.exports.in_drawers import HeldThing, held_in, held_things
+from solver.exports.formats.glb_book import AssetNodes, Geometry, GltfBook, geometry_of
 from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
+from solver.exports.moving_parts import HeldThing, held_in, held_things
 from solver.exports.paints import PLAIN_CEILING, by_paint
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files

@@ -13,8 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from solver.exports.floor_cells import largest_stretch, squared_distances
-from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, obstacles
+from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, largest_stretch, obstacles, squared_distances
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_storeys import opening_box
 from solver.exports.writers import ExportSettings, Files

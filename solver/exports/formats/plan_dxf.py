@@ -17,8 +17,7 @@ from typing import Any, Final, NamedTuple
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import too_short
 from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel
-from solver.exports.plan_storeys import PlanStorey, open_leaf, opening_box, storeys_of
-from solver.exports.plan_symbols import HIGH, PlanMark, marks_of
+from solver.exports.plan_storeys import HIGH, PlanMark, PlanStorey, marks_of, open_leaf, opening_box, storeys_of
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 

@@ -16,8 +16,7 @@ from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Pa
 from solver.exports.paints import shade
 from solver.exports.plan_rooms import PlanBox, words_of
 from solver.exports.plan_sheet import dimension, entrance_mark, foot, frame, room_name
-from solver.exports.plan_storeys import PlanStorey, drawing_ranks, open_leaf, opening_box, storeys_of
-from solver.exports.plan_symbols import HIGH, marks_of
+from solver.exports.plan_storeys import HIGH, PlanStorey, drawing_ranks, marks_of, open_leaf, opening_box, storeys_of
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_text
 

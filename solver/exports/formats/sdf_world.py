@@ -20,9 +20,8 @@ from solver.exports.colliders import (
     painted_halves,
     z_up,
 )
-from solver.exports.in_drawers import HeldThing, held_in, held_things
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, MovingPart, StillPart, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.unit_meshes import StretchedMesh, UnitMeshes

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
-from solver.exports.floor_cells import largest_stretch, squared_distances
+from solver.exports.floor_grid import largest_stretch, squared_distances
 
 
 @pytest.mark.parametrize("seed", range(40))
