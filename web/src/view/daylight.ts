@@ -20,6 +20,8 @@ const FULL = 0.7;
 const [DUSK, DARK] = [0.85, 0.35];
 /** Across the sun's rays, from side to side and from low to high: a house is seen from up there longer than deep. */
 const SHADOW_PIXELS = [2048, 1024] as const;
+/** To who walks, a shadow's edge is as near as a wall. */
+const NEAR_SHADOW_PIXELS = [4096, 2048] as const;
 /** How far beyond the floors things stand or overhang [m]. */
 const MARGIN = 0.5;
 /** Under the floors: a house stands a little above its ground [m]. */
@@ -96,7 +98,6 @@ export class Daylight {
   constructor() {
     const { shadow } = this.#sun;
     this.#sun.castShadow = true;
-    shadow.mapSize.set(...SHADOW_PIXELS);
     Object.assign(shadow, { radius: 4, intensity: 0.7, normalBias: 0.03, bias: 0.0003 });
     this.#side.position.set(1, 0.7, -0.4);
     for (const mesh of [this.#grass, this.#shadows]) Object.assign(mesh, { receiveShadow: true, renderOrder: -1 });
@@ -128,10 +129,16 @@ export class Daylight {
     this.#ground.visible = isShown;
   }
 
-  /** Lays grass around the house, or only the shadows that fall there. */
+  /** Surrounds who walks: with grass in place of only the shadows that fall there, and shadows of finer edges; the caller casts them. */
   sow(isGrass: boolean): void {
     this.#grass.visible = isGrass;
     this.#shadows.visible = !isGrass;
+    const { shadow } = this.#sun;
+    const [across, along] = isGrass ? NEAR_SHADOW_PIXELS : SHADOW_PIXELS;
+    if (shadow.mapSize.x === across) return;
+    shadow.mapSize.set(across, along);
+    shadow.map?.dispose();
+    shadow.map = null;
   }
 
   /** Lights a house and lays the ground around it, as far as shadows of what reaches up to `top` fall [m]. */

@@ -215,6 +215,7 @@ export class Viewport {
 
   /** Who walks sees sky and grass through the windows; from outside a house stands on the page. */
   #surround(walker: Pose | null): void {
+    if ((walker === null) !== (this.#walker === null)) this.castShadows();
     this.#walker = walker;
     this.#scene.background = walker ? this.daylight.sky : null;
     this.daylight.sow(walker !== null);
