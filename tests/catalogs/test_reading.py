@@ -216,8 +216,8 @@ def test_a_misspelled_word_is_told_with_the_one_that_may_be_meant(edit: Mend, fi
             "area: 11.5",
             "area: is 11.5 (allowed: an object with min, typical, max)",
         ),
-        (BEDROOM, "cover: [0.34, 0.45]", "cover: 0.4", "cover: is 0.4 (allowed: a list of 2 entries)"),
-        (BEDROOM, "cover: [0.34, 0.45]", "cover: [0.3, 0.4, 0.5]", "cover: has 3 entries (allowed: at most 2)"),
+        (BEDROOM, "cover: [0.35, 0.46]", "cover: 0.4", "cover: is 0.4 (allowed: a list of 2 entries)"),
+        (BEDROOM, "cover: [0.35, 0.46]", "cover: [0.3, 0.4, 0.5]", "cover: has 3 entries (allowed: at most 2)"),
         (BEDROOM, "flooring: wood\n", "", "flooring: is missing (allowed: a text)"),
         (
             BEDROOM,
