@@ -15,7 +15,7 @@ import httpx2
 
 from compose_homes import client_calls as calls
 from compose_homes.client_calls import ServiceCall
-from service.job_contract import JobHead
+from service.kept_contract import JobHead
 from solver.errors import ComposeError
 
 T = TypeVar("T")

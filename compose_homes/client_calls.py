@@ -16,8 +16,7 @@ from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
 from service.contract import FloorAnswer, Lines, PlaceAnswer, ValidateAnswer
-from service.home_contract import HomeHead, HomeList, HomeVersions, HomeWithScene
-from service.job_contract import JobHead, JobList
+from service.kept_contract import HomeHead, HomeList, HomeVersions, HomeWithScene, JobHead, JobList
 from solver.answers import Fixed, Generated
 from solver.exchange import read, write_request, write_scene
 from solver.explained import Explained

@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from service.admission import Admitted
+from service.admission import Admitted, Allowance
 from service.keys import KeyRing, listed_keys, read_keys
-from service.rates import Allowance
 from service.service_settings import Settings
 from solver.errors import FieldError
 

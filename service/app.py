@@ -27,19 +27,17 @@ from service.admission import FOR_OTHER_PAGES, Admission, Admitted
 from service.admitting import admitted_of
 from service.callers import ANY, Callers
 from service.connections import Connections
-from service.described import Answering, DescribedCalls
 from service.docs import docs
 from service.effort import Terms
 from service.guard import Guard
 from service.homes import homes
 from service.jobs import Runner, jobs
 from service.measures import Measures, Observed, metrics
-from service.openapi import completed, refusals
+from service.openapi import Answering, DescribedCalls, completed, refusals
 from service.packed_catalogs import mark_of, packed, warm
-from service.refusals import Busy, NoSuchFormat
+from service.problems import Busy, NoSuchFormat
 from service.service_settings import Settings
-from service.service_store import NONE, TEMPORARY, ServiceStore
-from service.store_calls import store_limiter
+from service.service_store import NONE, TEMPORARY, ServiceStore, store_limiter
 from service.wire import body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left

@@ -12,7 +12,7 @@ from typing import Any
 from starlette.responses import Response
 
 from service import problems
-from service.home_contract import HomeBody, HomeChange
+from service.kept_contract import HomeBody, HomeChange
 from service.store.saved_homes import PackedScene, SavedHome
 from solver.errors import ComposeError, FieldError
 from solver.exchange import GLB, dump_plain, dump_scene, load_text, read

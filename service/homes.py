@@ -12,8 +12,8 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.described import DescribedCalls, query_types
-from service.home_contract import (
+from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
+from service.kept_contract import (
     HomeBody,
     HomeChange,
     HomeHead,
@@ -22,12 +22,10 @@ from service.home_contract import (
     HomeVersions,
     HomeWithScene,
 )
-from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
-from service.openapi import refusals
-from service.refusals import TooLarge, WrongMediaType
-from service.service_store import ServiceStore
+from service.openapi import DescribedCalls, query_types, refusals
+from service.problems import TooLarge, WrongMediaType
+from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.saved_homes import ANY_REVISION, SavedHome, Wanted
-from service.store_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read

@@ -20,14 +20,12 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service import problems
-from service.described import DescribedCalls
 from service.home_texts import moment
-from service.job_contract import JobBody, JobHead, JobList
-from service.openapi import refusals
-from service.refusals import Busy, NoSuchThing, StoreAway
-from service.service_store import ServiceStore
+from service.kept_contract import JobBody, JobHead, JobList
+from service.openapi import DescribedCalls, refusals
+from service.problems import Busy, NoSuchThing, StoreAway
+from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJob, SavedJobs
-from service.store_calls import REFUSALS, WITH_BODY, ask, id_in, id_type, number_in, number_type
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import ComposeError
 from solver.exchange import load_text, read

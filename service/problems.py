@@ -1,4 +1,7 @@
-"""Errors as RFC 9457 problem documents; the one table that maps errors to HTTP is `STATUS`."""
+"""What the service refuses, beside what readers of documents refuse; and errors as RFC 9457 problem documents.
+
+The one table that maps errors to HTTP is `STATUS`.
+"""
 
 from __future__ import annotations
 
@@ -11,21 +14,58 @@ from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.refusals import (
-    Busy,
-    ChangedMeanwhile,
-    NoRoom,
-    NoSuchFormat,
-    NoSuchThing,
-    StoreAway,
-    TooLarge,
-    TooLong,
-    TooManyKept,
-    TooSlow,
-    UnnamedRevision,
-    WrongMediaType,
-)
 from solver.errors import ComposeError, FieldError, SyntaxFault, TooMuch
+
+
+class TooLarge(FieldError):
+    """A body over the limit."""
+
+
+class TooSlow(FieldError):
+    """A body that does not arrive."""
+
+
+class WrongMediaType(FieldError):
+    """A body in a format that is not read here."""
+
+
+class TooLong(FieldError):
+    """A call that ran longer than a call may."""
+
+    SMALLER: Final = "a smaller house or scene, less effort; the command line has no such bound"
+
+
+class Busy(FieldError):
+    """More calls than may wait."""
+
+
+class NoSuchFormat(FieldError):
+    """An export in a format that there is not."""
+
+
+class StoreAway(FieldError):
+    """A store of homes that does not answer, or that there is none of."""
+
+
+class NoRoom(FieldError):
+    """A store whose disk is full."""
+
+
+class TooManyKept(FieldError):
+    """More than an owner may keep."""
+
+
+class NoSuchThing(FieldError):
+    """Something that is not kept, or is another owner's."""
+
+
+class ChangedMeanwhile(FieldError):
+    """A change of something that somebody else has changed since it was read."""
+
+
+class UnnamedRevision(FieldError):
+    """A change that does not say of which revision."""
+
 
 MEDIA_TYPE: Final = "application/problem+json"
 

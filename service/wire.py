@@ -10,7 +10,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service.calls import ExportedFile
-from service.refusals import TooLarge, TooSlow, WrongMediaType
+from service.problems import TooLarge, TooSlow, WrongMediaType
 from solver.exchange import FORMATS, GLB, dump_plain
 from solver.plain import Document
 

@@ -14,7 +14,7 @@ from anyio import BrokenWorkerProcess, CancelScope, CapacityLimiter, create_task
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive
 
-from service.refusals import Busy, TooLong
+from service.problems import Busy, TooLong
 from service.service_settings import Settings
 from service.worker_processes import Raised, WorkerProcess
 

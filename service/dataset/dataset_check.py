@@ -1,4 +1,4 @@
-"""Is a dataset as it was made? Digests of files and of scenes, schemas, counts; and homes made again and validated."""
+"""A dataset read back. Is it as it was made? Digests of files and scenes, schemas, counts; homes made again and validated."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import file_digest, sha256
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, cast
 
 import pyarrow.parquet as pq
 
 from catalogs import Catalogs
-from service.dataset.dataset_plan import again, made_home, split_of
-from service.dataset.dataset_reading import rows_of_houses
+from service.dataset.dataset_plan import Shard, again, made_home, split_of
 from service.dataset.manifest import digest_of, manifest_of, records_of
+from service.dataset.shards import table_path
 from service.dataset.table_schemas import SCHEMAS
+from solver.errors import FieldError
 from solver.exchange import load_text, read_scene
 from solver.plain import Document
 from solver.streams import Stream
@@ -126,3 +127,24 @@ def _of_home(row: Document, catalogs: Catalogs) -> Iterator[str]:
         if errors != row["errors"]:
             yield f"the home of seed {row['seed']} has {errors} errors, and its row says {row['errors']}"
     json.loads(row["request"])
+
+
+def row_of(folder: Path, seed: int) -> Document:
+    """Returns the row of a seed's home.
+
+    Raises:
+        FieldError: there is no dataset in the folder, or no such home in it.
+    """
+    size = manifest_of(folder)["shard_size"]
+    path = folder / table_path("houses", split_of(seed), Shard(seed // size, seed, seed))
+    rows = pq.read_table(path, filters=[("seed", "=", seed)]).to_pylist() if path.is_file() else []
+    if not rows:
+        raise FieldError("--seed", f"{folder} holds no home of seed {seed}", "a seed of its manifest")
+    return cast(Document, rows[0])
+
+
+def rows_of_houses(folder: Path, columns: list[str]) -> Iterator[dict[str, Any]]:
+    """Yields some columns of every house, split by split, a batch of rows at a time in memory."""
+    for path in sorted((folder / "tables" / "houses").glob("*.parquet")):
+        for batch in pq.ParquetFile(path).iter_batches(batch_size=500, columns=columns):
+            yield from batch.to_pylist()

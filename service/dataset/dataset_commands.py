@@ -80,7 +80,7 @@ def plan_of(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) 
 
 def _make_again(options: Namespace, catalogs: Catalogs) -> int:
     """Makes one home of a dataset again from its row, and refuses to give another one out for it."""
-    from service.dataset.dataset_reading import row_of
+    from service.dataset.dataset_check import row_of
 
     if options.folder is None or options.seed is None:
         raise FieldError("--seed" if options.folder else "DIR", "is missing", "compose dataset make DIR --seed N")

@@ -11,9 +11,8 @@ from typing import Any, Final
 from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
-from service.refusals import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
-from service.store.database import Database
-from service.store.store_tables import HOMES, OWNERS, VERSIONS
+from service.problems import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
+from service.store.database import HOMES, OWNERS, VERSIONS, Database
 
 KEPT_VERSIONS: Final = 50
 """Versions of a home; the oldest go when there are more. Our choice."""

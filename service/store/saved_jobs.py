@@ -10,9 +10,8 @@ from typing import Any, Final
 
 from sqlalchemy import Connection, Row, and_, delete, func, insert, or_, select, update
 
-from service.refusals import NoSuchThing, TooManyKept
-from service.store.database import Database
-from service.store.store_tables import JOBS, RESULTS
+from service.problems import NoSuchThing, TooManyKept
+from service.store.database import JOBS, RESULTS, Database
 
 WAITING: Final = "waiting"
 RUNNING: Final = "running"

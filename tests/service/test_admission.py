@@ -10,11 +10,10 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
-from service.admission import COOKIE, Admitted
+from service.admission import COOKIE, KNOWN, Admitted, Allowance, Quotas, Rates
 from service.admitting import admitted_of
 from service.app import create_app
 from service.keys import KeyRing, listed_keys, read_keys
-from service.rates import KNOWN, Allowance, Quotas, Rates
 from service.service_settings import Settings, settings_of
 from solver.errors import ComposeError, FieldError
 from tests.service.problems import entry_of, problem_of

@@ -16,7 +16,7 @@ from sqlalchemy import event, text
 from starlette.testclient import TestClient
 
 from service.app import create_app
-from service.refusals import NoSuchThing
+from service.problems import NoSuchThing
 from service.service_settings import Settings
 from service.store.database import Database
 from service.store.saved_homes import SavedHome, SavedHomes, Wanted

@@ -16,11 +16,10 @@ from sqlalchemy import text
 from starlette.testclient import TestClient
 
 from service.app import ComposeApp, create_app
-from service.refusals import StoreAway
+from service.problems import StoreAway
 from service.service_settings import Settings
-from service.store.database import Database
+from service.store.database import TABLES, Database
 from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, SavedHomes, Wanted
-from service.store.store_tables import TABLES
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
 from tests.service.heavy import PATIENCE_S

@@ -14,9 +14,8 @@ import pytest
 from sqlalchemy import update
 
 from service.app import ComposeApp
-from service.store.database import Database
+from service.store.database import JOBS, Database
 from service.store.saved_jobs import LEASE_S, MOST_JOBS, JobResult, SavedJobs
-from service.store.store_tables import JOBS
 from solver.errors import FieldError
 from tests.browser.service_process import running
 from tests.service.problems import entry_of

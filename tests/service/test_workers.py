@@ -24,7 +24,7 @@ from catalogs import load_catalogs
 from service import calls, workers
 from service.app import ComposeApp
 from service.packed_catalogs import KNOWN, mark_of, packed
-from service.refusals import Busy, TooLong
+from service.problems import Busy, TooLong
 from service.server import listening
 from service.service_settings import Settings
 from service.work import Failure, Job, UnknownCatalogs, do

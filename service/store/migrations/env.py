@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from alembic import context
 
-from service.store.store_tables import TABLES
+from service.store.database import TABLES
 
 context.configure(connection=context.config.attributes["connection"], target_metadata=TABLES)
 with context.begin_transaction():

@@ -1,14 +1,15 @@
-"""What the calls about homes that are kept take and answer: declared once, as in `contract`."""
+"""What the calls about homes that are kept, and about long work, take and answer: declared once, as in `contract`."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Final
 
 from annotated_types import Ge, Le, MaxLen, MinLen
 
 from solver.exchange import SentScene
-from solver.fields import STRICT, WHOLE, Matching, Name, Record, Says, Text, Whole
+from solver.fields import STRICT, WHOLE, Free, Matching, Name, OneOf, Record, Says, Text, Whole
+from solver.request import Seed
 from solver.scene import Scene
 
 MOST_NAME: Final = 200
@@ -116,3 +117,43 @@ class HomeQuery(Record):
     tag: Annotated[tuple[HomeTag, ...], MaxLen(MOST_TAGS), Says("tags that it has, all of them")] = ()
     limit: Annotated[int, Ge(1), Le(MOST_LISTED), WHOLE] = LISTED
     after: Annotated[str, Matching(AFTER), STRICT, Says("`after` of the page before")] = ""
+
+
+MOST_CALLS: Final = 1000
+JOB_CALLS: Final = ("generate", "furnish", "fix", "place", "validate")
+STATES: Final = ("waiting", "running", "done")
+
+
+@dataclass(frozen=True)
+class JobBody(Record):
+    """Long work: one call with `body`; with `seeds` that call once a seed.
+
+    Args:
+        call: its name.
+        seeds: the call is made once for each.
+    """
+
+    call: Annotated[str, OneOf(*JOB_CALLS)]
+    body: Annotated[Free, Says("of the call, as it would be sent to it")] = field(default_factory=dict)
+    seeds: Annotated[tuple[Seed, ...], MinLen(1), MaxLen(MOST_CALLS), Says("each is the body's `seed` once")] | None = None
+
+
+@dataclass(frozen=True)
+class JobHead(Record):
+    """A job: `done` of its `count` calls have been made, of which `refused` were refused."""
+
+    id: Name
+    call: Text
+    state: Annotated[str, OneOf(*STATES)]
+    count: Whole
+    done: Whole
+    refused: Whole
+    created: Annotated[Text, Says("RFC 3339, UTC")]
+    changed: Annotated[Text, Says("RFC 3339, UTC")]
+
+
+@dataclass(frozen=True)
+class JobList(Record):
+    """Jobs, the newest first."""
+
+    jobs: tuple[JobHead, ...]
