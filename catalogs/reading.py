@@ -14,16 +14,12 @@ import yaml
 from pydantic import TypeAdapter, ValidationError
 
 from catalogs.access_profiles import AccessProfile
-from catalogs.checks import faults
-from catalogs.decoration_checks import holding_faults
+from catalogs.checks import faults, holding_faults
 from catalogs.decoration_types import Decorating, DecorationKind
-from catalogs.dwellers import Dweller
-from catalogs.entries import Synonym
+from catalogs.entries import Dweller, Evidence, Mark, Preset, Synonym
 from catalogs.faults import CatalogError, Fault
-from catalogs.guessing import Evidence, Mark
 from catalogs.insides import insides_of
 from catalogs.misfits import misfit
-from catalogs.programmes import Preset
 from catalogs.references import near
 from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, Habit, RoomType
 from catalogs.shapes import Material, ShapeParts

@@ -19,7 +19,6 @@ from pydantic.json_schema import SkipJsonSchema
 from catalogs.access_profiles import AccessProfile
 from catalogs.assets.asset_entry import Asset
 from catalogs.decoration_types import Decorating, DecorationKind
-from catalogs.dwellers import Dweller
 from catalogs.entries import (
     ORDERED,
     PIECE_NAMES,
@@ -27,24 +26,27 @@ from catalogs.entries import (
     Colour,
     ComfortFloor,
     Cost,
+    Dweller,
     Entry,
+    Evidence,
     FlooringName,
     GapInterval,
+    Home,
     KindName,
     KindSpec,
+    Mark,
     Metres,
+    Plan,
+    Preset,
     Probability,
     RoomTypeNames,
+    Run,
     Side,
     Synonym,
     Use,
     Words,
 )  # fmt: skip
-from catalogs.guessing import Evidence, Mark
 from catalogs.misfits import misfit
-from catalogs.plans import Plan
-from catalogs.programmes import Home, Preset
-from catalogs.runs import Run
 from catalogs.shapes import Material, Solid
 from catalogs.styles import Style
 

@@ -13,7 +13,7 @@ from solver.request import Request
 from solver.scene import Scene
 
 if TYPE_CHECKING:
-    from solver.pipeline.drag_frames import fix_frame, prepare_drag
+    from solver.pipeline.drag import fix_frame, prepare_drag
     from solver.pipeline.explain import explain
     from solver.pipeline.export import export
     from solver.pipeline.fix import fix
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from solver.validator import validate
 else:
     _MODULES = {
-        "fix_frame": "pipeline.drag_frames",
-        "prepare_drag": "pipeline.drag_frames",
+        "fix_frame": "pipeline.drag",
+        "prepare_drag": "pipeline.drag",
         "reroll": "pipeline.generate",
         "validate": "validator",
     }

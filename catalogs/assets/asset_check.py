@@ -17,8 +17,7 @@ from catalogs.assets import ASSET_NAME
 from catalogs.assets.asset_entry import UNSAID, Asset, AssetEntry, Front
 from catalogs.assets.asset_folder import ASSET_FILE, entries_of
 from catalogs.assets.asset_measures import KindTable, fitting_units, kind_table, measured, turned_extents
-from catalogs.assets.glb_bounds import bounds_of
-from catalogs.assets.glb_file import GlbFault, read_glb
+from catalogs.assets.glb_file import GlbFault, bounds_of, read_glb
 from catalogs.faults import ComposeError
 from catalogs.schema import Catalogs
 

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from catalogs.assets.asset_entry import FRONT_TURNS, Asset, AssetEntry, AssetSize, Front
-from catalogs.assets.glb_bounds import GlbBounds, bounds_of
-from catalogs.assets.glb_file import GlbFault, read_glb
+from catalogs.assets.glb_file import GlbBounds, GlbFault, bounds_of, read_glb
 from catalogs.decoration_types import DecorationKind
 from catalogs.schema import FurnitureSpec
 

@@ -14,10 +14,9 @@ from typing import Annotated, Any, Final, TypeVar
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import core_schema
 
-from catalogs.schema_words import called
+from catalogs.misfits import called
 from solver.errors import FieldError, RequestError, SceneError
-from solver.exchange.identity import identified, indexed
-from solver.exchange.outlines import check_outlines
+from solver.exchange.identity import check_outlines, identified, indexed
 from solver.exchange.refusing import refusals
 from solver.exchange.told_keys import tell_keys
 from solver.fields import Record, Says, located

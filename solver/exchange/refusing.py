@@ -9,8 +9,7 @@ from typing import Any, Final
 
 from pydantic import ValidationError
 
-from catalogs.misfits import LENGTHS
-from catalogs.schema_words import allowed, called, options_of, schema_at
+from catalogs.misfits import LENGTHS, allowed, called, options_of, schema_at
 from solver.errors import MOST_TOLD
 from solver.plain import path
 

@@ -1,6 +1,6 @@
 """Text <-> documents: one module a format behind one dict.
 
-A .glb that was exported is read too, but not written here.
+A .glb that was exported is read too, not its shapes but the scene inside; it is not written here.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import PurePath
 from typing import Any, Final
 
 from solver.errors import FieldError, SyntaxFault
-from solver.exchange import glb_scene, json_text, yaml_text
+from solver.exchange import json_text, yaml_text
 from solver.plain import Wrong, path, plain
 
 
@@ -31,6 +31,10 @@ FORMATS: Final = {
 }
 GLB: Final = "glb"
 """What is read beside texts: a .glb with a scene inside."""
+MAGIC: Final = b"glTF"
+"""How a .glb begins."""
+_HEADER: Final = 20
+_JSON_CHUNK: Final = b"JSON"
 ENDINGS: Final = {ending: name for name, format in FORMATS.items() for ending in format.endings}
 
 
@@ -46,7 +50,7 @@ def format_of_content(content: bytes) -> str:
 
 def format_of_file(name: str, content: bytes) -> str:
     """Tells the format in which a file is to be read: by its name, else by its content."""
-    is_glb = PurePath(name).suffix.lower() == f".{GLB}" or content.startswith(glb_scene.MAGIC)
+    is_glb = PurePath(name).suffix.lower() == f".{GLB}" or content.startswith(MAGIC)
     return GLB if is_glb else format_of_name(name) or format_of_content(content)
 
 
@@ -67,7 +71,7 @@ def load_text(text: bytes | str, format: str) -> object:
     if not text.strip():
         raise SyntaxFault("the text is empty; {} asks for all defaults where there are any")
     if format == GLB:
-        return glb_scene.load(text if isinstance(text, bytes) else text.encode("utf-8", "replace"))
+        return _scene_in_glb(text if isinstance(text, bytes) else text.encode("utf-8", "replace"))
     return FORMATS[format].load(_decoded(text))
 
 
@@ -97,3 +101,36 @@ def _decoded(text: bytes | str) -> str:
     except UnicodeError as error:
         raise SyntaxFault(f"the text is not UTF-8: {error}") from None
     return text.removeprefix("\ufeff")
+
+
+def _scene_in_glb(content: bytes) -> object:
+    """Reads the scene inside a .glb.
+
+    Raises:
+        SyntaxFault: it is no .glb (glTF 2.0, binary), or none that Compose wrote.
+    """
+    if not content.startswith(MAGIC) or len(content) < _HEADER:
+        raise SyntaxFault("not a .glb: it does not begin as a binary glTF file does")
+    version, total, length = (int.from_bytes(content[at : at + 4], "little") for at in (4, 8, 12))
+    if version != 2 or content[16:_HEADER] != _JSON_CHUNK:
+        raise SyntaxFault(f"not a .glb that is read here: glTF version {version}, or its JSON is not its first part")
+    if total != len(content) or _HEADER + length > total:
+        raise SyntaxFault(f"not a whole .glb: {len(content)} bytes, where its header says {total}")
+    try:
+        text = content[_HEADER : _HEADER + length].decode()
+    except UnicodeError as error:
+        raise SyntaxFault(f"not a .glb: its JSON is not UTF-8: {error}") from None
+    scene = _inside(json_text.parsed(text))
+    json_text.check(scene, text)
+    return scene
+
+
+def _inside(document: Any) -> object:
+    """Returns the scene's document in the extras of a glTF document's first scene."""
+    try:
+        scene = document["scenes"][0]["extras"]["scene"]
+    except (KeyError, IndexError, TypeError):
+        scene = None
+    if not isinstance(scene, dict) or "rooms" not in scene:
+        raise SyntaxFault("a .glb without a scene inside: only one that Compose exported can be read; other programs' shapes are not")
+    return scene

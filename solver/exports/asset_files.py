@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any, Final, NamedTuple
 
 from catalogs.assets.asset_entry import FRONT_TURNS, Asset
-from catalogs.assets.glb_bounds import GlbBook, bounds_of
-from catalogs.assets.glb_file import GlbFault, read_glb
+from catalogs.assets.glb_file import GlbBook, GlbFault, bounds_of, read_glb
 from solver.errors import RequestError
 from solver.exports.model import Point
 

@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catalogs.assets.asset_entry import Asset
-from catalogs.assets.glb_bounds import PlacedMesh
-from catalogs.assets.glb_file import GlbFault
+from catalogs.assets.glb_file import GlbFault, PlacedMesh
 from solver.exports.asset_files import AssetFile, asset_file, changed, fit_of
 from solver.exports.model import Paint
 

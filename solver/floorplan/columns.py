@@ -10,8 +10,7 @@ from heapq import heappop, heappush
 from math import sqrt
 from typing import Final, NamedTuple
 
-from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
-from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
+from solver.floorplan.bsp import ASPECT, ENDS, MAX_ROOMS, OTHER, ROUND_MM, Plot, halves, span
 from solver.floorplan.tiling import exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream

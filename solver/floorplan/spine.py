@@ -8,9 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from solver.floorplan.bsp import MAX_ROOMS, ROUND_MM
+from solver.floorplan.bsp import ASPECT, ENDS, MAX_ROOMS, OTHER, ROUND_MM, Plot, halves, span
 from solver.floorplan.columns import Books, Columns, RoomBounds
-from solver.floorplan.plots import ASPECT, ENDS, OTHER, Plot, halves, span
 from solver.floorplan.tiling import Layout, exterior_sides
 from solver.geometry import Rect
 from solver.streams import Stream

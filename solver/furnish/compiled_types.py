@@ -12,8 +12,8 @@ from math import inf
 from struct import Struct
 from typing import Final, get_args
 
+from catalogs.entries import Run
 from catalogs.relation_keys import OPENINGS
-from catalogs.runs import Run
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Variant
 from solver.body_rows import LooksBySize, furniture_look
 from solver.core.core_tables import CoreTables

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catalogs import Catalogs
-from catalogs.guessing import Mark, OfType
+from catalogs.entries import Mark, OfType
 from solver.guessing.suiting import UNSAID
 
 Costs = NDArray[np.float64]

@@ -10,7 +10,7 @@ from math import log
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.guessing import Evidence, Mark
+from catalogs.entries import Evidence, Mark
 from catalogs.schema import RoomType
 from solver.guessing.room_marks import RoomMarks
 

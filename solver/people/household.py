@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.dwellers import Dweller
+from catalogs.entries import Dweller
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import block_of
 from solver.people.poses import POSES, Surroundings

@@ -9,8 +9,7 @@ from functools import cached_property
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.dwellers import Dweller, Seats
-from catalogs.entries import Surface
+from catalogs.entries import Dweller, Seats, Surface
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import Block, block_of, decorations_in, footprint
 from solver.geometry import half_m, rotate, wall_faced

@@ -1,24 +1,26 @@
 """Why pieces of a room cannot stand, or be used, together: a minimal conflict, in lengths, with what would help.
 
-Not here: the search for a place (repair_room), what would help (repairs).
+What would help is the cheapest changes with which the rest can stand, each of them tried. Not here: the search for a place (repair_room).
 """
 
 from __future__ import annotations
 
 from bisect import bisect
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import islice
+from typing import Any
 
 from solver.answers import Conflict
 from solver.geometry import Rect
-from solver.pieces import Piece, Space
-from solver.pipeline.least_movement import missing_length
-from solver.pipeline.repair_room import RoomRepair
-from solver.pipeline.repairs import HANDFUL, RepairGoal, helps, repairs_of
-from solver.placement import Budget, minimal_conflict
+from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.pipeline.judged_again import judged_again
+from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length
+from solver.placement import Budget, charge, is_call_spent, minimal_conflict
 from solver.placement.lengths import Shortfall, centimetres, metres, sentence
-from solver.repair import Repair, RoomProblem, all_bodies, pieces_as_sent, without
+from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
+from solver.scene import Furniture, Room
 from solver.validator import Checked
 
 WALKING_SHARE = 4
@@ -173,3 +175,172 @@ def _where_they_stay(space: Space, members: Sequence[Piece]) -> str:
 
 def _in_words(cause: str) -> str:
     return "outside the outline" if cause == "outline" else f"in the floor before {cause}"
+
+
+HANDFUL = 6
+"""Repairs offered for a conflict, at most."""
+STEP_MM = 10
+"""Steps in which a piece is shrunk where no length says how much is missing."""
+LEAST_SHARE = 0.6
+"""A piece is not shrunk below this share of its width or depth."""
+PIECE_WORK, BODY_WORK = 20.0, 2.0
+"""What each piece of a conflict, and each body of its room, counts when a repair of the room is tried: all are looked at anew; measured."""
+
+
+@dataclass(frozen=True)
+class RepairGoal:
+    """What a repair has to do: the room must break no rule in the house as it is answered, without people.
+
+    `problems` are the room as it is answered, and as it was sent: repaired, all pieces of each must find their places.
+    """
+
+    house: Checked
+    problems: tuple[RoomProblem, ...]
+    budget: Budget
+
+    @property
+    def bodies(self) -> Mapping[str, Body]:
+        """The bodies of the room that is answered, by id."""
+        return {body.id: body for body in all_bodies(self.problems[0].room)}
+
+    @property
+    def locks(self) -> Mapping[str, Sequence[str]]:
+        """Those of its bodies that stay as sent, with the locked ids that make it."""
+        return holders(self.problems[0].room, self.problems[0].settings)
+
+
+def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None) -> tuple[Repair, ...]:
+    """Returns what would help a conflict's members, cheapest first: to stand free of its wall, to unlock, to turn, to shrink, to leave out.
+
+    `short` says which lengths are missing, if that is known.
+    """
+    bodies, locked = goal.bodies, goal.locks
+    members = [member for member in members if member in bodies]  # what ends another conflict may leave one out
+    loose = [bodies[member] for member in members if member not in locked]
+    leaving = [repair for member in members if (repair := _tried(goal, {"action": "leave_out", "id": member}))]
+    moves = [_set_free(goal, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
+    unlocks = [_unlocked(goal, member) for member in members if member in locked]
+    able = {repair["id"] for repair in leaving}
+    loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
+    by_way = sorted((repair for repair in (*moves, *unlocks) if repair), key=_distance)
+    room_for = HANDFUL - min(len(leaving), 2)
+    others = islice((repair for repair in _smaller_changes(goal, loose, short) if repair), max(room_for - len(by_way), 0))
+    return (*by_way[:room_for], *others, *leaving)[:HANDFUL]
+
+
+def _smaller_changes(goal: RepairGoal, loose: Sequence[Body], short: Shortfall | None) -> Iterator[Repair | None]:
+    """Tries to turn each body, then to shrink it: by the lengths that are missing where they are known, else by what does."""
+    for body in loose:
+        yield _tried(goal, {"action": "turn", "id": body.id, "rotation": (squared(body.rotation) + 90) % 360})
+    by_lengths = False
+    for repair in _shrunk_by_lengths(goal, short) if short else ():
+        by_lengths |= repair is not None
+        yield repair
+    for body in () if by_lengths else loose:
+        yield _least_shrunk(goal, body)
+
+
+def _unlocked(goal: RepairGoal, label: str) -> Repair | None:
+    """Returns the repair that unlocks what holds a body, with the move that follows; None where that does not help."""
+    ids = goal.locks[label]
+    if len(ids) > 1:
+        return None
+    return _moved(goal, {"action": "unlock", "id": ids[0]}, label)
+
+
+def _set_free(goal: RepairGoal, body: Body) -> Repair | None:
+    return _moved(goal, {"action": "move", "id": body.id, "wall": None}, body.id)
+
+
+def _moved(goal: RepairGoal, repair: dict[str, Any], label: str) -> Repair | None:
+    """Returns the repair with the move that it leads to, or None where it does not help."""
+    repaired = _repaired(goal, repair)
+    placed = {one.label: one for one in repaired.placed} if repaired else {}
+    return {**repair, **_step(goal.bodies[label], placed[label])} if repaired else None
+
+
+def _step(before: Body, after: Placed) -> dict[str, Any]:
+    x, z = (after.footprint.x0 + after.footprint.x1) / 2000, (after.footprint.z0 + after.footprint.z1) / 2000
+    return {"dx": round(x - before.x, 4), "dz": round(z - before.z, 4), "rotation": after.rotation}
+
+
+def _distance(repair: Repair) -> float:
+    return float(repair["dx"] ** 2 + repair["dz"] ** 2)
+
+
+def helps(goal: RepairGoal, repair: Repair | None) -> bool:
+    """Tells whether a repair does what it has to."""
+    return repair is not None and _repaired(goal, repair) is not None
+
+
+def _tried(goal: RepairGoal, repair: Repair) -> Repair | None:
+    return repair if helps(goal, repair) else None
+
+
+def _repaired(goal: RepairGoal, repair: Repair) -> Arrangement | None:
+    """Returns where the pieces of the first room go once a repair is made; None where a room does not come out clean."""
+    found = None
+    for problem in goal.problems:
+        if goal.budget.spent or is_call_spent():
+            return None
+        changed = _with(problem, repair)
+        pieces = pieces_as_sent(changed)
+        charge(PIECE_WORK * len(pieces) + BODY_WORK * len(all_bodies(problem.room)))
+        arrangement = least_moved(problem.space, pieces, Budget(problem.settings.work, of=goal.budget))
+        if not is_repaired(changed, arrangement) or not _is_clean(goal, written_back(changed, arrangement.placed)):
+            return None
+        found = found or arrangement
+    return found
+
+
+def _is_clean(goal: RepairGoal, room: Room) -> bool:
+    """Tells whether a room breaks no rule in the house; what floats is put to rest without moving any piece."""
+    scene = goal.house.scene
+    rooms = tuple(room if one.id == room.id else one for one in scene.rooms)
+    errors = judged_again(goal.house, replace(scene, rooms=rooms), (room.id,), goal.budget).errors
+    return not any(issue.room == room.id and issue.rule != "floating" for issue in errors)
+
+
+def _with(problem: RoomProblem, repair: Repair) -> RoomProblem:
+    """Returns a room as it is to be repaired once a repair is made."""
+    settings = problem.settings
+    if repair["action"] == "unlock":
+        settings = replace(settings, locked=settings.locked - {repair["id"]})
+    return replace(problem, room=applied(problem.room, repair), settings=settings)
+
+
+def _shrunk_by_lengths(goal: RepairGoal, short: Shortfall) -> Iterator[Repair | None]:
+    """Tries to take the missing millimetres off each body of the chain, off the side that lies along it."""
+    bodies = goal.bodies
+    free = [length for length in short.lengths if length.label in bodies]
+    for length in sorted(free, key=lambda one: -one.mm):
+        repair = _shrunk(bodies[length.label], "depth" if length.is_depth else "width", short.missing_mm)
+        yield _tried(goal, repair) if repair else None
+
+
+def _least_shrunk(goal: RepairGoal, body: Body) -> Repair | None:
+    """Bisects for the least whole centimetres that must be taken off a body's width, or else off its depth."""
+    for side in ("width", "depth"):
+        most = int(getattr(body, side) * 1000 * (1 - LEAST_SHARE)) // STEP_MM
+        least = _least(most, lambda by, side=side: helps(goal, _shrunk(body, side, by * STEP_MM)))  # type: ignore[misc]
+        if least:
+            return _shrunk(body, side, least * STEP_MM)
+    return None
+
+
+def _least(most: int, helps: Callable[[int], bool]) -> int | None:
+    """Returns the least number in 1 ... most that helps, if the greatest does and helping is monotone."""
+    if most < 1 or not helps(most):
+        return None
+    low, high = 0, most
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if helps(middle) else (middle, high)
+    return high
+
+
+def _shrunk(body: Body, side: str, by_mm: int) -> Repair | None:
+    size = {"width": body.width, "depth": body.depth}
+    least = size[side] * LEAST_SHARE
+    size[side] = round(size[side] - by_mm / 1000, 4)
+    return {"action": "shrink", "id": body.id, **size} if size[side] >= least - 1e-9 else None

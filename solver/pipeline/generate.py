@@ -22,8 +22,7 @@ from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_walker
 from solver.pipeline.decorate import decorated
-from solver.pipeline.elsewhere import arranged, needed, parted
-from solver.pipeline.inhabited import home_catalogs, inhabited
+from solver.pipeline.inhabited import arranged, home_catalogs, inhabited, needed, parted
 from solver.pipeline.insisted import demanded, insisted_in, insisting
 from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths

@@ -10,9 +10,8 @@ from catalogs import Catalogs, load_catalogs
 from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
-from solver.pipeline.others import other_placements
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_wishes
-from solver.pipeline.rounds import Round, best_placement, settled
+from solver.pipeline.rounds import Round, best_placement, other_placements, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement

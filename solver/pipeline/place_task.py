@@ -1,6 +1,8 @@
 """One request of place: what it means to every stage, and an arrangement written down and judged.
 
-Not here: which arrangement (rounds, place).
+Pieces are placed in an order that follows from what is asked for, not from ids or places in the list: so a list told otherwise is the
+same. What relations cannot tell apart stays in the order that was sent. Where not everything finds a place the sent order counts, as it
+says what matters most (place). Not here: which arrangement (rounds, place).
 """
 
 from __future__ import annotations
@@ -8,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
@@ -19,8 +21,7 @@ from solver.geometry import WALL_BEHIND, to_mm
 from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
-from solver.pipeline.list_order import by_content
-from solver.pipeline.obstacles import obstacles
+from solver.pipeline.staying import obstacles
 from solver.relations.held import FinishedRoom, at_wall, held, standing
 from solver.relations.relation import Standing
 from solver.relations.subject import Kind
@@ -238,3 +239,23 @@ def _standing(task: PlaceTask, one: Placed) -> Standing:
     kind, bottom = task.kinds.get(one.label), one.chosen.bottom_mm
     levels = tuple(bottom + level.height_mm for level in kind.levels) if kind else ()
     return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.framed.space.clear)
+
+
+ROUNDS_TOLD: Final = 2
+"""How many pieces away relations tell pieces apart."""
+
+
+def by_content(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind]) -> tuple[PieceRequest, ...]:
+    """Returns requests, with every size filled in, sorted by kind, size, number and relations."""
+    told = {name: repr((kind.name, kind.size)) for name, kind in kinds.items()}
+    for request in requests:
+        told[request.id] = repr((not request.required, kinds[request.id].name, request.size, request.count))
+    for _ in range(ROUNDS_TOLD):
+        told |= {request.id: f"{told[request.id]} {_relations(request, told)}" for request in requests}
+    return tuple(sorted(requests, key=lambda request: told[request.id]))
+
+
+def _relations(request: PieceRequest, told: Mapping[str, str]) -> str:
+    """Returns a request's relations as words, the pieces they name by what these are."""
+    specs = [spec.model_dump_json(exclude={"of"}) + repr([told.get(name, name) for name in spec.of]) for spec in request.relations]
+    return repr(specs)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from solver.pieces import Arrangement, Piece, Space
-from solver.pipeline.least_movement import missing_length
+from solver.pipeline.repair_room import missing_length
 from solver.placement import Budget, minimal_conflict
 from solver.placement.lengths import sentence
 

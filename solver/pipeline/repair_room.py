@@ -1,19 +1,19 @@
 """One broken room -> the same room repaired, and what of it could not be: `RoomProblem` -> `RoomRepair`.
 
-Not here: which rooms are broken (fix), why something cannot stand (conflicts).
+All pieces are placed with least movement; near the last answer while something is dragged. Where no place is found for all, a few of those
+in the way are left out, the least important that help. Not here: which rooms are broken (fix), why something cannot stand (conflicts).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from solver.answers import Issue
-from solver.pieces import Arrangement, Piece
-from solver.pipeline.fewest import is_whole, without_fewest
-from solver.pipeline.least_movement import least_moved_from_last
-from solver.placement import is_call_spent, walkable_when_empty
-from solver.repair import RoomProblem, holders, pieces_as_sent, without, written_back
+from solver.pieces import Arrangement, Piece, Space
+from solver.placement import Budget, can_be_used, feasible, finish, in_the_way, is_call_spent, move_least, moved_back, walkable_when_empty
+from solver.placement.lengths import Shortfall, shortfall
+from solver.repair import LastAnswer, RoomProblem, holders, pieces_as_sent, without, written_back
 from solver.scene import Room
 
 ROUNDS = 3
@@ -138,3 +138,143 @@ def _is_walked_in(problem: RoomProblem) -> bool:
 
 def _stands_only_with(piece: Piece, parents: Collection[str]) -> bool:
     return all(way.attach is not None and way.attach.parent in parents for way in piece.candidates)
+
+
+WORK_SHARE = 4
+"""Of what an attempt at the whole room may cost a trial may cost this part."""
+
+
+def without_fewest(space: Space, pieces: Sequence[Piece], work: float) -> Arrangement | None:
+    """Returns an arrangement, walkable, of all pieces but a few in the way; None where leaving out all that may be moved does not do.
+
+    Of those in the way, the least important first, as many go as it takes; less those before the last of them that need not go. `work` is
+    what one attempt at the whole room may cost, in QPs of a small room.
+    """
+    blamed = in_the_way(space, pieces)
+    order = tuple(piece.label for piece in reversed(pieces) if piece.label in blamed)
+    return _Trials(space, pieces, work / WORK_SHARE).answer(order) if order else None
+
+
+class _Trials:
+    """Sets of pieces to leave out, each tried once. Where one does not help, none of its parts is taken to help."""
+
+    def __init__(self, space: Space, pieces: Sequence[Piece], work: float) -> None:
+        self.space, self.pieces, self.work = space, pieces, work
+        self._helps: dict[tuple[str, ...], bool] = {}
+
+    def answer(self, order: tuple[str, ...]) -> Arrangement | None:
+        """Leaves out a few of these and moves the others least; a set with which that does not succeed counts as no help.
+
+        Without the least important one the others are looked for thoroughly: most rooms need no more, and it often finds a place again.
+        """
+        if answer := self._placed_without(order[:1]):
+            return answer
+        self._helps[order[:1]] = False
+        while (gone := self._few(order)) is not None:
+            if answer := self._placed_without(gone):
+                return answer
+            self._helps[gone] = False
+        return None
+
+    def _few(self, order: tuple[str, ...]) -> tuple[str, ...] | None:
+        """Returns a run of these that helps: it ends as early as can be, then begins as late as can be."""
+        if not self._without(order):
+            return None
+        last = _least(1, len(order), lambda count: self._without(order[:count]))
+        count = _least(0, last, lambda count: self._without(order[last - count : last]))
+        return order[last - count : last]
+
+    def _without(self, labels: tuple[str, ...]) -> bool:
+        """Tells whether all others can be used without these."""
+        if labels not in self._helps:
+            self._helps[labels] = not is_call_spent() and can_be_used(self.space, self._others(labels), Budget(self.work))
+        return self._helps[labels]
+
+    def _others(self, labels: tuple[str, ...]) -> list[Piece]:
+        gone = _with_carried(self.pieces, labels)
+        return [piece for piece in self.pieces if piece.label not in gone]
+
+    def _placed_without(self, labels: tuple[str, ...]) -> Arrangement | None:
+        """Places all but these, and what stands only with them, with least movement; None where that finds no place for all."""
+        others = self._others(labels)
+        answer = least_moved(self.space, others, Budget(self.work))
+        there = {piece.label for piece in others}
+        left_out = tuple((piece.label, "no place was found for it beside the others") for piece in self.pieces if piece.label not in there)
+        return replace(answer, left_out=left_out, proven=False, best=False) if is_whole(answer) else None
+
+
+def _least(low: int, high: int, helps: Callable[[int], bool]) -> int:
+    """Returns the least number above `low`, which does not help, that does, if `high` helps and helping is monotone."""
+    while high - low > 1:
+        middle = min(max(2 * low, 1), (low + high) // 2)
+        low, high = (low, middle) if helps(middle) else (middle, high)
+    return high
+
+
+def is_whole(answer: Arrangement) -> bool:
+    """Tells whether all stand and can be used."""
+    return not answer.left_out and not answer.notes
+
+
+def _with_carried(pieces: Sequence[Piece], gone: Sequence[str]) -> set[str]:
+    """Returns who goes, with all that stands only with one of them."""
+    found = set(gone)
+    for piece in pieces:  # what is carried comes after what carries it
+        parents = {way.attach.parent if way.attach else None for way in piece.candidates}
+        if parents <= found:
+            found.add(piece.label)
+    return found
+
+
+JUMP_COST = 0.2
+"""What it costs that a neighbour of the dragged piece goes elsewhere than near its last pose: as much as moving it by 45 cm."""
+JUMP_SHARE = 0.1
+"""What it costs besides, as a share of the cost: where much is in the way, little is gained by it."""
+MOST_FREED = 3
+"""How many neighbours are tried elsewhere, each alone."""
+LIVE_WORK = 60_000.0
+"""Work each attempt near the last answer may cost, in QPs of a small room: about 60 ms."""
+
+
+def least_moved(space: Space, pieces: Sequence[Piece], budget: Budget) -> Arrangement:
+    """Places pieces with least movement."""
+    return finish([move_least(space, pieces, budget)], "search")[0]
+
+
+def missing_length(space: Space, pieces: Sequence[Piece], budget: Budget, walk: bool, prove: bool = True) -> Shortfall | None:
+    """Returns which lengths add up to more than the room has for a minimal conflict; None where no one length is missing.
+
+    `walk`: the pieces must be within reach, too; `prove`: a "no" on the way is worth the work of its proof.
+    """
+    return shortfall(
+        space,
+        pieces,
+        lambda longer, some: feasible(longer, some, budget, walk, prove),
+        lambda longer, some: least_moved(longer, some, budget),
+    )
+
+
+def least_moved_from_last(problem: RoomProblem, pieces: Sequence[Piece]) -> Arrangement:
+    """Places the pieces of a room with least movement; near the last answer unless elsewhere is clearly better."""
+    space, settings = problem.space, problem.settings
+    last = LastAnswer(pieces, space.clear, settings.previous, settings.moved)
+    if not last.bound:
+        return least_moved(space, pieces, Budget(settings.work))
+    work = min(settings.work, LIVE_WORK)
+    free = least_moved(space, pieces, Budget(work))
+    jumped = last.jumped(free)
+    if not jumped and not free.left_out and not free.notes:
+        return free
+    alone = [(label,) for label in jumped[:MOST_FREED] if len(jumped) > 1]
+    restricted = [near for near in map(last.near, [(), *alone]) if near is not None]
+    answers = [least_moved(space, near, Budget(work)) for near in restricted]
+    stood = last.places()
+    draft = moved_back(space, [piece for piece, _ in stood], [place for _, place in stood]) if stood else None
+    answers += [finish([draft], "search")[0]] if draft else []
+    return min([*answers, free], key=lambda answer: (len(answer.left_out), len(answer.notes), _cost(answer, last)))
+
+
+def _cost(answer: Arrangement, last: LastAnswer) -> float:
+    """Returns what an answer costs, its jumps counted."""
+    jumps = len(last.jumped(answer))
+    return answer.cost * (1 + JUMP_SHARE * jumps) + JUMP_COST * jumps

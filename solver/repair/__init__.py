@@ -6,15 +6,13 @@ may stand (furnish).
 """
 
 from solver.repair.as_sent import as_it_stands, holders, pieces_as_sent
-from solver.repair.bodies import floor_bodies
-from solver.repair.carried import Body, all_bodies, seated_along, squared, without
+from solver.repair.bodies import Body, all_bodies, floor_bodies, seated_along, squared, without
 from solver.repair.changes import Repair, applied, with_walls_told, written_back
 from solver.repair.in_hand import InHand, in_hand
 from solver.repair.moved_people import Crowd, people_out_of_the_way
 from solver.repair.previous import LastAnswer
 from solver.repair.resting import put_to_rest
-from solver.repair.room_problem import RoomProblem, Walls
-from solver.repair.settings import RepairSettings
+from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 
 __all__ = [
     "Body",

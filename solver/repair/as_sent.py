@@ -9,10 +9,21 @@ from dataclasses import dataclass, replace
 from solver.free_places import footprint
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, walls_beside
 from solver.pieces import Attach, Candidate, Piece, Stand
-from solver.repair.bodies import AT_TABLE_MM, UNTUCKED_MM, bounding_size, drawn_out, floor_bodies, size_of, tables_of, too_deep_mm
-from solver.repair.carried import Body, carriers, root_of, squared
-from solver.repair.room_problem import RoomProblem, Walls
-from solver.repair.settings import RepairSettings
+from solver.repair.bodies import (
+    AT_TABLE_MM,
+    UNTUCKED_MM,
+    Body,
+    bounding_size,
+    carriers,
+    drawn_out,
+    floor_bodies,
+    root_of,
+    size_of,
+    squared,
+    tables_of,
+    too_deep_mm,
+)
+from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 from solver.scene import Furniture, Room
 
 FREE_COST = 1.0

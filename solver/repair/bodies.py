@@ -1,15 +1,18 @@
-"""The bodies of a sent room: footprints, who is on the floor, who is tucked under a table."""
+"""The bodies of a sent room: footprints, who is on the floor, who is tucked under a table, what carries what and how it goes along."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
 
 from solver.free_places import FLAT_MM, footprint
-from solver.geometry import Rect, turned
-from solver.repair.carried import RESTS_MM, Body, carriers, squared
-from solver.scene import Furniture, Room
+from solver.geometry import FACING, Rect, turned, wall_turned
+from solver.scene import Decoration, Dynamic, Furniture, Room
 
 AT_TABLE_MM = 300
 """How far a chair may be from its table and still be that table's."""
@@ -71,3 +74,156 @@ def drawn_out(chair: Furniture, table: Body) -> Furniture:
 
 def _tuck_mm(chair: Body) -> int:
     return max(0, math.floor(chair.depth * 1000 + 1e-6) - UNTUCKED_MM)
+
+
+RESTS_MM = 20
+"""How far a body's underside may be from the top it rests on."""
+
+Body = Furniture | Decoration
+Thing = TypeVar("Thing", bound=Furniture | Decoration | Dynamic)
+
+
+def squared(rotation: float) -> int:
+    """Returns the nearest right angle in [0, 360)."""
+    return round(rotation / 90) * 90 % 360
+
+
+def all_bodies(room: Room) -> tuple[Body, ...]:
+    """Returns a room's furniture and decorations."""
+    return (*room.furniture, *room.decorations)
+
+
+def carriers(room: Room) -> dict[str, str]:
+    """Returns which piece stands on which, by id: on the one it names, else on the one whose top it rests on; no rings."""
+    known, tops = {piece.id for piece in room.furniture}, _Tops(room.furniture)
+    carried = {piece.id: piece.on for piece in room.furniture}
+    for piece in room.furniture:
+        if piece.on is None or piece.on not in known or piece.on == piece.id:
+            carried[piece.id] = tops.rested_on(piece) if piece.y * 1000 > RESTS_MM else None
+    parents = {child: parent for child, parent in carried.items() if parent is not None}
+    return {child: parent for child, parent in parents.items() if child not in below(child, parents)}
+
+
+def parents_of(room: Room) -> dict[str, str]:
+    """Returns what stands on, hangs over or lies in what, by id: in the one it names, else in that whose top is nearest to it."""
+    found, known, tops = carriers(room), {body.id for body in all_bodies(room)}, _Tops(room.furniture)
+    for thing in room.decorations:
+        piece = None if thing.mounted_on_wall is not None or thing.y * 1000 <= RESTS_MM else tops.lain_in(thing)
+        if thing.parent in known and thing.parent is not None:
+            found[thing.id] = thing.parent
+        elif piece is not None:
+            found[thing.id] = piece
+    return found
+
+
+class _Tops:
+    """Footprints and heights of furniture, as tables: many things may lie over many pieces."""
+
+    def __init__(self, pieces: Sequence[Furniture]) -> None:
+        self.pieces = pieces
+
+    @cached_property
+    def _table(self) -> np.ndarray[Any, np.dtype[np.float64]]:
+        """Row by row west, east, north and south, mm, underside and top, m."""
+        rects = [footprint(piece) for piece in self.pieces]
+        rows = [(one.x0, one.x1, one.z0, one.z1, piece.y, piece.y + piece.height) for one, piece in zip(rects, self.pieces, strict=True)]
+        return np.array(rows, dtype=np.float64).reshape(-1, 6).T
+
+    def _over(self, body: Body) -> list[int]:
+        """Returns the numbers of the pieces that begin lower than a body, and over whose footprints its middle is."""
+        west, east, north, south, low, _ = self._table
+        x, z = body.x * 1000, body.z * 1000
+        return np.flatnonzero((west < x) & (x < east) & (north < z) & (z < south) & (low < body.y)).tolist()
+
+    def rested_on(self, piece: Furniture) -> str | None:
+        """Returns the first piece on whose top another one rests."""
+        tops = self._table[5]
+        others = (self.pieces[k].id for k in self._over(piece) if abs(tops[k] - piece.y) * 1000 <= RESTS_MM)
+        return next((other for other in others if other != piece.id), None)
+
+    def lain_in(self, thing: Decoration) -> str | None:
+        """Returns the piece with the lowest top that a thing lies in or on."""
+        tops = self._table[5]
+        within = [k for k in self._over(thing) if thing.y <= tops[k] + RESTS_MM / 1000]
+        return self.pieces[min(within, key=lambda k: tops[k])].id if within else None
+
+
+def below(label: str, parents: Mapping[str, str]) -> list[str]:
+    """Returns what carries a body, one under the other; the body itself among them where it carries itself in the end."""
+    found: list[str] = []
+    while label in parents and parents[label] not in found:
+        label = parents[label]
+        found.append(label)
+    return found
+
+
+def root_of(label: str, parents: Mapping[str, str]) -> str:
+    """Returns the last of what carries a body; the body itself where nothing does."""
+    return [label, *below(label, parents)][-1]
+
+
+def without(room: Room, gone: Container[str]) -> Room:
+    """Returns the room without the bodies of those ids and all that they carry."""
+    parents = parents_of(room)
+    kept = [body for body in all_bodies(room) if not any(label in gone for label in (body.id, *below(body.id, parents)))]
+    return with_bodies(room, kept)
+
+
+def changed_from_the_floor_up(room: Room, change: Callable[[Body, Mapping[str, Body]], Body]) -> Room:
+    """Returns the room with its bodies changed, each after what carries it; `change` is also given all bodies as they are by then."""
+    parents, sent = parents_of(room), {body.id: body for body in all_bodies(room)}
+    now: dict[str, Body] = dict(sent)
+    for body in sorted(sent.values(), key=lambda body: len(below(body.id, parents))):
+        parent = parents.get(body.id, body.id)
+        now[body.id] = change(brought_along(body, sent[parent], now[parent]), now)
+    return with_bodies(room, [now[label] for label in sent])
+
+
+def with_bodies(room: Room, bodies: Iterable[Body]) -> Room:
+    """Returns the room with those bodies and no others."""
+    every = list(bodies)
+    furniture = tuple(body for body in every if isinstance(body, Furniture))
+    decorations = tuple(body for body in every if isinstance(body, Decoration))
+    same = furniture == room.furniture and decorations == room.decorations
+    return room if same else replace(room, furniture=furniture, decorations=decorations)
+
+
+def brought_along(thing: Thing, before: Body, after: Body) -> Thing:
+    """Returns a thing that keeps its place in the frame of what carries it, which was moved and turned."""
+    if _pose(before) == _pose(after):
+        return thing
+    turn = (squared(after.rotation) - squared(before.rotation)) % 360
+    fx, fz = FACING[turn]
+    dx, dz = thing.x - before.x, thing.z - before.z
+    pose: dict[str, Any] = {"x": round(after.x + dx * fz + dz * fx, 4), "z": round(after.z + dz * fz - dx * fx, 4)}
+    if after.y != before.y:
+        pose["y"] = round(thing.y + after.y - before.y, 4)
+    if turn:
+        pose["rotation"] = (thing.rotation + turn) % 360
+    if isinstance(thing, Decoration) and thing.mounted_on_wall is not None:
+        pose["mounted_on_wall"] = wall_turned(thing.mounted_on_wall, turn)
+    return replace(thing, **pose)
+
+
+def _pose(body: Body) -> tuple[float, float, float, float]:
+    return body.x, body.y, body.z, body.rotation
+
+
+def seated_along(people: Iterable[Dynamic], before: Iterable[Room], after: Iterable[Room]) -> tuple[Dynamic, ...]:
+    """Takes those who sit along with their seats, from rooms before to the same rooms after; who has lost the seat stands up."""
+    sent = {piece.id: piece for room in before for piece in room.furniture}
+    now = {piece.id: piece for room in after for piece in room.furniture}
+    return tuple(
+        (brought_along(person, sent[person.on], now[person.on]) if person.on in now else standing(person))
+        if person.on is not None and person.on in sent
+        else person
+        for person in people
+    )
+
+
+def standing(person: Dynamic) -> Dynamic:
+    """Returns somebody on the floor: a person who sat is as tall as persons are."""
+    if person.on is None:
+        return person
+    tall = Dynamic("") if person.kind == "person" else person
+    return replace(person, y=0.0, width=tall.width, depth=tall.depth, height=tall.height, on=None)

@@ -9,8 +9,17 @@ from typing import Any
 from solver.free_places import footprint
 from solver.geometry import WALL_BEHIND, Rect, half_m, wall_turned
 from solver.pieces import Placed
-from solver.repair.bodies import AT_TABLE_MM, tables_of
-from solver.repair.carried import Body, all_bodies, changed_from_the_floor_up, parents_of, squared, with_bodies, without
+from solver.repair.bodies import (
+    AT_TABLE_MM,
+    Body,
+    all_bodies,
+    changed_from_the_floor_up,
+    parents_of,
+    squared,
+    tables_of,
+    with_bodies,
+    without,
+)
 from solver.repair.room_problem import RoomProblem, Walls
 from solver.scene import Furniture, Room
 

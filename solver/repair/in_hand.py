@@ -12,8 +12,7 @@ from solver.free_places import footprint
 from solver.geometry import ALONG_X, strip
 from solver.pieces import Attach, Candidate, Piece
 from solver.repair.as_sent import as_it_stands, most_away, pieces_as_sent
-from solver.repair.bodies import tables_of
-from solver.repair.carried import Body, all_bodies, below, parents_of
+from solver.repair.bodies import Body, all_bodies, below, parents_of, tables_of
 from solver.repair.room_problem import RoomProblem
 from solver.scene import Decoration, Dynamic, Furniture
 

@@ -10,7 +10,7 @@ from typing import Final
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import block_of, footprint, free_places
 from solver.geometry import Rect, half_m
-from solver.repair.carried import standing
+from solver.repair.bodies import standing
 from solver.repair.room_problem import RoomProblem
 from solver.scene import Dynamic
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from solver.answers import Pose
 from solver.geometry import Rect, rotate
 from solver.pieces import Arrangement, Attach, Candidate, Piece
-from solver.repair.carried import squared
+from solver.repair.bodies import squared
 
 REACH_MM = 200
 """How far along each axis a piece may go from its last pose without having jumped."""

@@ -19,11 +19,10 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catalogs import Catalogs
-from catalogs.carrying import CarryingSurface, carrying_in
+from catalogs.kind_book import CarryingSurface, carrying_in
 from solver.free_places import footprint, nearest_place
 from solver.geometry import ALONG_X, Rect, to_mm
-from solver.repair.bodies import size_of
-from solver.repair.carried import (
+from solver.repair.bodies import (
     RESTS_MM,
     Body,
     all_bodies,
@@ -31,6 +30,7 @@ from solver.repair.carried import (
     brought_along,
     changed_from_the_floor_up,
     parents_of,
+    size_of,
     squared,
     with_bodies,
 )

@@ -8,10 +8,9 @@ from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from catalogs import Catalogs
-from catalogs.carrying import Carrying
 from catalogs.entries import Use
 from catalogs.fronts import UnitFront, fronts_of
-from catalogs.kind_book import KindBook
+from catalogs.kind_book import Carrying, KindBook
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round

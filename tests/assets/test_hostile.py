@@ -14,8 +14,7 @@ from typing import Any
 import pytest
 
 from catalogs import CatalogError, add_assets, load_catalogs
-from catalogs.assets.glb_bounds import bounds_of
-from catalogs.assets.glb_file import MOST_BYTES, MOST_JSON, GlbFault, read_glb
+from catalogs.assets.glb_file import MOST_BYTES, MOST_JSON, GlbFault, bounds_of, read_glb
 from tests.assets.makers import changed, folder, joined, parts, shape, under
 
 GOOD = shape("armchair")

@@ -11,8 +11,7 @@ import trimesh
 
 from catalogs import CatalogError, Catalogs, add_assets, load_catalogs
 from catalogs.assets.asset_entry import FRONT_TURNS
-from catalogs.assets.glb_bounds import bounds_of
-from catalogs.assets.glb_file import read_glb
+from catalogs.assets.glb_file import bounds_of, read_glb
 from tests.assets.makers import folder, shape, under
 
 KINDS = sorted(key for key, kind in load_catalogs().furniture.items() if kind.category != "dynamic")

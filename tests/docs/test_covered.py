@@ -11,11 +11,7 @@ import pytest
 
 from catalogs import load_catalogs
 from catalogs.decoration_types import Decorating, DecorationKind, Group, Hangs, Lies, Stands
-from catalogs.dwellers import Dweller
-from catalogs.entries import Category
-from catalogs.plans import Plan
-from catalogs.programmes import Home, Preset
-from catalogs.runs import Leaving, Run
+from catalogs.entries import Category, Dweller, Home, Leaving, Plan, Preset, Run
 from catalogs.schema import FurnitureSpec, PieceSpec, RelationSpec, RelationWord, RoomType
 from catalogs.shapes import Form, Material, ShapePart
 from catalogs.styles import Style

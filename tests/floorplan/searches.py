@@ -10,9 +10,8 @@ from catalogs import load_catalogs
 from solver import Request
 from solver.fields import RECTANGLE
 from solver.floorplan.given import tilings_of
-from solver.floorplan.programme.home_search import GIVEN, Frame, HomeSeed
+from solver.floorplan.programme.home_search import GIVEN, Frame, HomeSeed, outlines_for
 from solver.floorplan.programme.planned_rooms import PlannedRoom, counts_of, loosened, planned_rooms, types_of
-from solver.floorplan.programme.skeletons import outlines_for
 from solver.floorplan.tiling import HouseWalls
 from solver.geometry import Rect
 from solver.streams import Stream

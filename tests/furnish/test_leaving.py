@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from catalogs.runs import Run
+from catalogs.entries import Run
 from solver.furnish import space_of, wanted_pieces
 from solver.pieces import Piece
 from solver.scene import Room

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.guessing import Mark
+from catalogs.entries import Mark
 from solver import generate
 from solver.guessing import guessed_types
 from solver.guessing.room_marks import RoomMarks, marks_of

@@ -12,8 +12,7 @@ from compose_homes import Explained, Request, Scene, SceneError, explain, genera
 from solver.explained import HOLDERS
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Piece, Space
-from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, _floor_holder
-from solver.pipeline.other_ways import AsFurnished, other_ways
+from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, AsFurnished, _floor_holder, other_ways
 from solver.placement import arrange
 from solver.scene import Furniture, Room
 from tests.told_forms import has_form

@@ -10,8 +10,8 @@ import pytest
 
 from solver.free_places import footprint
 from solver.geometry import Rect
-from solver.repair import carried
-from solver.repair.carried import Body, all_bodies, brought_along, changed_from_the_floor_up, parents_of, seated_along, without
+from solver.repair import bodies as module
+from solver.repair.bodies import Body, all_bodies, brought_along, changed_from_the_floor_up, parents_of, seated_along, without
 from solver.scene import Decoration, Dynamic, Furniture, Room
 from solver.streams import Stream
 
@@ -138,6 +138,6 @@ def test_thousands_of_things_ask_each_piece_for_its_footprint_but_twice(monkeypa
         asked.append(body.id)
         return footprint(body)
 
-    monkeypatch.setattr(carried, "footprint", counted)
+    monkeypatch.setattr(module, "footprint", counted)
     parents_of(replace(ROOM, decorations=tuple(replace(BOOK, id=f"book_{k}") for k in range(1000))))
     assert 0 < len(asked) <= 2 * len(ROOM.furniture)

@@ -15,8 +15,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from catalogs.assets.asset_entry import Asset
-from catalogs.assets.glb_bounds import MATERIALS
-from catalogs.assets.glb_file import GlbFault
+from catalogs.assets.glb_file import MATERIALS, GlbFault
 from solver.exports.asset_files import AssetFile, AssetFit, asset_file, changed
 from solver.exports.model import Paint
 from solver.exports.paints import linear

@@ -12,9 +12,8 @@ from catalogs.schema import Catalogs
 from solver.errors import RequestError
 from solver.fields import ANY, RECTANGLE
 from solver.floorplan.given import tilings_of
-from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, HomeSeed, find_home, find_home_within
+from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, HomeSeed, find_home, find_home_within, outlines_for
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
-from solver.floorplan.programme.skeletons import outlines_for
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
 from solver.floorplan.tiling import LATTICE_MM, HouseWalls, Layout
 from solver.geometry import Rect, to_mm

@@ -1,6 +1,6 @@
 """The search for a home, by the core: rooms are dealt to the strips of a skeleton, the strips' widths solved, the cheapest drawing kept.
 
-The search itself is in solver/core/homes/.
+The search itself is in solver/core/homes/, what each skeleton is like in solver/core/homes/drafts.hpp.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from typing import Final, NamedTuple
 from solver.core import ask
 from solver.fields import RECTANGLE
 from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.floorplan.programme.skeletons import bent_kind, kinds_for
 from solver.floorplan.tiling import HouseWalls
 from solver.geometry import Rect
 from solver.streams import Stream
@@ -148,3 +147,45 @@ def _room_row(one: PlannedRoom, planned: Sequence[PlannedRoom]) -> bytes:
         through = sum(1 << i for i, other in enumerate(planned) if other.type in plan.behind and not other.kind.plan.way_through)
     owner = -1 if one.owner is None else one.owner
     return _ROOM.pack(size.least, size.typical, size.most, size.width, size.length, size.aspect, traits, owner, through)
+
+
+TWO_WINGS: Final = 4
+"""Least private rooms of a home with two wings."""
+
+
+def kinds_for(planned: Sequence[PlannedRoom]) -> tuple[str, ...]:
+    """Returns the skeletons that suit a programme: by how many rooms need a hallway, and whether cars come in.
+
+    Where rows suit, the others are only for homes that rows fail.
+
+    The ranch stands thrice: it is drawn more often than the others, whose hallways are half as long again.
+    """
+    private = sum(not one.kind.plan.way_through and one.owner is None and not one.garage for one in planned)
+    sleeping = sum(one.kind.plan.habitable and not one.public for one in planned)
+    if sleeping <= 1 and private <= 3:
+        return ("rows", "full", "ranch") if any(one.garage for one in planned) else ("rows", "full")
+    public = sum(one.public for one in planned)
+    kinds = ["full"]
+    if public >= 2:
+        kinds += ["ranch"] * 3
+    if not any(one.garage for one in planned) and any(one.entry for one in planned):
+        kinds.append("axial")
+    return tuple(kinds)
+
+
+def outlines_for(planned: Sequence[PlannedRoom]) -> tuple[str, ...]:
+    """Returns the outlines that a programme's home may have."""
+    kinds = kinds_for(planned)
+    if kinds[0] == "rows":
+        return ("rectangle", "L", "T")
+    if "ranch" not in kinds:
+        return ("rectangle",)
+    private = sum(not one.public and not one.entry and not one.garage and one.owner is None for one in planned)
+    return ("rectangle", "L", "T", "U") if private >= TWO_WINGS else ("rectangle", "L", "T")
+
+
+def bent_kind(planned: Sequence[PlannedRoom], outline: str) -> str:
+    """Returns the skeleton that makes an outline which is no rectangle."""
+    if outline == "U":
+        return "winged"
+    return "rows" if kinds_for(planned)[0] == "rows" else "ranch"

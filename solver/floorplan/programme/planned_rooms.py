@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from math import log
 from typing import Final, NamedTuple
 
-from catalogs.programmes import Home
+from catalogs.entries import Home
 from catalogs.schema import Catalogs, RoomType
 from solver.errors import RequestError
 from solver.floorplan.fitness import cars_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
-from catalogs.plans import KeptWall
+from catalogs.entries import KeptWall
 from solver.floorplan.tiling import Joint
 from solver.geometry import Rect, gaps_between, to_mm
 from tests.floorplan.reference.doors import Cut, Doorways, OpeningSide

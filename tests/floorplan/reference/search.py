@@ -10,9 +10,8 @@ from math import inf
 from typing import Final, NamedTuple
 
 from solver.fields import RECTANGLE
-from solver.floorplan.programme.home_search import TRIES, Frame, HomeVerdict
+from solver.floorplan.programme.home_search import TRIES, Frame, HomeVerdict, bent_kind, kinds_for
 from solver.floorplan.programme.planned_rooms import PlannedRoom
-from solver.floorplan.programme.skeletons import bent_kind, kinds_for
 from solver.streams import Stream
 from tests.floorplan.reference.bent_deal import BentDealer
 from tests.floorplan.reference.bent_drafts import BentDrawer

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, product
 from operator import itemgetter
 
-from catalogs.runs import Leaving, Run
+from catalogs.entries import Leaving, Run
 from solver.geometry import FACING, OPPOSITE, Rect, strip, to_mm, turned, walls_beside
 from solver.pieces import Candidate
 from solver.relations.subject import Kind, Scope, Subject
