@@ -67,9 +67,9 @@ static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f
     return known != nullptr ? pay(engine, *known) : evaluate(engine, decisions, limit, ceiling, walk);
   }
   Effort effort;
-  begin_note(memo);
+  const i32 closed = memo.closed;
   const bool found = evaluate(engine, decisions, limit, ceiling, walk, effort);
-  end_note(engine, decisions, limit, ceiling, effort);
+  if (memo.closed == closed) note(engine, decisions, limit, ceiling, effort);
   return found;
 }
 

@@ -111,9 +111,10 @@ static bool passes(const Engine& engine) {
       rounded.at(axis, v) = whole(floor(engine.nodes.positions.at(axis, v) * 1000 + 0.5));
     }
   }
-  if (!walkable(engine.room, engine.work, engine.grid, rounded)) return false;
-  if (engine.memo != nullptr && !engine.memo->complete) note_placement(engine);
-  return true;
+  const bool passed = walkable(engine.room, engine.work, engine.grid, rounded);
+  // A person came everywhere where it was somebody wider who walked last.
+  if (!passed && engine.memo != nullptr) engine.memo->closed += engine.grid.state->width > engine.room.space->robot;
+  return passed;
 }
 
 // Looks at an open node that may be better than the best: branches on it, keeps it, or widens what blocks its way.

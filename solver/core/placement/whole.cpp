@@ -137,6 +137,8 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
   return arrange_whole(room, limits, budget, walk, nullptr);
 }
 
+static bool is_walked_in(const WholeRoom& whole) { return whole.walk && whole.desk->engine.nodes.result->found; }
+
 // Required pieces that stand, what the optional ones that do are worth, and what the room costs with all that it leaves out.
 struct Standing {
   i64 required;
@@ -160,30 +162,63 @@ static Standing standing_in(const WholeRoom& whole) {
   return found;
 }
 
+// What no placement of a room surpasses: all stands, and what each piece costs at least.
+static Standing best_standing(const Room& room) {
+  Standing found = {0, 0.0, 0.0};
+  for (i32 k = 0; k < room.pieces.size; k++) {
+    const PieceRow& row = room.pieces[k];
+    f64 way = INFINITE, side = INFINITE;
+    for (i64 one = row.candidates[0]; one < row.candidates[1]; one++) way = least(way, room.candidate_costs[one].cost);
+    for (i64 one = row.sides[0]; one < row.sides[1]; one++) side = least(side, room.side_costs[one]);
+    if (!row.required) found.cost += least(way + side, room.skip_costs[k]);
+    else if (way < INFINITE) found.cost += way + side;
+    if (row.empty != 0) continue;
+    if (row.required) found.required++;
+    else found.worth += room.skip_costs[k];
+  }
+  return found;
+}
+
+// Tells whether a room with wider ways is worth what it costs more than without.
+static bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual) {
+  if (wide.required < usual.required || wide.worth < margin.worth * usual.worth) return false;
+  return wide.cost <= usual.cost + margin.most;
+}
+
+// The same room with ways between its doors that are wider than its person.
+static Room with_ways(Room room, i64 wider) {
+  const Span<SpaceRow> space = reserved<SpaceRow>(1);
+  space[0] = *room.space.data;
+  space[0].ways = room.space->robot + wider;
+  room.space.data = space.data;
+  return room;
+}
+
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent) {
-  f64 left = budget;
-  Memo* memo = room.doors.size < 2 ? nullptr : new_memo(room);
-  const WholeRoom usual = arrange_whole(room, limits, left, true, memo);
-  spent += budget - left;
-  if (room.doors.size < 2 || !usual.walk || !usual.desk->engine.nodes.result->found) return usual;
+  const auto arranged = [&](const Room& asked, const RoomLimits& own, Memo* memo) {
+    f64 left = budget;
+    const WholeRoom found = arrange_whole(asked, own, left, true, memo);
+    spent += budget - left;
+    return found;
+  };
+  if (room.doors.size < 2) return arranged(room, limits, nullptr);
+  Memo* memo = new_memo(room);
+  // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
+  WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
   memo->complete = true;
-  const Standing least = standing_in(usual);
+  wide.ways = room.space->robot + MARGINS[0].wider;
+  if (is_walked_in(wide)) {
+    const bool is_usual = wide.best && memo->closed == 0;  // no wider way made a difference
+    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing_in(wide), best_standing(room)))) return wide;
+  }
+  const WholeRoom usual = arranged(room, limits, memo);
+  if (!is_walked_in(usual)) return usual;
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
-    const Span<SpaceRow> space = reserved<SpaceRow>(1);
-    space[0] = *room.space.data;
-    space[0].ways = room.space->robot + margin.wider;
-    Room asked = room;
-    asked.space.data = space.data;
-    left = budget;
-    WholeRoom wide = arrange_whole(asked, MARGIN_LIMITS, left, true, memo);
-    spent += budget - left;
-    if (wide.walk && wide.desk->engine.nodes.result->found && (wide.proven || !usual.proven)) {
-      const Standing standing = standing_in(wide);
-      wide.ways = space[0].ways;
-      const bool holds_enough = standing.required >= least.required && standing.worth >= margin.worth * least.worth;
-      if (holds_enough && standing.cost <= least.cost + margin.most) return wide;
-    }
+    if (margin.wider != MARGINS[0].wider) wide = arranged(with_ways(room, margin.wider), MARGIN_LIMITS, memo);
+    wide.ways = room.space->robot + margin.wider;
+    const bool stands = is_walked_in(wide) && (wide.proven || !usual.proven);
+    if (stands && is_worth(margin, standing_in(wide), standing_in(usual))) return wide;
     arena::release(mark);
   }
   return usual;
