@@ -22,5 +22,5 @@ def judged_again(house: Checked, scene: Scene, changed: Collection[str], budget:
     own = sum(bodies[name] for name in changed)
     budget.left -= ROOM_WORK * len(bodies) + BODY_WORK * own + WALKED_WORK * sum(bodies.values())
     after = house.after(scene)
-    budget.left -= FINDING_WORK * sum(case.findings for case in after.cases if case.room.room.id in changed)
+    budget.left -= FINDING_WORK * sum(len(case.judged.findings) for case in after.cases if case.room.room.id in changed)
     return after

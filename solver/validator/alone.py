@@ -9,7 +9,7 @@ from catalogs import Catalogs
 from solver.scene import WALLS, Furniture, Scene
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.sent_rooms import room_bytes
-from solver.validator.walk import walk_of
+from solver.validator.walk import judged_storey
 from solver.validator.world import AnyBody, side_of, world_of
 
 _BIT: Final = {wall: 1 << number for number, wall in enumerate(WALLS)}
@@ -31,7 +31,7 @@ def room_alone(scene: Scene, catalogs: Catalogs) -> RoomAlone:
     """Returns the one room of a scene."""
     world, kinds = world_of(scene), kinds_of(catalogs)
     (place,) = world.places
-    walk = walk_of(world, [(place, room_bytes(world, place, kinds))])
+    walk, _ = judged_storey(world, [(place, room_bytes(world, place, kinds))])
     return RoomAlone(walk.rows, place.bodies, tuple(_use(body, kinds) for body in place.bodies))
 
 

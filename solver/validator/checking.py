@@ -8,28 +8,30 @@ walked anew for the storey, as a thing in one room may close the way to another.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
 from solver.answers import Issue
-from solver.demanded import demand
+from solver.demanded import demand, still_allowed
 from solver.scene import Room, Scene
 from solver.understanding import understood
 from solver.validator.judging import FINDING_WORK, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
+from solver.validator.opening import asked_room
 from solver.validator.rules import CHECKS, homeless, issues_of
 from solver.validator.sent_rooms import room_bytes
-from solver.validator.walk import storeys, walk_of
-from solver.validator.world import world_of
+from solver.validator.walk import judged_storey, storeys
+from solver.validator.world import PlacedRoom, World, world_of
 
 _OF_THE_CERTIFICATE = "missing_required"
 """The one rule that reads what is no room: the reasons that the certificate gives."""
 
 ROOM_WORK: Final = 150
 """What judging a room counts; measured."""
+_ALL_OF_THEM: Final = 1 << 60
 
 
 @dataclass(frozen=True)
@@ -108,20 +110,35 @@ def _empty(room: Room) -> Room:
 def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked:
     world = world_of(scene, before[0].case.world if before else None)
     was = {one.case.room.room.id: one for one in before}
-    same = {place.room.id for place in world.places if place.room.id in was and was[place.room.id].case.room == place}
+    same = {place.room.id: was[place.room.id] for place in world.places if place.room.id in was and was[place.room.id].case.room == place}
     judged = {}
     for places in storeys(world):
-        known = {place.room.id: was[place.room.id] for place in places if place.room.id in same}
-        placed = [(place, known[place.room.id].case.rows if place.room.id in same else room_bytes(world, place, kinds)) for place in places]
-        walk = known[places[0].room.id].case.walk if len(known) == len(places) else walk_of(world, placed)
-        for place, rows in placed:
-            case = RuleCase(world, walk, place, kinds, rows)
-            if place.room.id not in same:
-                demand(ROOM_WORK + FINDING_WORK * case.findings)
-            judged[place.room.id] = _judge(case, known.get(place.room.id))
+        for case in _storey_cases(world, places, kinds, same):
+            judged[case.room.room.id] = _judge(case, same.get(case.room.room.id))
     rooms = tuple(judged[place.room.id] for place in world.places)
     found = (issue for one in rooms if one.issues for rule in CHECKS for issue in one.issues.get(rule, ()))
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)
+
+
+def _storey_cases(world: World, places: Sequence[PlacedRoom], kinds: Kinds, same: Mapping[str, _Judged]) -> Iterator[RuleCase]:
+    """Judges those rooms of a storey by the core that are not the same as before, and yields all of them."""
+    anew = {number: place for number, place in enumerate(places) if place.room.id not in same}
+    if not anew:
+        yield from (replace(same[place.room.id].case, world=world, room=place) for place in places)
+        return
+    demand(ROOM_WORK * len(anew))
+    rows = [room_bytes(world, place, kinds) if k in anew else same[place.room.id].case.rows for k, place in enumerate(places)]
+    asked = [asked_room(world, place, kinds, number) for number, place in anew.items()]
+    most = int(min(still_allowed() / FINDING_WORK, _ALL_OF_THEM))
+    walk, told = judged_storey(world, list(zip(places, rows, strict=True)), [sent for sent, _ in asked], most)
+    demand(FINDING_WORK * sum(len(one.findings) for one in told))
+    judged = dict(zip(anew, zip(told, asked, strict=True), strict=True))
+    for number, place in enumerate(places):
+        if number in anew:
+            one, (_, openers) = judged[number]
+            yield RuleCase(world, walk, place, kinds, rows[number], one, openers)
+        else:
+            yield replace(same[place.room.id].case, world=world, walk=walk, room=place)
 
 
 def _judge(case: RuleCase, known: _Judged | None) -> _Judged:

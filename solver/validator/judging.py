@@ -5,21 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from struct import Struct
 from typing import Any, Final, NamedTuple
 
-from solver.core import ask
-from solver.demanded import still_allowed
-from solver.validator.kinds import Kinds
-from solver.validator.walk import Walk
+from solver.validator.kinds import KindFronts, Kinds
+from solver.validator.walk import JudgedRows, Walk
 from solver.validator.world import PlacedRoom, World
 
 JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross", "above_ceiling")
 """The rules that the core judges, by their numbers there (`enum class Rule` of solver/core/validate/room.hpp)."""
 FINDING_WORK: Final = 10
 """What putting a finding into words counts, and sending it; measured."""
-_FINDING: Final = Struct("<8q")
-_ALL_OF_THEM: Final = 1 << 60
 
 
 class Told(NamedTuple):
@@ -38,7 +33,8 @@ class Told(NamedTuple):
 class RuleCase:
     """A room to be judged: the house it is in, the walk of its storey, what the catalogs say, and the room as the core reads it.
 
-    `kept` holds what a rule found and the certificate says as well.
+    `judged` is what the core tells of it, `openers` are its pieces that have fronts, by their number there. `kept` holds what a
+    rule found and the certificate says as well.
     """
 
     world: World
@@ -46,27 +42,19 @@ class RuleCase:
     room: PlacedRoom
     kinds: Kinds
     rows: bytes
+    judged: JudgedRows
+    openers: Sequence[tuple[int, KindFronts]] = ()
     kept: dict[str, Any] = field(default_factory=dict, compare=False)
-
-    @cached_property
-    def _found(self) -> bytes:
-        most = still_allowed() / FINDING_WORK
-        return ask("judge_room", self.rows, numbers=[int(min(most, _ALL_OF_THEM))])
-
-    @cached_property
-    def findings(self) -> int:
-        """How often the core finds rules broken; not all of it where that is more than the call may have put into words."""
-        return len(self._found) // _FINDING.size
 
     def due(self, rules: Iterable[str]) -> Iterable[str]:
         """Returns the rules that the room may break: without those that the core judges, where it finds nothing."""
-        return rules if self.findings else [rule for rule in rules if rule not in JUDGED]
+        return rules if self.judged.findings else [rule for rule in rules if rule not in JUDGED]
 
     @cached_property
     def told(self) -> Mapping[str, Sequence[Told]]:
         """What the core finds in the room, by rule."""
         found: dict[str, list[Told]] = {rule: [] for rule in JUDGED}
-        for rule, *row in _FINDING.iter_unpack(self._found):
+        for rule, *row in self.judged.findings:
             found[JUDGED[rule]].append(Told(*row))
         return found
 

@@ -11,7 +11,6 @@ from struct import Struct, pack
 from typing import Any, Final, NamedTuple
 
 from solver.body_rows import furniture_ids
-from solver.core import ask
 from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
@@ -24,13 +23,12 @@ ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
 FRONT_WORK: Final = 0.35
 """What a front costs for each body of its room [see demanded.py]. Measured."""
-_HEAD: Final = Struct("<5q")
-_OPENED: Final = Struct("<2q")
+_ASKED: Final = Struct("<6q")
 _NOTHING: Final = -1
 _MILLIONTHS: Final = 1_000_000
 _new: Final = tuple.__new__
 """What a named tuple's own constructor calls, in half its time: a home has a hundred fronts."""
-_Opener = tuple[int, KindFronts]
+Opener = tuple[int, KindFronts]
 """A piece of furniture by its number in its room, and its fronts."""
 
 
@@ -70,32 +68,36 @@ def _words(one: FrontTravel) -> str:
 def travels_in(case: RuleCase) -> list[FrontTravel]:
     """Returns how far every front of a judged room opens; a home's certificate and its issues ask for the same."""
     if "fronts" not in case.kept:
-        case.kept["fronts"] = travels_of(case.world, case.room, case.kinds, case.rows)
+        case.kept["fronts"] = _travels(case)
     found: list[FrontTravel] = case.kept["fronts"]
     return found
 
 
-def travels_of(world: World, place: PlacedRoom, kinds: Kinds, rows: bytes) -> list[FrontTravel]:
-    """Returns how far every front of a room opens, in the order of its furniture.
-
-    Raises:
-        TooMuch: the call may not have so much work.
-    """
-    openers = openers_in(place, kinds)
-    if not openers:
-        return []
-    demand(FRONT_WORK * sum(len(fronts.each) for _, fronts in openers) * place.count_bodies())
-    told = _OPENED.iter_unpack(ask("open_fronts", front_bytes(openers, shell_of(world, place), rows)))
-    names, found = furniture_ids(place.room), list[FrontTravel]()
-    for body, fronts in openers:
+def _travels(case: RuleCase) -> list[FrontTravel]:
+    """Returns how far every front of a room opens, in the order of its furniture."""
+    place, told, found = case.room, iter(case.judged.opened), list[FrontTravel]()
+    names = furniture_ids(place.room) if case.openers else ()
+    for body, fronts in case.openers:
         for (name, slides, reach, must_open), (travel, meets) in zip(fronts.each, told, strict=False):
             way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else place.ids[meets])
             found.append(_new(FrontTravel, (names[body], name, slides, way, reach, by, must_open)))
     return found
 
 
-def front_bytes(openers: Sequence[_Opener], shell: ShellRows, rows: bytes) -> bytes:
-    """Returns a room, what stands around it and what opens in it as the core reads them."""
+def asked_room(world: World, place: PlacedRoom, kinds: Kinds, number: int) -> tuple[bytes, Sequence[Opener]]:
+    """Returns a room of that number in its storey, to be judged, as the core reads it; and what of it has fronts.
+
+    Raises:
+        TooMuch: the call may not have so much work.
+    """
+    openers = openers_in(place, kinds)
+    if not openers:
+        return _ASKED.pack(number, 0, 0, 0, 0, 0), ()
+    demand(FRONT_WORK * sum(len(fronts.each) for _, fronts in openers) * place.count_bodies())
+    return _front_bytes(openers, shell_of(world, place), number), openers
+
+
+def _front_bytes(openers: Sequence[Opener], shell: ShellRows, number: int) -> bytes:
     each, numbers, who = list[bytes](), list[bytes](), list[int]()
     count = parts = 0
     for body, fronts in openers:
@@ -103,11 +105,11 @@ def front_bytes(openers: Sequence[_Opener], shell: ShellRows, rows: bytes) -> by
         numbers.append(fronts.numbers)
         who += body, len(fronts.each), fronts.parts
         count, parts = count + len(fronts.each), parts + fronts.parts
-    head = _HEAD.pack(shell.holes, shell.fitted, len(openers), count, parts)
-    return b"".join([rows, head, shell.rows, pack(f"<{len(who)}q", *who), *each, *numbers])
+    head = _ASKED.pack(number, shell.holes, shell.fitted, len(openers), count, parts)
+    return b"".join([head, shell.rows, pack(f"<{len(who)}q", *who), *each, *numbers])
 
 
-def openers_in(place: PlacedRoom, kinds: Kinds) -> list[_Opener]:
+def openers_in(place: PlacedRoom, kinds: Kinds) -> list[Opener]:
     """Returns the pieces of a room that have fronts, by their number there."""
     return [(number, fronts) for number, (key, _) in enumerate(place.pieces) if (fronts := kinds.fronts(key)).each]
 

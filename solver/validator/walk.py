@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.core import ask
 from solver.scene import EXTERIOR, WALLS
@@ -23,8 +23,11 @@ MOST: Final = 400
 """How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
 _WALLS_OF: Final = [frozenset(wall for i, wall in enumerate(WALLS) if bits >> i & 1) for bits in range(1 << len(WALLS))]
 """The walls that the bits of a number mean."""
+_FLOOR: Final = Struct("<4q")
 _AREAS: Final = Struct("<4Q")
-_TAIL: Final = Struct("<3q")
+_JUDGED: Final = Struct("<2q")
+_FINDING: Final = Struct("<8q")
+_OPENED: Final = Struct("<2q")
 
 
 @dataclass(frozen=True)
@@ -55,9 +58,16 @@ class Walk:
         return _WALLS_OF[self.sides[place.room.id][number]]
 
 
+class JudgedRows(NamedTuple):
+    """What the core tells of a room that was judged: what breaks a rule, how far its fronts open; nothing where that was too much."""
+
+    findings: Sequence[tuple[int, ...]] = ()
+    opened: Sequence[tuple[int, ...]] = ()
+
+
 def walks(world: World) -> tuple[Walk, ...]:
     """Walks every storey of a house."""
-    return tuple(walk_of(world, [(place, room_bytes(world, place, None)) for place in places]) for places in storeys(world))
+    return tuple(judged_storey(world, [(place, room_bytes(world, place, None)) for place in places])[0] for places in storeys(world))
 
 
 def storeys(world: World) -> list[tuple[PlacedRoom, ...]]:
@@ -68,23 +78,42 @@ def storeys(world: World) -> list[tuple[PlacedRoom, ...]]:
     return [tuple(found[level]) for level in sorted(found)]
 
 
-def walk_of(world: World, placed: Sequence[tuple[PlacedRoom, bytes]]) -> Walk:
-    """Walks the rooms of one storey, each with its bytes."""
+def judged_storey(
+    world: World, placed: Sequence[tuple[PlacedRoom, bytes]], asked: Sequence[bytes] = (), most: int = 0
+) -> tuple[Walk, Sequence[JudgedRows]]:
+    """Walks the rooms of one storey, each with its bytes, and judges those `asked` for (`AskedRow` of solver/core/validate/room.hpp).
+
+    Where more than `most` breaks a rule in them, the rooms behind are not judged.
+    """
     places = tuple(place for place, _ in placed)
     entrances = _entrances(places)
     steps = [line.strip(line.start, line.end, 1) for line in (_line(place, hole) for place, hole in entrances)]
     rows = storey_bytes(world, placed, list(_bridges(world, places)), steps, MOST)
-    told = ask("walk_storey", rows)
-    at = _AREAS.size * len(places)
-    areas, sides = {}, {}
-    for place, (high, low, free_high, free_low) in zip(places, _AREAS.iter_unpack(told[:at]), strict=True):
-        areas[place.room.id] = (high << 64 | low, free_high << 64 | free_low)
+    told = ask("judge_storey", rows, b"".join(asked), numbers=[most])
+    tiles, cells, comes_in, count = _FLOOR.unpack_from(told)
+    at = _FLOOR.size + _AREAS.size * len(places)
+    walked = zip(places, _AREAS.iter_unpack(told[_FLOOR.size : at]), strict=True)
+    areas = {place.room.id: (high << 64 | low, free_high << 64 | free_low) for place, (high, low, free_high, free_low) in walked}
+    judged, at = _judged_rows(told, at, count)
+    sides = {}
     for place in places:
         end = at + place.count_bodies()
         sides[place.room.id] = told[at:end]
         at = end
-    tiles, cells, comes_in = _TAIL.unpack_from(told, at)
-    return Walk(places, tuple(hole for _, hole in entrances), bool(comes_in), tiles, cells, areas, sides, rows)
+    return Walk(places, tuple(hole for _, hole in entrances), bool(comes_in), tiles, cells, areas, sides, rows), judged
+
+
+def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows], int]:
+    """Returns from a place on what is told of the rooms that were judged, and where that ends."""
+    found = list[JudgedRows]()
+    counts = list(_JUDGED.iter_unpack(told[at : at + _JUDGED.size * count]))
+    at += _JUDGED.size * count
+    opened_at = at + _FINDING.size * sum(findings for findings, _ in counts)
+    for findings, fronts in counts:
+        end, opened_end = at + _FINDING.size * findings, opened_at + _OPENED.size * fronts
+        found.append(JudgedRows([*_FINDING.iter_unpack(told[at:end])], [*_OPENED.iter_unpack(told[opened_at:opened_end])]))
+        at, opened_at = end, opened_end
+    return found, opened_at
 
 
 def _line(place: PlacedRoom, hole: Hole) -> WallEdge:

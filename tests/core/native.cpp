@@ -16,11 +16,14 @@ constexpr i64 ANY_NUMBER = 1LL << 60;
 
 static Bytes make_room(Bytes type, Bytes room) { return rooms::made_room(type, room, true, 400'000); }
 
-static validate::Bytes judge_room(validate::Bytes room) { return validate::judge_room(room, ANY_NUMBER); }
-
 // An answer of the rules, whose bytes are a struct of their own.
 template <validate::Bytes (*answer)(validate::Bytes)> static Bytes by_rules(Bytes rows) {
   const validate::Bytes told = answer({rows.data, rows.size});
+  return {told.data, told.size};
+}
+
+static Bytes judge_storey(Bytes storey, Bytes asked) {
+  const validate::Bytes told = validate::judge_storey({storey.data, storey.size}, {asked.data, asked.size}, ANY_NUMBER);
   return {told.data, told.size};
 }
 
@@ -54,11 +57,9 @@ static const Call CALLS[] = {
     {"search_home", next<homes::search>},
     {"open_walls", next<openings::open_walls>},
     {"door_places", next<openings::door_places>},
-    {"judge_room", next<by_rules<judge_room>>},
-    {"walk_storey", next<by_rules<validate::walk_storey>>},
+    {"judge_storey", next<judge_storey>},
     {"free_floors", next<by_rules<validate::free_floors>>},
     {"measure_storey", next<by_rules<validate::measure_storey>>},
-    {"open_fronts", next<by_rules<validate::open_fronts>>},
 };
 
 int main(int count, char** words) {

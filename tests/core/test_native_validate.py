@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from random import Random
 from typing import TypeVar
@@ -12,17 +13,16 @@ from solver.core import ask
 from solver.request import Request
 from solver.scene import Decoration, Furniture, Scene
 from solver.validator.kinds import kinds_of
-from solver.validator.opening import front_bytes, openers_in
+from solver.validator.opening import asked_room
 from solver.validator.sent_rooms import room_bytes
-from solver.validator.shells import shell_of
-from solver.validator.walk import walks
+from solver.validator.walk import judged_storey, storeys
 from solver.validator.world import world_of
 from tests.core.native import Native
 
 Thing = TypeVar("Thing", Furniture, Decoration)
 
 KNOWN = load_catalogs()
-ANSWERS = ("judge_room", "walk_storey", "free_floors", "measure_storey", "open_fronts")
+ANSWERS = ("judge_storey", "free_floors", "measure_storey")
 
 
 def thrown_about(scene: Scene, chance: Random) -> Scene:
@@ -41,19 +41,17 @@ def thrown_about(scene: Scene, chance: Random) -> Scene:
     return replace(scene, rooms=tuple(rooms))
 
 
-def requests() -> list[tuple[str, bytes]]:
-    """Homes as they are made and thrown about: every room, every storey."""
-    found, chance = [], Random("native")
+def requests() -> list[tuple[str, Sequence[bytes]]]:
+    """Homes as they are made and thrown about: every storey, and all of its rooms to be judged."""
+    found, chance = list[tuple[str, Sequence[bytes]]](), Random("native")
     for seed, preset in enumerate(("studio", "one_bed", "family")):
         made = generate(Request(seed=seed, program=preset, decorate=True)).scene
         for scene in (made, thrown_about(made, chance), thrown_about(made, chance)):
-            world = world_of(scene)
-            sent = [(place, room_bytes(world, place, kinds_of(KNOWN))) for place in world.places]
-            found += [("judge_room", rows) for _, rows in sent]
-            found += [
-                ("open_fronts", front_bytes(openers_in(place, kinds_of(KNOWN)), shell_of(world, place), rows)) for place, rows in sent
-            ]
-            found += [(answer, walk.rows) for walk in walks(world) for answer in ("walk_storey", "free_floors", "measure_storey")]
+            world, kinds = world_of(scene), kinds_of(KNOWN)
+            for places in storeys(world):
+                walk, _ = judged_storey(world, [(place, room_bytes(world, place, kinds)) for place in places])
+                asked = [asked_room(world, place, kinds, number)[0] for number, place in enumerate(places)]
+                found += [("judge_storey", (walk.rows, b"".join(asked))), *((answer, (walk.rows,)) for answer in ANSWERS[1:])]
     return found
 
 
@@ -62,5 +60,5 @@ def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     for call in ANSWERS:
         rows = [rows for name, rows in asked if name == call]
         assert rows
-        numbers = [1 << 60] if call == "judge_room" else []
-        assert native.answers(call, ([one] for one in rows)) == b"".join(ask(call, one, numbers=numbers) for one in rows)
+        numbers = [1 << 60] if call == "judge_storey" else []
+        assert native.answers(call, rows) == b"".join(ask(call, *one, numbers=numbers) for one in rows)

@@ -27,44 +27,72 @@ static Area free_area(Span<Rect> floors, const List<Rect>& obstacles, i32 most_b
   return area;
 }
 
-Bytes judge_room(Bytes rows_sent, i64 most) {
-  Reader reader(rows_sent);
-  const Room room = read_room(reader);
-  Findings found{most, {}};
-  find_standing(room, found);
-  find_above_ceiling(room, found);
-  find_floating(room, found);
-  find_crossing(room, found);
-  return bytes_of(found.rows.all());
+// What is said of a storey's floor, and of a room that was judged.
+struct WalkedFloor {
+  i64 tiles, cells, is_entered, judged;
+};
+struct Judged {
+  i64 findings, opened;
+};
+
+static WalkedFloor floor_of(const Walk& walk) {
+  WalkedFloor floor{walk.tiles.size(), 0, 0, 0};
+  for (const Grid& tile : walk.tiles) floor.cells += static_cast<i64>(tile.cells.rows) * tile.cells.columns;
+  for (const bool one : walk.entered) floor.is_entered |= one;
+  return floor;
 }
 
-Bytes walk_storey(Bytes rows_sent) {
+// Which sides of a body can be come to, as bits.
+static u8 touched_sides(const Storey& storey, const Walk& walk, const Placed& placed, const Body& body) {
+  u8 sides = 0;
+  for (i32 k = 0; k < 4 && body.is(Sort::furniture); k++) {
+    if (touches(walk, moved(body.box, placed.x, placed.z), WALLS[k], storey.reach)) sides |= 1 << k;
+  }
+  return sides;
+}
+
+// Judges the rooms asked for, each in turn, until too much is found.
+static void judge(const Storey& storey, Bytes asked, List<Judged>& judged, Findings& found, List<Opened>& opened) {
+  for (Reader reader(asked); !reader.is_at_end();) {
+    const AskedRow& own = reader.take<AskedRow>(1)[0];
+    if (own.room < 0 || own.room >= storey.rooms.size) fail(Failure::bad_request);
+    const Room& room = storey.rooms[static_cast<i32>(own.room)].room;
+    const Judged before{found.rows.size(), opened.size()};
+    find_standing(room, found);
+    find_above_ceiling(room, found);
+    find_floating(room, found);
+    find_crossing(room, found);
+    if (!found.is_full()) find_opened(room, own, reader, opened);
+    judged.add({found.rows.size() - before.findings, opened.size() - before.opened});
+    if (found.is_full()) return;
+  }
+}
+
+Bytes judge_storey(Bytes rows_sent, Bytes asked, i64 most) {
   Reader reader(rows_sent);
   const Storey storey = read_storey(reader);
+  List<Judged> judged;
+  Findings found{most, {}};
+  List<Opened> opened;
+  judge(storey, asked, judged, found, opened);
   const Walk walk = walk_of(storey);
-  i32 bodies = 0;
-  struct {
-    i64 tiles, cells, is_entered;
-  } counts{walk.tiles.size(), 0, 0};
-  for (const Placed& placed : storey.rooms) bodies += placed.room.bodies.size;
-  for (const Grid& tile : walk.tiles) counts.cells += static_cast<i64>(tile.cells.rows) * tile.cells.columns;
-  const i32 told = storey.rooms.size * static_cast<i32>(sizeof(WalkedRoom));
-  const Span<u8> rows = reserved<u8>(told + bodies + static_cast<i32>(sizeof(counts)));
-  u8* side = rows.data + told;
-  for (i32 i = 0; i < storey.rooms.size; i++) {
-    const Placed& placed = storey.rooms[i];
-    reinterpret_cast<WalkedRoom*>(rows.data)[i] = walked_floor(storey, walk, placed);
-    for (const Body& body : placed.room.bodies) {
-      *side = 0;
-      for (i32 k = 0; k < 4 && body.is(Sort::furniture); k++) {
-        *side |= touches(walk, moved(body.box, placed.x, placed.z), WALLS[k], storey.reach) << k;
-      }
-      side++;
-    }
+  WalkedFloor floor = floor_of(walk);
+  floor.judged = judged.size();
+  List<WalkedRoom> areas;
+  List<u8> sides;
+  for (const Placed& placed : storey.rooms) {
+    areas.add(walked_floor(storey, walk, placed));
+    for (const Body& body : placed.room.bodies) sides.add(touched_sides(storey, walk, placed, body));
   }
-  for (const bool one : walk.entered) counts.is_entered |= one;
-  __builtin_memcpy(side, &counts, sizeof(counts));
-  return bytes_of(rows);
+  List<u8> told;
+  const auto tell_all = [&](Bytes rows) { told.add_all({rows.data, static_cast<i32>(rows.size)}); };
+  tell_all(bytes_of(Span<WalkedFloor>{&floor, 1}));
+  tell_all(bytes_of(areas.all()));
+  tell_all(bytes_of(judged.all()));
+  tell_all(bytes_of(found.rows.all()));
+  tell_all(bytes_of(opened.all()));
+  tell_all(bytes_of(sides.all()));
+  return bytes_of(told.all());
 }
 
 Bytes free_floors(Bytes rows_sent) {

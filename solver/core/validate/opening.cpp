@@ -273,10 +273,7 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
   return {whole(nearest(length * 1e6)), NOTHING};
 }
 
-Bytes open_fronts(Bytes rows_sent) {
-  Reader reader(rows_sent);
-  const Room room = read_room(reader);
-  const FrontsRow& sent = reader.take<FrontsRow>(1)[0];
+void find_opened(const Room& room, const AskedRow& sent, Reader& reader, List<Opened>& found) {
   const Span<HoleRow> holes = reader.take<HoleRow>(static_cast<i32>(sent.holes));
   const Span<ShellBox> shell = shell_of(room, holes, reader.take<FittedBox>(static_cast<i32>(sent.fitted)));
   const Span<Opener> openers = reader.take<Opener>(static_cast<i32>(sent.openers));
@@ -288,7 +285,6 @@ Bytes open_fronts(Bytes rows_sent) {
     if (body.row->on >= 0) is_carrier[body.row->on] = true;
   }
   for (const Body& body : room.bodies) carries.add(is_carrier[body.row->name]);
-  const Span<Opened> answer = reserved<Opened>(fronts.size);
   i32 next = 0;
   i64 parts = 0;
   for (const Opener& opener : openers) {
@@ -300,13 +296,14 @@ Bytes open_fronts(Bytes rows_sent) {
       const Front& front = fronts[next];
       const bool right = front.parts > 0 && front.first >= 0 && front.first <= own.size - front.parts && absolute(front.end) <= 180;
       if (!right) fail(Failure::bad_request);
-      const arena::Scope scope;
-      answer[next] = opened(room, shell, carries, {front, opener.body, {own.data + front.first, static_cast<i32>(front.parts)}});
+      const arena::Mark mark = arena::mark();
+      const Opened way = opened(room, shell, carries, {front, opener.body, {own.data + front.first, static_cast<i32>(front.parts)}});
+      arena::release(mark);
+      found.add(way);
     }
     parts += opener.parts;
   }
   if (next != fronts.size) fail(Failure::bad_request);
-  return {reinterpret_cast<u8*>(answer.data), static_cast<i64>(answer.size) * static_cast<i64>(sizeof(Opened))};
 }
 
 }  // namespace validate

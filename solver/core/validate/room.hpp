@@ -174,6 +174,7 @@ class Reader {
     at_ += static_cast<i64>(count) * static_cast<i64>(sizeof(T));
     return rows;
   }
+  bool is_at_end() const { return at_ == end_; }
 
  private:
   u8* at_;
@@ -198,7 +199,9 @@ struct Front {
   i64 first, parts;
 };
 
-struct FrontsRow {
+// A room of a storey that is to be judged: its number there, and how much follows of what stands around it and of what opens in it.
+struct AskedRow {
+  i64 room;
   i64 holes, fitted, openers, fronts, parts;
 };
 
@@ -237,5 +240,8 @@ void find_standing(const Room& room, Findings& found);
 void find_above_ceiling(const Room& room, Findings& found);
 void find_floating(const Room& room, Findings& found);
 void find_crossing(const Room& room, Findings& found);
+
+// How far the fronts of a room open that are sent behind `asked`.
+void find_opened(const Room& room, const AskedRow& asked, Reader& reader, List<Opened>& found);
 
 }  // namespace validate
