@@ -75,6 +75,15 @@ def doubled_area(corners: Sequence[tuple[float, float]]) -> float:
     return sum(x * next_z - z * next_x for (x, z), (next_x, next_z) in edges_round(corners))
 
 
+def encloses(corners: Sequence[tuple[float, float]], x: float, z: float) -> bool:
+    """Tells whether a point lies within an outline."""
+    inside = False
+    for (x0, z0), (x1, z1) in edges_round(corners):
+        if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):
+            inside = not inside
+    return inside
+
+
 def edges_round(corners: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
     """Returns the edges between corners, each as its two ends, the last of which leads back to the first corner."""
     return zip(corners, (*corners[1:], *corners[:1]), strict=True)

@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple
 from solver.demanded import demand
 from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, OutlineEdge, PlanAxis, WallBands, edges_of, on_lattice, thick
-from solver.geometry import bounds_of_points, edges_round
+from solver.geometry import bounds_of_points, encloses
 from solver.scene import Opening, Room
 
 _BEFORE = 0.2
@@ -150,8 +150,4 @@ class RoomFinder:
 def _encloses(room: Room, x: float, z: float) -> bool:
     """Tells whether a point relative to a room's corner is within its outline."""
     demand(EDGE_WORK * len(room.corners))
-    inside = False
-    for (x0, z0), (x1, z1) in edges_round(room.corners):
-        if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):
-            inside = not inside
-    return inside
+    return encloses(room.corners, x, z)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, Literal, NamedTuple
 
 from solver.errors import RequestError
-from solver.geometry import Rect, to_mm
+from solver.geometry import Rect, encloses, to_mm
 from solver.streams import Stream
 
 LARGEST_MM: Final = 100_000
@@ -72,7 +72,7 @@ def _gridded(corners: Sequence[tuple[float, float]]) -> tuple[frozenset[PlanCell
     points = [(x - west, z - north) for x, z in points]
     xs, zs = sorted({x for x, _ in points}), sorted({z for _, z in points})
     cells = frozenset(
-        (i, j) for i in range(len(xs) - 1) for j in range(len(zs) - 1) if _holds(points, (xs[i] + xs[i + 1]) / 2, (zs[j] + zs[j + 1]) / 2)
+        (i, j) for i in range(len(xs) - 1) for j in range(len(zs) - 1) if encloses(points, (xs[i] + xs[i + 1]) / 2, (zs[j] + zs[j + 1]) / 2)
     )
     return cells, xs, zs
 
@@ -141,14 +141,6 @@ def _meet(one: tuple[PlanCorner, PlanCorner], other: tuple[PlanCorner, PlanCorne
 
 def _turns_back(a: PlanCorner, b: PlanCorner, c: PlanCorner) -> bool:
     return any(a[k] == b[k] == c[k] for k in (0, 1))
-
-
-def _holds(points: Sequence[PlanCorner], x: float, z: float) -> bool:
-    inside = False
-    for (x0, z0), (_, z1) in zip(points, [*points[1:], points[0]], strict=True):
-        if min(z0, z1) <= z < max(z0, z1) and x < x0:
-            inside = not inside
-    return inside
 
 
 Known = dict[frozenset[PlanCell], "dict[Rect, str]"]

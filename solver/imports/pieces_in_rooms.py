@@ -11,10 +11,10 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.kind_book import UPRIGHT
 from catalogs.synonyms import Meaning, Synonyms, synonyms_of, words_of
-from solver.geometry import extents, to_mm
+from solver.geometry import encloses, extents, to_mm
 from solver.imports.carried_things import RESTING, covers
 from solver.imports.drawn import DrawnPiece, PlanNotes, check_count
-from solver.imports.rectilinear import FloorCorner, holds
+from solver.imports.rectilinear import FloorCorner
 from solver.imports.unsized_things import with_usual_sizes
 from solver.scene import Decoration, Furniture, Room
 
@@ -51,7 +51,7 @@ def with_pieces(
     names, taken = synonyms_of(catalogs), {piece.id for piece in pieces}
     for piece in with_usual_sizes(_told_apart(pieces, notes), catalogs):
         x, z = (piece.x - origin[0]) / 1000, (piece.z - origin[1]) / 1000
-        place = next((at for at, outline in enumerate(outlines) if holds(outline, x * 1000, z * 1000)), None)
+        place = next((at for at, outline in enumerate(outlines) if encloses(outline, x * 1000, z * 1000)), None)
         if place is not None:
             check_count(f"things in {rooms[place].id}", len(furniture[place]) + len(decorations[place]) + 1, MOST_IN_ROOM)
         meaning = _meaning(piece, names)

@@ -84,12 +84,3 @@ def _overlapping(edges: np.ndarray) -> bool:
     ordered = edges[np.lexsort((edges[:, 1], edges[:, 0]))]
     same = ordered[1:, 0] == ordered[:-1, 0]
     return bool((same & (ordered[1:, 1] < ordered[:-1, 2])).any())
-
-
-def holds(corners: Sequence[FloorCorner], x: float, z: float) -> bool:
-    """Tells whether a point lies within an outline."""
-    inside = False
-    for (x0, z0), (x1, z1) in zip(corners, [*corners[1:], *corners[:1]], strict=True):
-        if x0 == x1 and min(z0, z1) <= z < max(z0, z1) and x < x0:
-            inside = not inside
-    return inside

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Final, Literal, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,6 @@ SLIM: Final = 1.5
 """A shape that is so many times as long as it is wide lies along its longer side."""
 MEET: Final = 0.1
 """Two leaves of a door, shut, are no farther from one another than this share of the wider."""
-WIDER: Final = 1.4
-"""A door's opening may be so many times as wide as its leaf."""
 SORTS: Final[dict[str, OpeningKind]] = {
     "window": "window", "garage_door": "garage_door", "passage": "passage", "opening": "passage", "door": "door",
 }  # fmt: skip
@@ -102,17 +100,24 @@ class Places:
         return int(near[0]) if len(near) else None
 
 
-def doors_of_swings(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]], walls: Sequence[DrawnBox]) -> list[DrawnOpening]:
-    """Returns the doors of arcs: shut, a leaf lies at a wall; one is as wide as the gap between pieces of wall there, if there is one."""
+def doors_of_swings(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]) -> list[DrawnOpening]:
+    """Returns the doors of arcs: shut, a leaf lies at a wall, or meets another that hangs opposite."""
     lines = np.array([(*a, *b) for points in faces for a, b in pairwise(points)]).reshape(-1, 4)
-    boxes = np.array(walls, dtype=np.float64).reshape(-1, 4)
-    shut = [swing._replace(ends=_shut_first(swing.ends, lines)) for swing in swings]
-    return [_door_of(swing, boxes) for swing in _both_leaves(shut)]
+    hinges, tips = np.array([one.hinge for one in swings]).reshape(-1, 2), np.array([one.ends for one in swings]).reshape(-1, 2, 2)
+    shut = [swing._replace(ends=_shut_first(swing, lines, hinges, tips)) for swing in swings]
+    return [_door_of(swing) for swing in _both_leaves(shut)]
 
 
-def _shut_first(ends: tuple[Spot, Spot], lines: NDArray[np.float64]) -> tuple[Spot, Spot]:
-    """Returns the ends of an arc, the one nearer to a wall first."""
-    shut, opened = sorted(ends, key=lambda end: (to_lines(end, lines), end))
+def _shut_first(swing: DrawnSwing, lines: NDArray[np.float64], hinges: NDArray[np.float64], tips: NDArray[np.float64]) -> tuple[Spot, Spot]:
+    """Returns the ends of an arc, first the one that another leaf meets, which hangs opposite, else the one nearer to a wall."""
+    width = math.dist(swing.hinge, swing.ends[0])
+    opposite = tips[np.hypot(*(hinges - swing.hinge).T) > (2 - MEET) * width]
+
+    def away(end: Spot) -> tuple[bool, float, Spot]:
+        meets = bool((np.hypot(opposite[..., 0] - end[0], opposite[..., 1] - end[1]) < MEET * width).any())
+        return not meets, to_lines(end, lines), end
+
+    shut, opened = sorted(swing.ends, key=away)
     return shut, opened
 
 
@@ -138,20 +143,15 @@ def _both_leaves(swings: Sequence[DrawnSwing]) -> list[DrawnSwing]:
     return [one for _, one in sorted(found, key=lambda one: one[0])]
 
 
-def _door_of(swing: DrawnSwing, boxes: NDArray[np.float64]) -> DrawnOpening:
-    shut, opened = swing.ends
-    along = 0 if abs(shut[0] - swing.hinge[0]) >= abs(shut[1] - swing.hinge[1]) else 1
-    low, high = sorted((swing.hinge[along], shut[along]))
-    middle, across, width = (low + high) / 2, (swing.hinge[1 - along] + shut[1 - along]) / 2, high - low
-    there = boxes[(boxes[:, 1 - along] - width / 2 <= across) & (across <= boxes[:, 3 - along] + width / 2)]
-    ends_before, starts_after = there[there[:, along + 2] <= middle, along + 2], there[there[:, along] >= middle, along]
-    before = float(ends_before.max()) if len(ends_before) else low
-    after = float(starts_after.min()) if len(starts_after) else high
-    if width <= after - before <= WIDER * width:
-        low, high = before, after
-    ends = ((low, across), (high, across)) if along == 0 else ((across, low), (across, high))
-    hinge: Literal["start", "end"] = "start" if swing.hinge[along] < middle else "end"
-    return DrawnOpening("door", *ends, swing.where, hinge=hinge, towards=opened)
+def _door_of(swing: DrawnSwing) -> DrawnOpening:
+    (low, high), opened = sorted((swing.hinge, swing.ends[0])), swing.ends[1]
+    if abs(high[0] - low[0]) >= abs(high[1] - low[1]):
+        low, high = (low[0], (low[1] + high[1]) / 2), (high[0], (low[1] + high[1]) / 2)
+        is_first = swing.hinge[0] < swing.ends[0][0]
+    else:
+        (low, high), x = sorted((low, high), key=lambda spot: spot[1]), (low[0] + high[0]) / 2
+        low, high, is_first = (x, low[1]), (x, high[1]), swing.hinge[1] < swing.ends[0][1]
+    return DrawnOpening("door", low, high, swing.where, hinge="start" if is_first else "end", towards=opened)
 
 
 def to_lines(spot: Spot, lines: NDArray[np.float64]) -> float:

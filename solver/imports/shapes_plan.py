@@ -19,7 +19,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from catalogs.room_names import RoomNames
-from solver.geometry import bounds_of_points
+from solver.geometry import bounds_of_points, encloses
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.shape_openings import (
@@ -35,27 +35,32 @@ from solver.imports.shape_openings import (
 )
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
-from solver.imports.walls_alone import rooms_between
+from solver.imports.wall_gaps import fitted, gaps_of
+from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
     "garage_door": ("garage door", "garagedoor", "garagentor", "porte de garage"),
     "window": (
-        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", " ramen", "fönster", "fonster", "okno",
-        "okna", "окно", "окна", "glaz",
+        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", " ramen", "fönster", "fonster",
+        "okn", "окно", "окна", "вікн", "glaz", "vindu", "ikkuna", "pencere", "ablak", "窓", "窗", "창",
     ),
-    "door": ("door", "tür", "tuer", "porte", "puerta", "porta", "deur", "dörr", "drzwi", "двер"),
+    "door": (
+        "door", "tür", "tuer", "porte", "puerta", "porta", "deur", "dörr", "drzwi", "двер", "dør", " ovi ", " ovet ", "kapı", "kapi ",
+        "dveř", "dvere", "ajtó", "ドア", "扉", "门 ", "門 ", "门窗", "門窗", "문 ",
+    ),
     "passage": ("passage", "durchgang"),
     "opening": (
         "opening", "öffnung", "oeffnung", "ouverture", "menuiserie", "apertura", "infiss", "serrament", "carpinter", "abertura",
-        "esquadria", "проем", "проём",
+        "esquadria", "проем", "проём", "建具", "开口",
     ),
     "wall": (
-        "wall", "wand", "wänd", "waend", "mur", "pared", "parete", "muro", "tabique", "cloison", "vägg", "vagg", "ścian", "scian", "стен",
-        "partition", "bearing",
+        "wall", "wand", "wänd", "waend", "mauer", "mur", "pared", "parete", "muro", "tabique", "cloison", "vägg", "vagg", "ścian",
+        "scian", "стен", "стін", "partition", "bearing", "væg", "vegg", "seinä", "seina", "duvar", " zdi", "stěn", "příčk", "pricky",
+        " falak", "壁 ", "墙", "墻", "벽",
     ),
     "room": (
         "room", "space", "raum", "räum", "raeum", "zimmer", "piece", "pièce", "habitacion", "habitación", "stanza", "stanze", "locale",
-        "ruimte", "pomieszcz", "помещ", "zone",
+        "ruimte", "pomieszcz", "помещ", "приміщ", "zone", "místnost", "mistnost", "mahal", " odalar ", "部屋", "房间", "房間",
     ),
     "label": (" tag ", " tags ", " iden ", "stempel", "label", "etikett", "etiquet", "etichett"),
 }  # fmt: skip
@@ -72,8 +77,6 @@ MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
-INSIDE: Final = 0.05
-"""So far from a side, m, a spot is within an outline; nearer it is on it."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
 
@@ -92,7 +95,8 @@ class DrawnText(NamedTuple):
 
 def text_at(words: str, spot: Spot, names: RoomNames) -> DrawnText:
     """Returns a text as it is drawn at a point, looked up among the names of rooms."""
-    said = " ".join(line.strip() for line in words.splitlines() if line.strip()[:1].isalpha())
+    lines = (line.strip() for line in words.splitlines())
+    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line))
     meaning = names.meaning(said) if said and names.is_plain(said) else None
     return DrawnText(said, *spot, meaning.key if meaning else "")
 
@@ -124,15 +128,10 @@ def plan_of_shapes(
         outlines = [(one.points, False) for one in loose]
     solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
-    doors = doors_of_swings(swings, faces, solid)
-    leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
-    taken = Places([(one.start, one.end) for one in doors])
-    openings = [*doors, *(
-        one for one in openings_of(shapes, sorts)
-        if taken.first(one.start, one.end) is None and (not (one.kind == "door" or one.unsaid) or leaves.first(one.start, one.end) is None)
-    )]  # fmt: skip
+    openings = _openings(shapes, sorts, swings, faces)
     length = metres(openings)
     unit = told_by_doors(openings, length)
+    openings, gaps = fitted(openings, gaps_of([points for points, _ in outlines], unit), unit)
     walls: list[DrawnWall] = []
     thick: float | None = None
     told: list[Unread] = []
@@ -144,7 +143,9 @@ def plan_of_shapes(
         ]  # fmt: skip
         found = _beside(rooms, loose, openings, unit)
     else:
-        found, thick, told = rooms_between([points for points, _ in outlines], openings, unit)
+        names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
+        found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
+        openings += passages
     rooms += [replace(room, label=_label(room.points, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
     told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes))
@@ -154,6 +155,17 @@ def plan_of_shapes(
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
+
+
+def _openings(
+    shapes: Sequence[DrawnShape], sorts: Sequence[str | None], swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]
+) -> list[DrawnOpening]:
+    """Returns the doors of leaves' arcs, and what else is drawn as an opening, but for the leaves."""
+    doors = doors_of_swings(swings, faces)
+    leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
+    taken = Places([(one.start, one.end) for one in doors])
+    others = (one for one in openings_of(shapes, sorts) if taken.first(one.start, one.end) is None)
+    return [*doors, *(one for one in others if not (one.kind == "door" or one.unsaid) or leaves.first(one.start, one.end) is None)]
 
 
 def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) -> list[DrawnShape]:
@@ -170,7 +182,7 @@ def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) ->
     for text in (one for one in texts if one.means):
         around = ((boxes[:, :2] < (text.x, text.z)) & (boxes[:, 2:] > (text.x, text.z))).all(axis=1)
         smallest = sorted(map(int, np.flatnonzero(around)), key=lambda at: sizes[at])[:MOST_AROUND]
-        held.append([at for at in smallest if _holds(shapes[places[at]].points, text.x, text.z)])
+        held.append([at for at in smallest if encloses(shapes[places[at]].points, text.x, text.z)])
     counts = Counter(at for some in held for at in some)
     own = [[at for at in some if counts[at] == 1] for some in held]
     rooms = {places[some[0 if len(held) == 1 else -1]] for some in own if some}
@@ -189,25 +201,9 @@ def _beside(
     """Returns the rooms that loose lines enclose where no room is drawn as one outline."""
     if not loose:
         return []
-    found, _, _ = rooms_between([one.points for one in loose], openings, metres)
+    found = rooms_between([one.points for one in loose], openings, metres).rooms
     within = INSIDE / (metres or 1.0)
-    return [room for room in found if not any(_overlap(room.points, other.points, within) for other in rooms)]
-
-
-def _overlap(a: Sequence[Spot], b: Sequence[Spot], within: float) -> bool:
-    """Tells whether the middle of a side of one of two outlines, moved inwards a little, lies in the other."""
-    (x0, z0, x1, z1), (u0, w0, u1, w1) = bounds_of_points(a), bounds_of_points(b)
-    if min(x1, u1) <= max(x0, u0) or min(z1, w1) <= max(z0, w0):
-        return False
-    return any(_holds(other, *spot) for one, other in ((a, b), (b, a)) for spot in _inside(one, within))
-
-
-def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
-    """Yields the spots so far inside the middles of an outline's sides."""
-    for start, end in pairwise((*points, points[0])):
-        (x, z), length = between(start, end), math.dist(start, end) or 1.0
-        across = (end[1] - start[1]) * within / length, (start[0] - end[0]) * within / length
-        yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if _holds(points, *spot))
+    return [room for room in found if not any(overlap(room.points, other.points, within) for other in rooms)]
 
 
 def _still_open(loose: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres: float | None) -> list[Unread]:
@@ -304,7 +300,7 @@ def _texts_in(points: Sequence[Spot], texts: Sequence[DrawnText]) -> list[DrawnT
     """Returns the texts in a room that are no numbers."""
     x0, z0, x1, z1 = bounds_of_points(points)
     near = [one for one in texts if one.words and x0 <= one.x <= x1 and z0 <= one.z <= z1]
-    return [one for one in near if _holds(points, one.x, one.z)]
+    return [one for one in near if encloses(points, one.x, one.z)]
 
 
 def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread]:
@@ -322,11 +318,3 @@ def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> It
     outside = (one for one in texts if one.means and (one.x, one.z) not in inside) if rooms else ()
     for words in dict.fromkeys(one.words for one in outside if one.words not in known):
         yield Unread(f"text {words!r:.60}", "names a room, but stands in none: nothing encloses it")
-
-
-def _holds(points: Sequence[Spot], x: float, z: float) -> bool:
-    inside = False
-    for (x0, z0), (x1, z1) in zip(points, (*points[1:], *points[:1]), strict=True):
-        if (z0 > z) != (z1 > z) and x < x0 + (z - z0) / (z1 - z0) * (x1 - x0):
-            inside = not inside
-    return inside

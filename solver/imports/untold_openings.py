@@ -23,6 +23,8 @@ NARROW: Final = 600
 """Through what is narrower, mm, nobody goes outdoors."""
 DOOR: Final = (750, 1150)
 """A door to come in by is as wide, mm."""
+GARAGE: Final = 1900
+"""A garage door is as wide, mm."""
 NO_ENTRANCE: Final = 100
 """The place, in the order of entrances, of a room that is none."""
 UNTOLD: Final = "the file says no more than that it is an opening"
@@ -33,16 +35,18 @@ def told_apart(openings: Sequence[Joined], rooms: Sequence[NamedRoom], catalogs:
 
     Where the file tells of some that they are windows, it tells so of all.
     """
-    if any(one.drawn.kind == "window" for one in openings):
-        return list(openings)
-    found: list[tuple[OpeningKind, str]] = [_kind(one, rooms) if one.drawn.unsaid else (one.drawn.kind, "") for one in openings]
+    are_told = any(one.drawn.kind == "window" for one in openings)
+    found: list[tuple[OpeningKind, str]] = [
+        _kind(one, rooms) if one.drawn.unsaid and not are_told else _by_width(one, rooms) for one in openings
+    ]
     if not any(kind == "door" and _is_outer(one, rooms) for one, (kind, _) in zip(openings, found, strict=True)):
-        outer = [at for at, one in enumerate(openings) if found[at][0] == "window" and DOOR[0] <= one.high - one.low <= DOOR[1]]
+        may_be = [one.drawn.unsaid and _is_outer(one, rooms) and DOOR[0] <= one.high - one.low <= DOOR[1] for one in openings]
+        outer = [at for at, (kind, _) in enumerate(found) if may_be[at] and kind in ("window", "passage")]
         for at in sorted(outer, key=lambda at: (_rank(openings[at], rooms, catalogs), openings[at].high - openings[at].low))[:1]:
             found[at] = "door", "no other leads outside"
     for one, (kind, why) in zip(openings, found, strict=True):
         if why:
-            notes.guess(one.drawn.where, "kind", kind, f"{UNTOLD}; {why}")
+            notes.guess(one.drawn.where, "kind", kind, f"{UNTOLD}; {why}" if one.drawn.unsaid else why)
     return [replace(one, drawn=replace(one.drawn, kind=kind)) for one, (kind, _) in zip(openings, found, strict=True)]
 
 
@@ -56,6 +60,14 @@ def _kind(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
     if outdoors == {True, False}:
         return ("door", "it leads outdoors") if one.high - one.low >= NARROW else ("window", "it is too narrow for a door")
     return "passage", "it lies in an inner wall, and no leaf is drawn"
+
+
+def _by_width(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
+    """Returns what an opening is drawn as; a wide door without a leaf, from outside into a garage, is a garage door."""
+    is_wide = one.drawn.kind == "door" and one.high - one.low >= GARAGE and one.hinge is None
+    if is_wide and _is_outer(one, rooms) and rooms[one.edges[0].room].type.startswith("garage"):
+        return "garage_door", "so wide a door leads into a garage"
+    return one.drawn.kind, ""
 
 
 def _is_outer(one: Joined, rooms: Sequence[NamedRoom]) -> bool:

@@ -27,6 +27,8 @@ NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
 THICKEST: Final = 600
 """Of a wall, mm."""
+FAR: Final = 10**9
+"""Farther than any wall, mm."""
 MOST_CELLS: Final = 250_000
 """Cells that the drawing may be cut into."""
 
@@ -38,6 +40,13 @@ class DrawnLine(NamedTuple):
     at: int
     low: int
     high: int
+
+
+class RowGap(NamedTuple):
+    """A gap in a line; whether the line goes on behind it, or something lies across the way there."""
+
+    line: DrawnLine
+    in_line: bool
 
 
 def line_between(a: Spot, b: Spot) -> DrawnLine | None:
@@ -52,7 +61,7 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
 
 def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[FloorCorners] | None:
     """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate."""
-    lines = _gathered(walls)
+    lines = gathered(walls)
     xs = _cuts([one.at for one in lines if one.axis == "z"], [end for one in lines if one.axis == "x" for end in (one.low, one.high)])
     zs = _cuts([one.at for one in lines if one.axis == "x"], [end for one in lines if one.axis == "z" for end in (one.low, one.high)])
     if len(xs) < 2 or len(zs) < 2:
@@ -64,7 +73,7 @@ def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> 
     return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
 
 
-def _gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
+def gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
     """Returns walls with coordinates that nearly meet made one, along and across, each once."""
     values = sorted({value for one in walls for value in (one.at, one.low, one.high)})
     first: dict[int, int] = {}
@@ -90,7 +99,7 @@ def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[D
     return [*made, *_reaching(walls, openings)]
 
 
-class _Rows:
+class WallRows:
     """Where lines are drawn, to find what the end of one meets, and what lies ahead of it."""
 
     def __init__(self, walls: Sequence[DrawnLine]) -> None:
@@ -107,6 +116,34 @@ class _Rows:
             return True
         low, high = self._by_line.get((_across(one), end), np.empty((2, 0)))
         return bool(((low <= one.at) & (one.at <= high)).any())
+
+    def whole(self) -> Iterator[DrawnLine]:
+        """Yields walls, those that overlap in one line as one."""
+        for (axis, at), (lows, highs) in self._by_line.items():
+            order = np.argsort(lows, kind="stable")
+            reach = np.maximum.accumulate(highs[order])
+            starts = np.flatnonzero(np.concatenate(([True], lows[order][1:] > reach[:-1])))
+            for first, last in zip(starts, [*starts[1:], len(order)], strict=True):
+                yield DrawnLine("x" if axis == "x" else "z", at, int(lows[order][first]), int(reach[last - 1]))
+
+    def gap_at(self, one: DrawnLine, end: int) -> RowGap | None:
+        """Returns what is free from an end of a wall on to the next piece in its line, or to a wall across the way; None without either."""
+        (lows, highs), crossed = self._by_line[one.axis, one.at], self.ahead(one, end, None)
+        if end == one.low:
+            is_told = crossed and bool((highs[highs < end] >= crossed.at).any())
+            return RowGap(DrawnLine(one.axis, one.at, crossed.at, end), in_line=False) if crossed and not is_told else None
+        following = int(lows[lows > end].min(initial=FAR))
+        far = min(following, crossed.at if crossed else FAR)
+        return RowGap(DrawnLine(one.axis, one.at, end, far), in_line=far == following) if far < FAR else None
+
+    def is_face(self, gap: DrawnLine, nearest: int, farthest: int) -> bool:
+        """Tells whether beside an end of a gap, so far from its line, another line runs: the wall has two faces."""
+        at, low, high = self._by_axis[gap.axis]
+        away = np.abs(at - gap.at)
+        beside = (away >= nearest) & (away <= farthest)
+        return bool(
+            (beside & (((low < gap.low) & (high >= gap.low - farthest)) | ((high > gap.high) & (low <= gap.high + farthest)))).any()
+        )
 
     def ahead(self, one: DrawnLine, end: int, within: int | None) -> DrawnLine | None:
         """Returns the nearest wall across the way beyond an end; at most so far ahead and aside, where that is said."""
@@ -125,14 +162,14 @@ def _across(one: DrawnLine) -> Literal["x", "z"]:
 
 def free_ends(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> int:
     """Returns how many ends of walls lie on no other wall, once cracks and gaps at openings are closed."""
-    lines = _closed(_gathered(walls), openings)
-    rows = _Rows(lines)
+    lines = _closed(gathered(walls), openings)
+    rows = WallRows(lines)
     return sum(not rows.is_met(one, end) for one in lines for end in (one.low, one.high))
 
 
 def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
     """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings."""
-    rows = _Rows(walls)
+    rows = WallRows(walls)
     for one in walls:
         beside = [opening for opening in openings if opening.axis == one.axis and abs(opening.at - one.at) <= BESIDE]
         for end in (one.low, one.high):

@@ -3,20 +3,51 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from statistics import median
+from typing import Final, NamedTuple
 
+from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
+from solver.imports.shape_openings import between
 from solver.imports.units import told_by_doors
 from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_gaps import PASSAGES, WallGap, fitted, gaps_of
 
-NO_UNIT = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
+NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
-GAPS = "enclose no room: gaps in which no door, window or opening is drawn leave them open"
+GAPS: Final = "enclose no room: gaps in which no door, window or opening is drawn leave them open"
 """Why there are no rooms where each end of a wall meets another wall."""
+GAPS_TAKEN: Final = "gaps in which nothing is drawn are taken as passages: {}"
+GAP: Final = "a gap in walls"
+"""The place of a passage in which nothing is drawn."""
+UP_TO_WALLS: Final = 1000
+"""A gap up to a wall across the way is a passage, mm, where nothing is named, if it is no wider: hallways are."""
+INSIDE: Final = 0.05
+"""So far from a side, m, a spot is within an outline; nearer it is on it."""
+
+
+class Between(NamedTuple):
+    """What walls enclose: rooms, how thick walls are (None where they are drawn as single lines), what could not be read.
+
+    `passages` are gaps in which nothing is drawn.
+    """
+
+    rooms: list[DrawnRoom]
+    thickness: float | None
+    told: list[Unread]
+    passages: list[DrawnOpening]
+
+
+class NamedSpot(NamedTuple):
+    """A point that is in a room of a name."""
+
+    x: float
+    z: float
+    name: str
 
 
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
@@ -29,13 +60,18 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
         return plan
     unit = metres or told_by_doors(plan.openings, plan.metres)
     rooms: list[DrawnRoom] = []
-    unread = list(plan.unread)
+    unread, openings = list(plan.unread), list(plan.openings)
     for level in sorted({one.level for one in walls}):
         outlines = [_outline(one) for one in walls if one.level == level]
-        found, _, told = rooms_between(outlines, [one for one in plan.openings if one.level == level], unit)
-        rooms += (replace(room, level=level, where=f"{room.where} of level {level}") for room in found)
-        unread += (replace(one, place=f"walls of level {level}") for one in told)
-    return replace(plan, rooms=tuple(rooms), drawn="inner", wall_thickness=median(one.thickness for one in walls), unread=tuple(unread))
+        drawn = [one for one in plan.openings if one.level == level]
+        found = rooms_between(outlines, drawn, unit, fitted(drawn, gaps_of(outlines, unit), unit)[1])
+        rooms += (replace(room, level=level, where=f"{room.where} of level {level}") for room in found.rooms)
+        openings += (replace(one, level=level) for one in found.passages)
+        unread += (replace(one, place=f"walls of level {level}") for one in found.told)
+    return replace(
+        plan, rooms=tuple(rooms), openings=tuple(openings), drawn="inner", wall_thickness=median(one.thickness for one in walls),
+        unread=tuple(unread),
+    )  # fmt: skip
 
 
 def _outline(wall: DrawnWall) -> tuple[Spot, ...]:
@@ -47,15 +83,79 @@ def _outline(wall: DrawnWall) -> tuple[Spot, ...]:
 
 
 def rooms_between(
-    walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening], metres: float | None
-) -> tuple[list[DrawnRoom], float | None, list[Unread]]:
-    """Returns the rooms that walls enclose, how thick walls are (None where they are drawn as single lines), what could not be read.
+    walls: Sequence[tuple[Spot, ...]],
+    openings: Sequence[DrawnOpening],
+    metres: float | None,
+    gaps: Sequence[WallGap] = (),
+    names: Sequence[NamedSpot] = (),
+) -> Between:
+    """Returns what walls enclose.
 
     Closed outlines repeat their first point; openings close gaps in walls. `metres` is the length of the drawing's unit, None where nothing
-    tells it.
+    tells it. A gap in which nothing is drawn is a passage where without it nothing encloses what is named there, or rooms of two names are
+    one; or where there would be no room.
     """
+    found = _enclosed(walls, openings, metres)
+    wide = [gap for gap in gaps if metres and PASSAGES[0] <= gap.width * metres * 1000 <= PASSAGES[1]]
+    kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
+    inside = {spot for room in kept for spot in names if encloses(room.points, spot.x, spot.z)}
+    if metres is None or not wide or (kept and len(kept) == len(found.rooms) and len(inside) == len(names)):
+        return found
+    within = INSIDE / metres
+    parted = [room for room in found.rooms if room not in kept]
+    if names:
+        rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres).rooms
+        wide = [gap for gap in wide if gap.in_line or _parts([_names_in(room, names) for room in _beside(gap, rooms, within)])]
+    else:
+        wide = [gap for gap in wide if gap.in_line or gap.width * metres * 1000 <= UP_TO_WALLS]
+    added = [
+        room for room in _enclosed(walls, [*openings, *map(_passage, wide)], metres).rooms
+        if not any(overlap(room.points, other.points, within) for other in kept)
+        and (not found.rooms or _names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
+    ]  # fmt: skip
+    passages = [_passage(gap) for gap in wide if _beside(gap, added, within)]
+    told = [Unread("walls", GAPS_TAKEN.format(len(passages)))] if passages else []
+    return Between([*kept, *added], found.thickness, [*(() if added and not kept else found.told), *told], passages)
+
+
+def _passage(gap: WallGap) -> DrawnOpening:
+    return DrawnOpening("passage", gap.start, gap.end, GAP, unsaid=True)
+
+
+def _beside(gap: WallGap, rooms: Sequence[DrawnRoom], within: float) -> list[DrawnRoom]:
+    """Returns the rooms before and behind a gap."""
+    return [room for spot in gap.sides(within) for room in rooms if encloses(room.points, *spot)]
+
+
+def _parts(names: Sequence[set[str]]) -> bool:
+    """Tells whether there are rooms on both sides, that are called otherwise."""
+    return len(names) == 2 and all(names) and names[0] != names[1]
+
+
+def _names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
+    return {one.name for one in names if encloses(room.points, one.x, one.z)}
+
+
+def overlap(a: Sequence[Spot], b: Sequence[Spot], within: float) -> bool:
+    """Tells whether the middle of a side of one of two outlines, moved inwards a little, lies in the other."""
+    (x0, z0, x1, z1), (u0, w0, u1, w1) = bounds_of_points(a), bounds_of_points(b)
+    if min(x1, u1) <= max(x0, u0) or min(z1, w1) <= max(z0, w0):
+        return False
+    return any(encloses(other, *spot) for one, other in ((a, b), (b, a)) for spot in _inside(one, within))
+
+
+def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
+    """Yields the spots so far inside the middles of an outline's sides."""
+    for start, end in edges_round(points):
+        (x, z), length = between(start, end), math.dist(start, end) or 1.0
+        across = (end[1] - start[1]) * within / length, (start[0] - end[0]) * within / length
+        yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if encloses(points, *spot))
+
+
+def _enclosed(walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening], metres: float | None) -> Between:
+    """Returns what walls and openings enclose."""
     if metres is None:
-        return [], None, [Unread("walls", NO_UNIT)]
+        return Between([], None, [Unread("walls", NO_UNIT)], [])
     scale, (west, north) = metres * 1000, walls[0][0]
 
     def there(spot: Spot) -> Spot:
@@ -68,7 +168,7 @@ def rooms_between(
     gaps = [line for one in openings if (line := line_between(there(one.start), there(one.end)))]
     found = faces_between(lines, gaps)
     if found is None:
-        return [], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")]
+        return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
     if not found:
         free = free_ends(lines, gaps)
         words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
@@ -78,4 +178,4 @@ def rooms_between(
         for at, corners in enumerate(found)
     ]
     thickness = thickness_about(found, lines)
-    return rooms, thickness and thickness / scale, unread
+    return Between(rooms, thickness and thickness / scale, unread, [])

@@ -86,12 +86,12 @@ def test_what_leads_to_a_balcony_is_a_door_and_the_balconys_own_side_stays_open(
     assert ("passage", 1.4, "EXTERIOR") in found["Balkon"]
 
 
-def test_a_layer_of_windows_tells_that_openings_are_none() -> None:
+def test_a_layer_of_windows_tells_that_openings_are_none_but_the_one_to_come_in_by() -> None:
     made = drawing(FRONT, BETWEEN)
     made.modelspace().add_line((3000, -50), (4400, -50), dxfattribs={"layer": "WINDOWS"})
     answer = imported(made)
-    assert sorted(one[0] for one in kinds(answer)["Flur"]) == ["passage", "passage"]
-    assert guessed(answer) == []
+    assert sorted(one[0] for one in kinds(answer)["Flur"]) == ["door", "passage"]
+    assert guessed(answer) == ["door"]
 
 
 def test_a_drawing_in_svg_is_told_alike() -> None:

@@ -233,9 +233,8 @@ def _plan(space: Any, metres: float | None, names: RoomNames) -> DrawnPlan:
     passed: Counter[tuple[str, str]] = Counter()
     for one, layer, sort, where in _opened(space):
         kind = one.dxftype()
-        if kind == "ARC" and sort in SWUNG:
-            hinge, first, last = _spots((one.ocs().to_wcs(one.dxf.center), one.start_point, one.end_point))
-            swings.append(DrawnSwing(hinge, (first, last), where))
+        if sort in SWUNG and (arcs := list(_arcs(one, kind))):
+            swings += [DrawnSwing(*arc, where) for arc in arcs]
         elif kind in CURVED and (sort is not None or "POLYLINE" in kind) and type(one).__name__ not in MESHES:
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
@@ -252,6 +251,16 @@ def _plan(space: Any, metres: float | None, names: RoomNames) -> DrawnPlan:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
     return plan_of_shapes([shape for shape in shapes if shape.points], texts, swings, lambda _: metres, unread)
+
+
+def _arcs(one: Any, kind: str) -> Iterator[tuple[Spot, tuple[Spot, Spot]]]:
+    """Yields the middle and the ends of each arc that an entity is, or has for a part."""
+    for part in one.virtual_entities() if kind in WIDTHS and one.has_arc else (one,):
+        if part.dxftype() in ("ARC", "ELLIPSE"):
+            middle = part.ocs().to_wcs(part.dxf.center) if part.dxftype() == "ARC" else part.dxf.center
+            hinge, first, last = _spots((middle, part.start_point, part.end_point))
+            if first != last:
+                yield hinge, (first, last)
 
 
 def _filled(one: Any) -> Iterator[tuple[Spot, ...]]:

@@ -1,0 +1,149 @@
+"""Gaps in walls, as doors, windows and passages leave them: an opening that is drawn at one is as wide as it, and a leaf hangs in it.
+
+Comes in: the lines of walls, openings. Goes out: gaps, openings. May import: drawn, wall_faces.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from solver.imports.drawn import DrawnOpening, Spot
+from solver.imports.shape_openings import between
+from solver.imports.wall_faces import BESIDE, THICKEST, WIDEST, DrawnLine, RowGap, WallRows, gathered, line_between
+
+WIDTHS: Final = (400, 6000)
+"""How wide gaps are, mm."""
+PASSAGES: Final = (550, 2000)
+"""A gap in which nothing is drawn may be a passage if it is as wide, mm."""
+THINNEST: Final = 40
+"""Of a wall, mm."""
+ALIKE: Final = 60
+"""The gaps in the two faces of a wall begin and end no farther from one another, mm."""
+LEAVES: Final = ((0.4, 0.6), (0.75, 1.15))
+"""A leaf, of two or alone, is between so many times as wide as its gap."""
+SLOPED: Final = 0.2
+"""An opening along a gap leaves its way by no more than this share of its width."""
+AT_JAMB: Final = 0.25
+"""A leaf hangs no farther from the corner of a gap than this share of its width."""
+
+
+class WallGap(NamedTuple):
+    """A gap along the middle of a wall, in the drawing's unit."""
+
+    start: Spot
+    end: Spot
+    thickness: float
+    in_line: bool
+    """Whether its wall goes on behind it; else it leads up to a wall across the way."""
+
+    @property
+    def width(self) -> float:
+        """From one piece of wall to the other."""
+        return math.dist(self.start, self.end)
+
+    def sides(self, by: float) -> tuple[Spot, Spot]:
+        """Returns the points so far before both faces of the wall, before the gap's middle."""
+        (x0, z0), (x1, z1) = self.start, self.end
+        x, z, away = (x0 + x1) / 2, (z0 + z1) / 2, self.thickness / 2 + by
+        across = (0.0, away) if z0 == z1 else (away, 0.0)
+        return (x + across[0], z + across[1]), (x - across[0], z - across[1])
+
+
+def gaps_of(walls: Sequence[Sequence[Spot]], metres: float | None) -> list[WallGap]:
+    """Returns the gaps in walls, whose outlines or single lines are given; `metres` is the length of the unit, None: nothing tells."""
+    if metres is None or not walls:
+        return []
+    scale, (west, north) = metres * 1000, walls[0][0]
+    moved = [[((x - west) * scale, (z - north) * scale) for x, z in points] for points in walls]
+    lines = gathered([line for points in moved for a, b in pairwise(points) if (line := line_between(a, b))])
+    found = []
+    for (one, in_line), thickness in _gaps(lines):
+        ends = ((one.low, one.at), (one.high, one.at)) if one.axis == "x" else ((one.at, one.low), (one.at, one.high))
+        start, end = ((x / scale + west, z / scale + north) for x, z in ends)
+        found.append(WallGap(start, end, thickness / scale, in_line))
+    return found
+
+
+def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[RowGap, int]]:
+    """Yields each gap that both faces of a wall have, and how thick the wall is; of a single line its own, as one of no thickness."""
+    rows = WallRows(lines)
+    is_free: dict[RowGap, bool] = {}
+    for one in rows.whole():
+        for end in (one.low, one.high):
+            if (gap := rows.gap_at(one, end)) and WIDTHS[0] <= gap.line.high - gap.line.low <= WIDTHS[1]:
+                is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end)
+    for axis in ("x", "z"):
+        yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), rows, is_free)
+
+
+def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowGap, bool]) -> Iterator[tuple[RowGap, int]]:
+    ats, lows, highs = np.array([gap.line[1:] for gap in gaps]).reshape(-1, 3).T
+    is_left = np.full(len(gaps), fill_value=True)
+    for place, gap in enumerate(gaps):
+        if not is_left[place]:
+            continue
+        axis, at, low, high = gap.line
+        is_alike = (np.abs(lows - low) <= ALIKE) & (np.abs(highs - high) <= ALIKE) & is_left
+        others = np.flatnonzero(is_alike & (ats - at >= THINNEST) & (ats - at <= THICKEST))
+        if len(others):
+            other = gaps[others[0]]
+            is_left[[place, others[0]]] = False
+            line = DrawnLine(axis, (at + other.line.at) // 2, max(low, other.line.low), min(high, other.line.high))
+            yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
+        elif is_free[gap] and not rows.is_face(gap.line, THINNEST, THICKEST):
+            yield gap, 0
+
+
+def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None) -> tuple[list[DrawnOpening], list[WallGap]]:
+    """Returns openings, of which those that are drawn in a gap are as wide as it, and the gaps that are left.
+
+    A door that is drawn as no more than its open leaf hangs at the corner of a gap that is as wide, the first of two leaves for both.
+    """
+    left, found = dict.fromkeys(gaps), []
+    middles = np.array([between(gap.start, gap.end) for gap in gaps]).reshape(-1, 2)
+    widths, beside = np.array([gap.width for gap in gaps]), BESIDE / 1000 / (metres or 1.0)
+    for one in openings:
+        away = np.hypot(*(middles - between(one.start, one.end)).T)
+        near = np.flatnonzero(away < widths + math.dist(one.start, one.end))
+        nearest = [gaps[at] for at in near[np.argsort(away[near], kind="stable")]]
+        ways = [(gap, new) for gap in nearest if gap in left and (new := _in_gap(one, gap, beside))]
+        if not ways and one.kind == "door" and not one.hinge:
+            ways = [(gap, new) for gap in nearest if (new := _hung(one, gap))]
+        if ways and ways[0][0] in left:
+            del left[ways[0][0]]
+            found.append(ways[0][1])
+        elif not ways:
+            found.append(one)
+    return found, list(left)
+
+
+def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | None:
+    """Returns an opening that lies along a gap, and over most of it, as wide as that; None for any other."""
+    along = 0 if gap.start[1] == gap.end[1] else 1
+    (low, high), ends = (gap.start[along], gap.end[along]), (one.start[along], one.end[along])
+    across = (one.start[1 - along] + one.end[1 - along]) / 2 - gap.start[1 - along]
+    wide, common = abs(ends[1] - ends[0]), min(high, max(ends)) - max(low, min(ends))
+    is_along = abs(one.end[1 - along] - one.start[1 - along]) <= SLOPED * wide and abs(across) <= beside
+    if not is_along or common < gap.width / 2 or not gap.width / WIDEST <= wide <= gap.width * WIDEST:
+        return None
+    return replace(one, start=gap.start, end=gap.end) if ends[0] <= ends[1] else replace(one, start=gap.end, end=gap.start)
+
+
+def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:
+    """Returns the door whose leaf is drawn open at a corner of a gap; None where it is too far, too short or too long."""
+    leaf, along = math.dist(one.start, one.end) / gap.width, 0 if gap.start[1] == gap.end[1] else 1
+    if not any(low <= leaf <= high for low, high in LEAVES):
+        return None
+    for foot, tip in ((one.start, one.end), (one.end, one.start)):
+        away = abs(tip[1 - along] - gap.start[1 - along])
+        for hinge, jamb in (("start", gap.start), ("end", gap.end)):
+            at_jamb = abs(foot[along] - jamb[along]) <= AT_JAMB * gap.width
+            if at_jamb and abs(foot[1 - along] - jamb[1 - along]) <= gap.thickness / 2 + AT_JAMB * gap.width < away:
+                return replace(one, start=gap.start, end=gap.end, hinge="start" if hinge == "start" else "end", towards=tip)
+    return None

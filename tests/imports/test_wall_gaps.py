@@ -1,0 +1,124 @@
+"""Gaps in walls: doors that are drawn as leaves without an arc, as parts of outlines, or not at all."""
+
+from __future__ import annotations
+
+from io import StringIO
+from math import pi, tan
+from typing import Any
+
+import ezdxf.filemanagement as files
+import pytest
+
+from solver.imported import PlanImport
+from solver.scene import Opening
+from tests.imports.plans import read
+
+OUTER = ((0, 0, 9000, 6000), (300, 300, 8700, 5700))
+"""The faces of the outer walls. Inside a hallway 1.5 m wide lies between two rooms; a wall of 0.1 m on either side of it."""
+NAMES = {"Küche": (1500, 3000), "Flur": (4500, 3000), "Bad": (7000, 3000)}
+DOORS = {"Küche": (3700, 2000, 2885), "Bad": (5300, 3000, 3760)}
+"""Where the west faces of the hallway's walls are, and from where to where each door goes."""
+
+
+def drawing(names: dict[str, tuple[int, int]] | None = None) -> Any:
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    for x0, y0, x1, y1 in OUTER:
+        space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "Mauerwerk"})
+    for x, low, high in DOORS.values():
+        for y0, y1 in ((300, low), (high, 5700)):
+            space.add_lwpolyline([(x, y0), (x + 100, y0), (x + 100, y1), (x, y1)], close=True, dxfattribs={"layer": "Mauerwerk"})
+    for words, spot in (NAMES if names is None else names).items():
+        space.add_text(words, height=150).set_placement(spot)
+    return made
+
+
+def imported(made: Any) -> PlanImport:
+    text = StringIO()
+    made.write(text)
+    return read(text.getvalue().encode(), "plan.dxf")
+
+
+def doors(answer: PlanImport) -> list[Opening]:
+    return [one for room in answer.scene.rooms if room.type != "hallway" for one in room.openings]
+
+
+def test_gaps_in_which_nothing_is_drawn_are_passages_between_rooms_of_two_names() -> None:
+    answer = imported(drawing())
+    assert [(one.kind, one.width) for one in doors(answer)] == [("passage", 0.885), ("passage", 0.76)]
+    assert [one["reason"] for one in answer.unread] == ["gaps in which nothing is drawn are taken as passages: 2"]
+
+
+@pytest.mark.parametrize("names", [{}, {"Wohnen": (4500, 3000)}, {"Flur": (1500, 3000), "Hallway": (4500, 4000)}])
+def test_gaps_part_no_room_of_one_name_or_of_none(names: dict[str, tuple[int, int]]) -> None:
+    (room,) = imported(drawing(names)).scene.rooms
+    assert room.outline is not None
+    assert not room.openings
+
+
+def test_a_wall_that_ends_before_another_across_a_hallway_parts_it_not() -> None:
+    """The hallway has one name, and a wall of the bathroom's side ends 1.4 m before the kitchen's."""
+    made = drawing()
+    made.modelspace().add_lwpolyline(
+        [(5300, 3000), (5300, 2950), (5200, 2950), (5200, 3000)], close=True, dxfattribs={"layer": "Mauerwerk"}
+    )
+    assert len(imported(made).scene.rooms) == 3
+
+
+def leaf(made: Any, how: str) -> None:
+    """Draws each door's leaf, that hangs at its gap's south end and opens into the room, on a layer of doors."""
+    space, told = made.modelspace(), {"layer": "Türen"}
+    for name, (x, low, high) in DOORS.items():
+        wide, (way, face) = high - low, (-1, x) if name == "Küche" else (1, x + 100)
+        tip = {"open": (face + way * wide, low), "half": (face + way * wide * 2**-0.5, low + wide * 2**-0.5)}.get(how, (0, 0))
+        bulge = way * tan(pi / 8)
+        if how in ("open", "half"):
+            space.add_line((face, low), tip, dxfattribs=told)
+        elif how == "board":
+            corners = [(face, low), (face + way * wide, low), (face + way * wide, low + 40), (face, low + 40)]
+            space.add_lwpolyline(corners, close=True, dxfattribs=told)
+        elif how == "outline":
+            ends = [(face, low, 0), (face + way * wide, low, bulge), (face, high, 0)]
+            space.add_lwpolyline(ends, format="xyb", close=True, dxfattribs=told)
+        else:
+            space.add_ellipse((face, low), (wide, 0), 0.98, *((0, pi / 2) if way > 0 else (pi / 2, pi)), dxfattribs=told)
+
+
+@pytest.mark.parametrize("how", ["open", "half", "board", "outline", "ellipse"])
+def test_a_leaf_without_an_arc_of_its_own_hangs_in_its_gap(how: str) -> None:
+    made = drawing()
+    leaf(made, how)
+    found = doors(imported(made))
+    assert [(one.kind, one.width) for one in found] == [("door", 0.885), ("door", 0.76)]
+    assert [(one.hinge, one.swing) for one in found] == [("end", "in")] * 2
+
+
+def test_two_leaves_that_meet_are_shut_where_they_meet_whatever_is_beside_them() -> None:
+    """They open against the walls beside them, which are nearer than the walls beside the middle of the door."""
+    made = drawing()
+    space = made.modelspace()
+    for middle, ends in ((3900, (0, 90)), (5200, (90, 180))):
+        space.add_arc((middle, 300), 650, *ends, dxfattribs={"layer": "Türen"})
+    found = [one for room in imported(made).scene.rooms for one in room.openings if one.main_entrance]
+    assert [(one.wall, one.width) for one in found] == [("south", 1.3)]
+
+
+LAYERS = ("MUR", "Duvar", "Zdi", "Väggar", "Vegger", "墙", "外壁", "Стены", "Parede")
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_walls_are_told_in_many_languages(layer: str) -> None:
+    made = drawing()
+    for one in made.modelspace().query("LWPOLYLINE"):
+        one.dxf.layer = layer
+    assert len(imported(made).scene.rooms) == 3
+
+
+def test_a_wide_door_of_a_garage_is_a_garage_door_and_a_number_may_begin_a_name() -> None:
+    made = drawing({"2 car garage": (1500, 3000), "12.40 m²": (1500, 2600), "Flur": (4500, 3000), "Bad": (7000, 3000)})
+    made.modelspace().add_line((150, 1000), (150, 3400), dxfattribs={"layer": "Doors"})
+    leaf(made, "open")
+    (garage,) = [room for room in imported(made).scene.rooms if room.type == "garage"]
+    assert garage.extra["name"] == "2 car garage"
+    assert sorted((one.kind, one.width) for one in garage.openings) == [("door", 0.885), ("garage_door", 2.4)]
