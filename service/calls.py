@@ -41,7 +41,7 @@ from service.generating import check_size, draw_seed, made_house
 from solver import explain, export, fix, fix_frame, place, prepare_drag, validate
 from solver.answers import Fixed, Generated
 from solver.errors import FieldError
-from solver.exchange import FORMATS, read, scene_schema, write
+from solver.exchange import FORMATS, misspelt, read, scene_schema, write
 from solver.explained import Explained
 from solver.export_formats import EXPORTERS, Freedom
 from solver.exports import Files, is_available, packed
@@ -167,7 +167,7 @@ def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
     measured = metrics(scene, catalogs)
     words = Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
     access = None if body.access is None or body.access == NO_ACCESS else access_of(scene, body.access, catalogs).document()
-    return ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access)
+    return ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access, misspelt(scene) or None)
 
 
 @_call("view")

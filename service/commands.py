@@ -156,6 +156,8 @@ def _validate(options: Namespace) -> int:
         _put(answer["report"]["text"].encode(), options.output)
     else:
         _write(answer, options)
+    for place, meant in answer.get("misspelt", {}).items():
+        say(f"{place} is not known, and kept; {meant}?")
     unmet = answer.get("access", {}).get("unmet", ())
     for words in unmet:
         say(f"access {options.access}: {words}")

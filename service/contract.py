@@ -272,13 +272,17 @@ class Lines(Record):
 
 @dataclass(frozen=True)
 class ValidateAnswer(Record):
-    """What breaks which rule and by how much, measures, and where wanted the whole scene in words, and what a profile of access asks."""
+    """What breaks which rule and by how much, measures, and where wanted the whole scene in words, and what a profile of access asks.
+
+    `misspelt` are places of keys that the scene keeps without knowing them, each with the known key that it nearly is.
+    """
 
     issues: tuple[Issue, ...]
     metrics: Free
     understood_as: Mapping[str, str]
     report: Lines | None = field(default=None, metadata={OMITTED: True})
     access: Free | None = field(default=None, metadata={OMITTED: True})
+    misspelt: Mapping[str, str] | None = field(default=None, metadata={OMITTED: True})
 
 
 Rectangle = Annotated[tuple[float, float, float, float], Says("west, north, east, south edge in the room, m")]

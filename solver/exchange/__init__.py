@@ -6,6 +6,7 @@ May import: the ground floor. Not here: rules (validate), where bytes come from 
 The types of the fields in `solver.scene` (`solver.fields`) drive the reader, the writer and the schema.
 """
 
+from solver.exchange.misspelt import misspelt
 from solver.exchange.reader import SentRoom, SentScene, adapter, checked_request, read, read_request, read_scene, scene_schema
 from solver.exchange.scene_text import dump_scene
 from solver.exchange.text import FORMATS, GLB, dump_plain, dump_text, format_of_file, format_of_name, load_text
@@ -25,6 +26,7 @@ __all__ = [
     "format_of_file",
     "format_of_name",
     "load_text",
+    "misspelt",
     "read",
     "read_request",
     "read_scene",

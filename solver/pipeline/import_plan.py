@@ -9,7 +9,7 @@ from typing import Final
 from catalogs import Catalogs, load_catalogs
 from solver.certificate import certified
 from solver.errors import FieldError, SyntaxFault
-from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, read_scene, write
+from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, misspelt, read_scene, write
 from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, unpacked
@@ -125,7 +125,11 @@ def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple
     """Returns the scene in a file, what is said about it, and which format it is in."""
     format = format_of_plan(file)
     if format is None:
-        return _own_scene(file, settings), PlanNotes(), OWN
+        scene, notes = _own_scene(file, settings), PlanNotes()
+        for place, meant in misspelt(scene).items():
+            way, _, key = place.rpartition(".")
+            notes.leave(way or "scene", f"no property is called {key!r:.60}; {meant}?")
+        return scene, notes, OWN
     return *imported(file, format, settings, catalogs), format
 
 

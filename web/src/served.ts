@@ -791,6 +791,7 @@ export interface ValidateAnswer {
   readonly understood_as: Readonly<Record<string, string>>;
   readonly report?: Lines | null;
   readonly access?: Readonly<Record<string, unknown>> | null;
+  readonly misspelt?: Readonly<Record<string, string>> | null;
 }
 
 /** What a room's walls are finished with on its side. */
