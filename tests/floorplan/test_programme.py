@@ -126,6 +126,21 @@ def test_the_master_has_a_bathroom_of_its_own(seed: int) -> None:
     assert sum(o.kind in ("door", "passage") for o in own.openings) == 1
 
 
+def test_baths_are_not_off_the_kitchen_nor_masters_the_smaller_bedrooms() -> None:
+    """Of 60 large rectangles 18 bathrooms opened off the kitchen alone, and 14 masters were smaller than another bedroom: now 0 and 5."""
+    off_kitchen, smaller = 0, 0
+    for seed in range(920_000, 920_030):
+        rooms = planned(seed=seed, program="large", outline="rectangle").rooms
+        kinds = {room.id: room.type for room in rooms}
+        floors = {kind: max(room.width * room.depth for room in rooms if room.type == kind) for kind in set(kinds.values())}
+        smaller += floors["bedroom_master"] < max(floors["bedroom"], floors["kids_bedroom"]) - 1e-9
+        for room in rooms:
+            into = {kinds.get(str(o.connects_to)) for o in room.openings if o.kind == "door"}
+            off_kitchen += room.type == "bathroom" and into == {"kitchen"}
+    assert off_kitchen <= 2
+    assert smaller <= 4
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_living_spaces_are_joined_by_passages(seed: int) -> None:
     open_to = {"hallway", "foyer", "living_room", "dining_room", "kitchen"}

@@ -25,6 +25,10 @@ constexpr f64 KITCHEN_APART = 2.5;
 constexpr f64 LIVING_APART = 1.5;
 // A room one lives in, or a hallway, that only the kitchen leads to: each more door leaves a kitchen less wall for its worktop.
 constexpr f64 KITCHEN_BETWEEN = 3.0;
+// A bedroom or a bathroom that only the kitchen leads to.
+constexpr f64 PAST_KITCHEN = 5.0;
+// The largest bedroom has no bathroom of its own, and another has.
+constexpr f64 SMALL_SUITE = 4.0;
 // Least outside wall that lights a habitable room: a window of 1.2 m and 0.3 m of wall at each end.
 constexpr i64 LIT_MM = 1800;
 // Of an outline's width over depth, for every unit beyond what costs nothing.
@@ -71,7 +75,7 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
     if (room.has(HABITABLE)) found.dark += !is_lit(sheet.boxes[i], i);
   }
   const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others +
-                     STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + taste_.past_kitchen * ways.past_kitchen;
+                     STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + PAST_KITCHEN * ways.past_kitchen;
   found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + smallness(sheet) + walked;
   return found;
 }
@@ -165,7 +169,7 @@ f64 Judge::smallness(const Sheet& sheet) const {
     i64& largest = suites_ >> i & 1 ? suite : other;
     largest = most(largest, area(sheet.boxes[i]));
   }
-  return suite && suite < other ? taste_.small_suite : 0.0;
+  return suite && suite < other ? SMALL_SUITE : 0.0;
 }
 
 // Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, private ones that only the kitchen leads to;

@@ -12,11 +12,9 @@ struct HomeVerdict {
   i64 short_rooms, unreached, streetless, dark;
 };
 
-// What outlines cost nothing (width over depth, least and most), and what costs: a habitable room without an outside wall, a bedroom or a
-// bathroom that only the kitchen leads to, a bedroom with a bathroom of its own that is smaller than another.
+// What outlines cost nothing (width over depth, least and most), and what a habitable room without an outside wall costs.
 struct Taste {
-  f64 low, high;
-  f64 dark, past_kitchen, small_suite;
+  f64 low, high, dark;
 };
 
 // Judges the drawings of one programme. Rooms, and the hallways behind them, are bits of a number.

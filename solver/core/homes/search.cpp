@@ -19,11 +19,10 @@ constexpr f64 GOOD_EACH = 0.2;
 constexpr f64 MISFIT = 1000.0;
 constexpr f64 MISFIT_COLUMN = 100.0;
 constexpr f64 MISFIT_MM = 50.0;
-// In a given outline a habitable room without an outside wall is as bad as one that cannot be entered. The last two are asked of all homes
-// but those in a rectangle of our own.
-constexpr Taste TASTE = {0.75, 1.9, 8.0, 0.0, 0.0};
-constexpr Taste BENT_TASTE = {0.6, 2.4, 8.0, 5.0, 4.0};
-constexpr Taste GIVEN_TASTE = {0.0, INFINITE, 30.0, 5.0, 4.0};
+// In a given outline a habitable room without an outside wall is as bad as one that cannot be entered.
+constexpr Taste TASTE = {0.75, 1.9, 8.0};
+constexpr Taste BENT_TASTE = {0.6, 2.4, 8.0};
+constexpr Taste GIVEN_TASTE = {0.0, INFINITE, 30.0};
 
 struct Seen {
   f64 cost = INFINITE;

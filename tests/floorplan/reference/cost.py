@@ -38,9 +38,9 @@ LIVING_APART: Final = 1.5
 KITCHEN_BETWEEN: Final = 3.0
 """A room one lives in, or a hallway, that only the kitchen leads to: each more door leaves a kitchen less wall for its worktop."""
 PAST_KITCHEN: Final = 5.0
-"""But in a rectangle of our own: a bedroom or a bathroom that only the kitchen leads to."""
+"""A bedroom or a bathroom that only the kitchen leads to."""
 SMALL_SUITE: Final = 4.0
-"""Likewise: the largest bedroom has no bathroom of its own, and another has."""
+"""The largest bedroom has no bathroom of its own, and another has."""
 OUTLINE: Final = (0.75, 1.9)
 """Width over depth of an outline that costs nothing; beyond, OUTLINE_COST for every unit."""
 BENT_OUTLINE: Final = (0.6, 2.4)
@@ -64,10 +64,8 @@ Covered = dict[int, dict[str, list[tuple[int, int]]]]
 class HomeJudge:
     """Judges the drawings of one programme; it has looked up what each room is once."""
 
-    def __init__(
-        self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE, dark: float = DARK, bent: bool = False
-    ) -> None:
-        self.planned, self.outline, self.dark, self.bent = planned, outline, dark, bent
+    def __init__(self, planned: Sequence[PlannedRoom], outline: tuple[float, float] = OUTLINE, dark: float = DARK) -> None:
+        self.planned, self.outline, self.dark = planned, outline, dark
         self.sizes = [one.size for one in planned]
         every = range(len(planned))
 
@@ -103,7 +101,7 @@ class HomeJudge:
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
         ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
-        ways = ways + KITCHEN_BETWEEN * between + PAST_KITCHEN * self.bent * past_kitchen
+        ways = ways + KITCHEN_BETWEEN * between + PAST_KITCHEN * past_kitchen
         dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
         cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + SMALL_SUITE * self._is_small(sheet.boxes) + ways
         return HomeVerdict(cost, short, unreached, streetless, dark)
@@ -146,11 +144,11 @@ class HomeJudge:
         return cost
 
     def _is_small(self, boxes: Sequence[Rect]) -> bool:
-        """Tells of a bedroom with a bathroom of its own that is smaller than another bedroom, but in a rectangle of our own."""
+        """Tells of a bedroom with a bathroom of its own that is smaller than another bedroom."""
         owners = {owner for _, owner in self.owned}
         floors = {i: boxes[i].width * boxes[i].depth for i in self.bedrooms}
         suites = [floor for i, floor in floors.items() if i in owners]
-        return self.bent and bool(suites) and max(floors.values()) > max(suites)
+        return bool(suites) and max(floors.values()) > max(suites)
 
     def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, bool]:
         """Counts rooms that no way leads to, bedrooms and others that only the entrance leads to, private ones that only the kitchen does.

@@ -38,7 +38,7 @@ class GivenSearch(HomeSearch):
         super().__init__(planned, lambda _: Frame(), seed, turn)
         self.outline = GIVEN
         self.tilings = [tiling for tiling in tilings if len(tiling) <= len(planned)]
-        self.judge = HomeJudge(planned, (0.0, inf), dark=UNREACHED, bent=True)
+        self.judge = HomeJudge(planned, (0.0, inf), dark=UNREACHED)
         self.drawers = {GIVEN: GivenDrawer(self.judge.sizes)}
 
     def _dealer(self, stream: Stream) -> GivenDealer:

@@ -80,7 +80,7 @@ class HomeSearch:
             self.judge = HomeJudge(planned)
             self.drawers = {kind: Drawer(self.judge.sizes, frame_of(kind)) for kind in kinds_for(planned)}
         else:
-            self.judge = HomeJudge(planned, BENT_OUTLINE, bent=True)
+            self.judge = HomeJudge(planned, BENT_OUTLINE)
             self.drawers = {bent_kind(planned, outline): BentDrawer(self.judge.sizes, outline)}
 
     def run(self) -> FoundHome | None:
