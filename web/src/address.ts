@@ -62,7 +62,7 @@ function programOf(given: URLSearchParams): string | Counts | undefined {
 
 /** An outline as it is written: a word, or corners as the command line takes them, "0,0 8,0 8,6 0,6". */
 export function outlineFrom(text: string): HouseRequest["outline"] {
-  const corners = text.trim().split(/\s+/).map((corner) => corner.split(",").map(Number));
+  const corners = text.trim().split(/[\s+]+/).map((corner) => corner.split(",").map(Number));
   const isCorner = (corner: number[]): corner is [number, number] => corner.length === 2 && corner.every(Number.isFinite);
   return corners.every(isCorner) ? corners : text;
 }

@@ -45,6 +45,7 @@ describe("the address", () => {
     expect(requestFromQuery("?program=family&outline=any")).toEqual({ seed: 42, outdoor: true, program: "family" });
     const cut = requestFromQuery("?seed=3&outline=0,0+9,0+9,5.5+5,5.5+5,9+0,9");
     expect(cut.outline).toEqual([[0, 0], [9, 0], [9, 5.5], [5, 5.5], [5, 9], [0, 9]]);
+    expect(requestFromQuery("?seed=3&outline=0,0%2B9,0%2B9,5.5%2B5,5.5%2B5,9%2B0,9"), "as others write the address anew").toEqual(cut);
     expect([cut.width, cut.depth, cut.min_room_size]).toEqual([undefined, undefined, 3]);
     expect(requestFromQuery(queryFromRequest(cut))).toEqual(cut);
     expect(requestFromQuery("?outline=0,0+9,wide").outline).toBe("0,0 9,wide");

@@ -135,7 +135,7 @@ describe("what holds a piece", () => {
     const den = room("den", [3, 7, 6, 5], { furniture: [own] });
     const hold = (towards: "north" | "east", cost: number) => ({ by: "den/desk_1", what: "piece", towards, cost_per_m: cost, message: "" }) as const;
     const lines = whyLines({ holds: [hold("east", 2), hold("north", 0.1), hold("east", 1)], wished: [2.4, 1.5], stands: [2, 1.5] }, den, own, 0);
-    expect(lines.map(({ look, words }) => [look, words])).toEqual([["hold", "desk 0.10/m"], ["hold", "desk 2.00/m"], ["hold", "desk 1.00/m"], ["wish", "wished 0.40 m from here"]]);
+    expect(lines.map(({ look, words }) => [look, words])).toEqual([["hold", "desk · 0.10/m"], ["hold", "desk · 2.00/m"], ["hold", "desk · 1.00/m"], ["wish", "wished 0.40 m from here"]]);
     const [north, strong, weak, wish] = lines;
     expect([north?.to[2], strong?.to[0], weak?.to[0]]).toEqual([expect.closeTo(8.2, 9), expect.closeTo(5.5, 9), expect.closeTo(5.5, 9)]);
     expect([(strong?.from[0] ?? 0) - 5.5, (weak?.from[0] ?? 0) - 5.5]).toEqual([expect.closeTo(0.7, 9), expect.closeTo(0.35, 9)]);

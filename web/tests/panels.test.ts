@@ -2,7 +2,7 @@
 /** Lists of lines, the legend, the link, the notice, and names that would be markup. */
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { drawing } from "./random_requests";
-import { room, scene } from "./rooms";
+import { piece, room, scene } from "./rooms";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
 import { ImportReport } from "../src/panel/imported";
 import { Legend, roomColors } from "../src/panel/legend";
@@ -10,7 +10,7 @@ import { LineList, type Line } from "../src/panel/line_list";
 import type { Found } from "../src/memory/carrying";
 import { Link } from "../src/panel/link";
 import { Notice } from "../src/panel/notice";
-import { optimalityOf } from "../src/panel/status";
+import { optimalityOf, showShown } from "../src/panel/status";
 import { ServiceProblem } from "../src/service";
 
 const line = (text: string, id: string | null): Line => ({ text, id, className: "line" });
@@ -225,6 +225,23 @@ describe("a file that was read", () => {
     expect(host.hidden).toBe(true);
     report.guessed(kitchen, plan);
     expect(told(list)).toEqual(["Guessed (1)", "Room 1: Kitchen, told by its form"]);
+  });
+});
+
+describe("what is counted", () => {
+  it("is said of one as of one", () => {
+    document.body.innerHTML = '<p><span><b data-count="rooms">–</b> rooms</span> <span><b data-count="furniture">–</b> furniture</span> <span><b data-count="issues">–</b> broken rules</span></p>';
+    const host = document.querySelector("p") as HTMLElement;
+    const said = (rooms: number, broken: number, severity: "error" | "warning" = "error"): string | null => {
+      const all = Array.from({ length: rooms }, (_, i) => room(`bedroom_${i}`, [i * 4, 0, 4, 4], { furniture: [piece(`bed_${i}`)] }));
+      const issues = Array.from({ length: broken }, () => ({ rule: "overlap", severity, message: "", ids: [], room: null }) as const);
+      showShown(host, { scene: scene(all), issues, timing: 0, conflicts: [] });
+      return host.textContent;
+    };
+    expect(said(1, 1)).toBe("1 room 1 piece of furniture 1 broken rule");
+    expect(said(2, 0)).toBe("2 rooms 2 furniture 0 warnings");
+    expect(said(1, 2)).toBe("1 room 1 piece of furniture 2 broken rules");
+    expect(said(1, 2, "warning"), "no rule is broken").toBe("1 room 1 piece of furniture 2 warnings");
   });
 });
 

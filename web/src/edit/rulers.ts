@@ -1,6 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
-import { keptInside, onLine, type Kept } from "../view/label_layout";
+import { keptInside, onLine, type Kept, type LabelPlace } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
 export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
@@ -87,6 +87,12 @@ export class Rulers {
     return { line, stroke, label };
   }
 
+  /** Whether a line lies beside the canvas as a whole: at its edge its words would tell of nothing. */
+  #isAside(from: LabelPlace, to: LabelPlace): boolean {
+    const { width, height } = this.viewport.size;
+    return Math.max(from.x, to.x) < 0 || Math.min(from.x, to.x) > width || Math.max(from.y, to.y) < 0 || Math.min(from.y, to.y) > height;
+  }
+
   #place(): void {
     const written: Kept[] = [];
     const handles = this.viewport.overlaid.of("handles");
@@ -97,7 +103,7 @@ export class Rulers {
       if (label) label.hidden = !isSeen;
       if (!isSeen) continue;
       for (const [key, value] of Object.entries({ x1: from.x, y1: from.y, x2: to.x, y2: to.y })) stroke.setAttribute(key, value.toFixed(1));
-      if (label && line.look === "gap") label.hidden = Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST;
+      if (label) label.hidden = this.#isAside(from, to) || (line.look === "gap" && Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST);
       if (!label || label.hidden) continue;
       const extent = { width: (line.words?.length ?? 0) * WORDS.letter + WORDS.beside, height: WORDS.height };
       const place = keptInside({ ...onLine([from, to], line.at ?? 0.5, extent, [...handles, ...written]), ...extent }, this.viewport.size);

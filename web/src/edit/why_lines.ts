@@ -38,10 +38,10 @@ export function whyLines({ holds, wished, stands }: Pick<Explained, "holds" | "w
     return mine.map((hold, number): RulerLine => {
       const length = Math.max(SHORTEST, Math.min(LONGEST, hold.cost_per_m * PER_COST));
       const beside = middle + (number - (mine.length - 1) / 2) * APART;
-      return { look: "hold", from: spot(axis, isLow ? edge - length : edge + length, beside), to: spot(axis, edge, beside), words: `${holderWords(hold)} ${sayNumber(hold.cost_per_m, 2)}/m`, at: 0 };
+      return { look: "hold", from: spot(axis, isLow ? edge - length : edge + length, beside), to: spot(axis, edge, beside), words: `${holderWords(hold)} · ${sayNumber(hold.cost_per_m, 2)}/m`, at: 0 };
     });
   });
   const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
   if (!wished || away < THERE) return arrows;
-  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: say("wished {length} from here", { length: lengthWords(Math.round(away * 1000)) }), at: 1 }];
+  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: say("wished {length} from here", { length: lengthWords(Math.round(away * 100) * 10) }), at: 1 }];
 }

@@ -1,7 +1,7 @@
 /** The status bar: how much there is of what, how many issues, how long it took. */
 import type { GenerateAnswer, Issue, Scene } from "../contract";
 import type { Shown } from "../state/home";
-import { say, sayNumber } from "../words/language";
+import { say, sayNumber, type Words } from "../words/language";
 
 export interface Counts {
   readonly rooms: number;
@@ -11,6 +11,17 @@ export interface Counts {
   readonly decorations: number;
   readonly issues: number;
 }
+
+/** What is counted, where there is one of it and where there are others: the page's words beside the number. */
+const COUNTED: Readonly<Record<keyof Counts | "warnings", readonly [one: Words, others: Words]>> = {
+  rooms: ["room", "rooms"],
+  doors: ["door", "doors"],
+  windows: ["window", "windows"],
+  furniture: ["piece of furniture", "furniture"],
+  decorations: ["decoration", "decorations"],
+  issues: ["broken rule", "broken rules"],
+  warnings: ["warning", "warnings"],
+};
 
 /** The rooms that nothing was put into yet, and that no rule is broken by: an empty plan lacks its furniture, it is not wrong. */
 export function unfurnishedOf({ rooms, certificate }: Scene): ReadonlySet<string> {
@@ -84,10 +95,11 @@ function showOptimality(host: HTMLElement, scene: Scene): void {
 /** Shows what is there, how good it is and how long it took. */
 export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): void {
   const [broken, empty] = [brokenOf(issues, scene), unfurnishedWords(issues, scene)];
-  showStatus(host, countsOf(scene, broken), timing);
+  const isWrong = broken.some(({ severity }) => severity === "error");
+  showStatus(host, countsOf(scene, broken), isWrong, timing);
   const verdict = host.querySelector<HTMLElement>(".verdict");
   if (verdict) verdict.hidden = false; // of no home nothing is judged
-  verdict?.classList.toggle("has-errors", broken.some(({ severity }) => severity === "error"));
+  verdict?.classList.toggle("has-errors", isWrong);
   verdict?.classList.toggle("is-open", empty !== "");
   const place = host.querySelector<HTMLElement>(".unfurnished");
   if (place) place.hidden = empty === "";
@@ -95,11 +107,14 @@ export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): 
   showOptimality(host, scene);
 }
 
-function showStatus(host: HTMLElement, counts: Counts, timing: GenerateAnswer["timing_ms"]): void {
-  const said = { ...counts, time: timeWords(totalMs(timing)) };
-  for (const [name, value] of Object.entries(said)) {
+function showStatus(host: HTMLElement, counts: Counts, isWrong: boolean, timing: GenerateAnswer["timing_ms"]): void {
+  for (const [name, count] of Object.entries(counts) as [keyof Counts, number][]) {
     const place = host.querySelector<HTMLElement>(`[data-count="${name}"]`);
-    if (place) place.textContent = String(value);
+    const [one, others] = COUNTED[name === "issues" && !isWrong ? "warnings" : name];
+    if (!place) continue;
+    place.textContent = String(count);
+    place.nextSibling?.replaceWith(` ${say(count === 1 ? one : others)}`);
   }
+  host.querySelector("[data-count='time']")?.replaceChildren(timeWords(totalMs(timing)));
   host.querySelector(".verdict")?.classList.toggle("has-issues", counts.issues > 0);
 }
