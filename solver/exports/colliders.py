@@ -13,7 +13,7 @@ from typing import Final, Literal, NamedTuple
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart, is_round
 from solver.exports.floor_rectangles import rectangles_of
-from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, ModelBody, Paint, WallBox
+from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 
 CLEARANCE: Final = 0.002
 """How far a leaf's collider stays off its frame at either end, m."""
@@ -61,6 +61,11 @@ class Inertia(NamedTuple):
     moments: Triple
     products: Triple
 
+    @property
+    def named(self) -> dict[str, float]:
+        """The moments and products by the names that simulators give them."""
+        return dict(zip(("ixx", "iyy", "izz", "ixy", "ixz", "iyz"), (*self.moments, *self.products), strict=True))
+
 
 def z_up(x: float, y: float, z: float) -> Triple:
     """Returns a point of the scene's frame where z is up."""
@@ -107,7 +112,27 @@ def parts_of_hung_leaf(leaf: DoorLeaf) -> tuple[BodyPart, ...]:
     return tuple(part._replace(at=(part.at[0] + leaf.width / 2, *part.at[1:])) for part in leaf.parts)
 
 
-def painted_halves(wall: WallBox) -> Iterator[tuple[Collider, Paint]]:
+def wall_solids(model: HouseModel) -> Iterator[tuple[Collider, Paint | None]]:
+    """Yields what walls and what is fitted to them are touched as (None), and what they are seen as, in its paint."""
+    for wall in model.walls:
+        yield box_between(wall.box), None
+        yield from _painted_halves(wall)
+    for fitting in model.fittings:
+        box = box_between(fitting.box)
+        if fitting.surface != "threshold":
+            yield box, None
+        yield box, fitting.paint
+
+
+def shell_solids(model: HouseModel) -> Iterator[tuple[Collider, Paint | None]]:
+    """Yields walls, what is fitted to them, and floors, as `wall_solids` does."""
+    yield from wall_solids(model)
+    for floor in model.rooms:
+        for box in floor_boxes(floor):
+            yield from ((box, None), (box, floor.paint))
+
+
+def _painted_halves(wall: WallBox) -> Iterator[tuple[Collider, Paint]]:
     """Yields a wall's two halves, each in the paint of the room it faces."""
     box, middle = wall.box, wall.box.middle
     if wall.axis == "x":

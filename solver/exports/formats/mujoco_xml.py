@@ -13,18 +13,7 @@ from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
 from solver.exports.asset_objects import AssetObjects
-from solver.exports.colliders import (
-    AXES,
-    FLOOR,
-    Collider,
-    Triple,
-    box_between,
-    carriers,
-    floor_boxes,
-    painted_halves,
-    shares_of,
-    z_up,
-)
+from solver.exports.colliders import AXES, FLOOR, Collider, Triple, box_between, carriers, floor_boxes, shares_of, wall_solids, z_up
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import (
     SLIDE_DAMPING,
@@ -122,14 +111,8 @@ def _json(value: str | tuple[str, ...]) -> str:
 
 def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
     """Yields the walls, what is fitted to them, and the floors, which belong to the world."""
-    for wall in model.walls:
-        yield geom(box_between(wall.box), "wall")
-        yield from (geom(half, "visual", looks.painted(paint)) for half, paint in painted_halves(wall))
-    for fitting in model.fittings:
-        box = box_between(fitting.box)
-        if fitting.surface != "threshold":
-            yield geom(box, "wall")
-        yield geom(box, "visual", looks.painted(fitting.paint))
+    for solid, paint in wall_solids(model):
+        yield geom(solid, "visual", looks.painted(paint)) if paint else geom(solid, "wall")
     ground = min((floor.elevation for floor in model.rooms), default=0.0)
     yield geom(_ground(model, ground), "wall", ' name="ground"')
     for floor in model.rooms:

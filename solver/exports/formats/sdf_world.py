@@ -10,16 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
 from solver.exports.asset_objects import AssetObjects
-from solver.exports.colliders import (
-    Collider,
-    Triple,
-    box_between,
-    carriers,
-    floor_boxes,
-    inertia_of,
-    painted_halves,
-    z_up,
-)
+from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.paints import channels
@@ -68,18 +59,8 @@ class _World:
         yield "</world></sdf>"
 
     def _shell(self, model: HouseModel) -> Iterator[tuple[str, str]]:
-        """Yields walls, what is fitted to them, and floors."""
-        for wall in model.walls:
-            yield _touching(box_between(wall.box), WALLS)
-            yield from (self._seen(half, paint) for half, paint in painted_halves(wall))
-        for fitting in model.fittings:
-            if fitting.surface != "threshold":
-                yield _touching(box_between(fitting.box), WALLS)
-            yield self._seen(box_between(fitting.box), fitting.paint)
-        for floor in model.rooms:
-            for box in floor_boxes(floor):
-                yield _touching(box, WALLS)
-                yield self._seen(box, floor.paint)
+        """Returns walls, what is fitted to them, and floors."""
+        return (self._seen(solid, paint) if paint else _touching(solid, WALLS) for solid, paint in shell_solids(model))
 
     def _held(self, piece: ModelBody, held: Mapping[str, HeldThing], carry: Collection[str]) -> dict[str, list[tuple[str, str]]]:
         """Returns what is held in each front of a piece: models within its own, by name."""
@@ -176,8 +157,7 @@ def _numbered(elements: Iterable[tuple[str, str]]) -> Iterator[str]:
 
 def _inertial(solids: Sequence[Collider], mass: float) -> str:
     body = inertia_of(solids, mass)
-    names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-    values = "".join(f"<{name}>{value + 0.0:.9g}</{name}>" for name, value in zip(names, (*body.moments, *body.products), strict=True))
+    values = "".join(f"<{name}>{value + 0.0:.9g}</{name}>" for name, value in body.named.items())
     return f"<inertial><pose>{xml_numbers(*body.middle)} 0 0 0</pose><mass>{mass:.9g}</mass><inertia>{values}</inertia></inertial>"
 
 

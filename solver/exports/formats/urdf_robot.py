@@ -9,16 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Final
 
-from solver.exports.colliders import (
-    Collider,
-    Triple,
-    box_between,
-    carriers,
-    floor_boxes,
-    inertia_of,
-    painted_halves,
-    z_up,
-)
+from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.paints import channels
@@ -68,17 +59,8 @@ class _Robot:
         yield "</robot>"
 
     def _shell(self, model: HouseModel) -> Iterator[str]:
-        """Yields walls, what is fitted to them, and floors."""
-        for wall in model.walls:
-            yield self._touching(box_between(wall.box))
-            yield from (self._seen(half, paint) for half, paint in painted_halves(wall))
-        for fitting in model.fittings:
-            if fitting.surface != "threshold":
-                yield self._touching(box_between(fitting.box))
-            yield self._seen(box_between(fitting.box), fitting.paint)
-        for floor in model.rooms:
-            for box in floor_boxes(floor):
-                yield self._touching(box) + self._seen(box, floor.paint)
+        """Returns walls, what is fitted to them, and floors."""
+        return (self._seen(solid, paint) if paint else self._touching(solid) for solid, paint in shell_solids(model))
 
     def _body(self, body: ModelBody, still: StillPart, parent: str, placed: str) -> str:
         """Returns the link of a body, its fixed joint to the house or to the drawer it lies in, and its fronts."""
@@ -106,8 +88,7 @@ class _Robot:
 
     def _link(self, name: str, solids: tuple[Collider, ...], mass: float, looks: Iterable[str]) -> str:
         body = inertia_of(solids, mass)
-        names = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-        values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in zip(names, (*body.moments, *body.products), strict=True))
+        values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in body.named.items())
         inertial = f'<inertial><origin xyz="{xml_numbers(*body.middle)}"/><mass value="{mass:.9g}"/><inertia {values}/></inertial>'
         return f'<link name="{xml_text(name)}">{inertial}{"".join(looks)}</link>'
 
