@@ -13,15 +13,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
-from service.kept_contract import (
-    HomeBody,
-    HomeChange,
-    HomeHead,
-    HomeList,
-    HomeQuery,
-    HomeVersions,
-    HomeWithScene,
-)
+from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
 from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from catalogs import load_catalogs
-from service.dataset.table_schemas import SCHEMAS
+from service.dataset.shards import SCHEMAS
 from solver import generate
 from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, furniture_ids, furniture_names, rows_in
 from solver.certificate import mark_of

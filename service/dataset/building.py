@@ -8,10 +8,9 @@ from time import process_time
 from typing import NamedTuple
 
 from service.dataset.card import write_card
-from service.dataset.dataset_plan import DatasetPlan, Shard
+from service.dataset.dataset_plan import OURS, DatasetPlan, Shard
 from service.dataset.manifest import claim, is_done, records_of, sweep, widened, write_manifest
 from service.dataset.shards import make_shard, record_path
-from service.dataset.varied_requests import OURS
 from service.packed_catalogs import warm
 from service.pool import spread
 from service.progress import progress

@@ -13,8 +13,7 @@ from xml.sax.saxutils import escape
 import pyarrow.parquet as pq
 
 from service.dataset.dataset_plan import SPLITS
-from service.dataset.shards import ARCHIVES, TABLES
-from service.dataset.table_schemas import SCHEMAS
+from service.dataset.shards import ARCHIVES, SCHEMAS, TABLES
 from service.tables import table
 from solver.plain import Document
 from solver.statistics.summary import spread

@@ -16,8 +16,7 @@ import pyarrow.parquet as pq
 from catalogs import Catalogs
 from service.dataset.dataset_plan import Shard, again, made_home, split_of
 from service.dataset.manifest import digest_of, manifest_of, records_of
-from service.dataset.shards import table_path
-from service.dataset.table_schemas import SCHEMAS
+from service.dataset.shards import SCHEMAS, table_path
 from solver.errors import FieldError
 from solver.exchange import load_text, read_scene
 from solver.plain import Document

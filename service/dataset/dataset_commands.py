@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
-from service.dataset.dataset_plan import DatasetPlan, again, made_home, packed_all
-from service.dataset.varied_requests import OURS, check_names, varied
+from service.dataset.dataset_plan import OURS, DatasetPlan, again, check_names, made_home, packed_all, varied
 from service.standard_streams import say, write_standard_output
 from solver.errors import FieldError
 from solver.exchange import dump_scene, format_of_file, format_of_name, load_text, read_request

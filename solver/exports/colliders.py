@@ -12,8 +12,8 @@ from typing import Final, Literal, NamedTuple
 
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart, is_round
-from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, WallBox
+from solver.geometry import rectangles_of
 
 CLEARANCE: Final = 0.002
 """How far a leaf's collider stays off its frame at either end, m."""

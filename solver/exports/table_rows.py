@@ -1,6 +1,6 @@
 """A home as rows of tables, for those who train on many: rooms, pieces, what things can stand on, doors, fronts, the graph of rooms.
 
-service/dataset/table_schemas.py says what the rows hold, in the same order. Poses are in the house: x east, y up, z south, m; turns in
+service/dataset/shards.py says what the rows hold, in the same order. Poses are in the house: x east, y up, z south, m; turns in
 degrees about +y, 0 facing south. Things can stand on surfaces, on boards inside and on the bottoms of drawers.
 """
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from catalogs import Catalogs
-from catalogs.room_names import RoomMeaning, room_names_of
+from catalogs.synonyms import RoomMeaning, room_names_of
 from solver.guessed import RoomGuess
 from solver.guessing.doors_between import doors_between, joined_rooms
 from solver.guessing.room_marks import RoomMarks, marks_of

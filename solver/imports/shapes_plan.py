@@ -18,7 +18,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from catalogs.room_names import RoomNames
+from catalogs.synonyms import RoomNames
 from solver.geometry import bounds_of_points, encloses
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from catalogs import Catalogs
-from catalogs.room_names import room_names_of
+from catalogs.synonyms import room_names_of
 from solver.geometry import to_m
 from solver.imports.drawn import DrawnRoom, PlanNotes
 from solver.imports.joining import HEIGHTS, SILLS, Joined

@@ -1,8 +1,8 @@
-"""Homes that are to be accessible: who has to come everywhere, and what the certificate says of it."""
+"""Homes that are to be accessible: who has to come everywhere; what the certificate says of it, and of how far each front opens."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from math import ceil
 from typing import Any
@@ -12,10 +12,12 @@ from catalogs.access_profiles import AccessProfile
 from solver.certificate import ACCESS
 from solver.free_places import footprint
 from solver.geometry import Rect, strip_at, to_mm, wall_faced, wall_turned
+from solver.records import changed
 from solver.request import NO_ACCESS, Request
 from solver.scene import Room, Scene, robot_width_of
-from solver.validator import access_of
+from solver.validator import Checked, access_of
 from solver.validator.accessibility import access_profile, turning_squares
+from solver.validator.opening import certified_fronts, travels_in
 
 
 def with_walker(request: Request, catalogs: Catalogs) -> Request:
@@ -85,3 +87,17 @@ def with_access(scene: Scene, catalogs: Catalogs) -> Scene:
     told = access_of(scene, name, catalogs).document()
     said = {key: told[key] for key in ("profile", "met", "unmet")}
     return replace(scene, certificate={**(scene.certificate or {}), ACCESS: said})
+
+
+def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = None) -> Scene:
+    """Returns a scene whose certificate says of some rooms, or of all, how far their fronts open, and what they meet.
+
+    The scene is as it was checked; no rule reads what is added.
+    """
+    document: dict[str, Any] = dict(scene.certificate or {})
+    entries: dict[str, Any] = dict(document.get("rooms") or {})
+    for case in checked.cases:
+        name = case.room.room.id
+        if name in entries and (rooms is None or name in rooms) and (travels := travels_in(case)):
+            entries[name] = {**entries[name], "fronts": certified_fronts(travels)}
+    return changed(scene, certificate={**document, "rooms": entries})

@@ -17,13 +17,7 @@ from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unre
 from solver.pipeline.room_spaces import as_walked_in, room_problem
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
-from solver.repair import (
-    RepairSettings,
-    people_out_of_the_way,
-    put_to_rest,
-    seated_along,
-    with_walls_told,
-)
+from solver.repair import RepairSettings, people_out_of_the_way, put_to_rest, seated_along, with_walls_told
 from solver.scene import Room, Scene
 from solver.scene_bodies import body_ids, check_ids, moves_between, people_in
 from solver.understanding import understood

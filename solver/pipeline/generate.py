@@ -20,11 +20,9 @@ from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
 from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
-from solver.pipeline.accessible import with_access, with_walker
-from solver.pipeline.decorate import decorated
-from solver.pipeline.inhabited import arranged, home_catalogs, inhabited, needed, parted
+from solver.pipeline.accessible import with_access, with_fronts, with_walker
+from solver.pipeline.inhabited import arranged, decorated, home_catalogs, inhabited, needed, parted
 from solver.pipeline.insisted import demanded, insisted_in, insisting
-from solver.pipeline.opened import with_fronts
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.room_spaces import cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things

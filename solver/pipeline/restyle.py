@@ -11,9 +11,8 @@ from solver.furnished import recoloured
 from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
 from solver.people import Household
-from solver.pipeline.decorate import decorated
-from solver.pipeline.inhabited import home_catalogs, inhabited
-from solver.pipeline.opened import with_fronts
+from solver.pipeline.accessible import with_fronts
+from solver.pipeline.inhabited import decorated, home_catalogs, inhabited
 from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene

@@ -4,15 +4,7 @@ from __future__ import annotations
 
 from catalogs.schema import RelationSpec
 from solver.geometry import FACING, OPPOSITE, WALL_BEHIND, Rect
-from solver.relations.relation import (
-    ANYWHERE,
-    SOUGHT,
-    Box,
-    Fit,
-    Relation,
-    Standing,
-    Tolerance,
-)
+from solver.relations.relation import ANYWHERE, SOUGHT, Box, Fit, Relation, Standing, Tolerance
 from solver.relations.subject import Footing, Scope
 
 AHEAD_MM = (250.0, 700.0, 1500.0)

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from catalogs import CatalogError, load_catalogs
-from catalogs.room_names import room_names_of
-from catalogs.synonyms import words_of
+from catalogs.synonyms import room_names_of, words_of
 
 KNOWN = load_catalogs()
 NAMES = room_names_of(KNOWN)

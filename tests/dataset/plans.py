@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from service.dataset.dataset_plan import DatasetPlan
-from service.dataset.varied_requests import varied
+from service.dataset.dataset_plan import DatasetPlan, varied
 
 
 def plan(shard_size: int) -> DatasetPlan:

@@ -23,8 +23,7 @@ import pytest
 
 from service.cli import main
 from service.dataset.dataset_plan import SPLITS, Shard, split_of
-from service.dataset.shards import _ShardFiles
-from service.dataset.table_schemas import SCHEMAS
+from service.dataset.shards import SCHEMAS, _ShardFiles
 from service.pool import spread
 from solver.errors import FieldError
 from solver.exchange import load_text, read_scene

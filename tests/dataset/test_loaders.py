@@ -21,7 +21,7 @@ import yaml
 
 from service.cli import main
 from service.dataset.dataset_plan import SPLITS
-from service.dataset.table_schemas import SCHEMAS
+from service.dataset.shards import SCHEMAS
 from tests.architecture.tree import ROOT
 
 # webdataset leaves the archives it has read for the collector to close.

@@ -12,7 +12,7 @@ import pytest
 
 from catalogs import load_catalogs
 from service.cli import main
-from service.dataset.varied_requests import check_names, varied
+from service.dataset.dataset_plan import check_names, varied
 from solver.errors import FieldError
 from solver.exchange import load_text
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import pytest
 
 from solver import Request, generate
-from solver.exports.free_paths import PER_METRE, FreePaths
+from solver.exports.formats.robot_tasks import PER_METRE, FreePaths
 from solver.pipeline.export import export
 from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 from tests.sweeps import seeds

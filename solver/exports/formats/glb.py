@@ -15,13 +15,13 @@ from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
 from solver.exports.asset_files import fit_of
 from solver.exports.colliders import FLOOR
-from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.formats.glb_book import AssetNodes, Geometry, GltfBook, geometry_of
 from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
 from solver.exports.moving_parts import HeldThing, held_in, held_things
 from solver.exports.paints import PLAIN_CEILING, by_paint
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
 from solver.exports.writers import ExportSettings, Files
+from solver.geometry import FloorRectangle, rectangles_of
 
 _CUBE: Final = ((1.0, 1.0, 1.0), (0.0, 0.0, 0.0))
 _FACES: Final[tuple[BoxFace, ...]] = (("x", -1), ("x", 1), ("y", -1), ("y", 1), ("z", -1), ("z", 1))

@@ -18,10 +18,10 @@ import numpy as np
 import numpy.typing as npt
 
 from solver.exports.floor_grid import FloorGrid, floor_mask
-from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import FloorPlate, HouseModel, ModelBody
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files, zipped
+from solver.geometry import rectangles_of
 
 ROOM_SIDE: Final = 6.1
 """Half of the side of the square round a room's middle that `room_layout` shows, m: ATISS's for living rooms, as ours are mixed."""

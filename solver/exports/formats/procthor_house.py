@@ -13,12 +13,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
-from solver.exports.floor_rectangles import FloorRectangle, rectangles_of
 from solver.exports.model import FloorPlate, HouseModel, ModelBody, PlacedOpening
 from solver.exports.paints import PLAIN_WALL, channels
 from solver.exports.wall_bands import NEGLIGIBLE
 from solver.exports.writers import ExportSettings, Files
-from solver.geometry import edges_round
+from solver.geometry import FloorRectangle, edges_round, rectangles_of
 
 SCHEMA: Final = "1.0.0"
 SOLID: Final = "PureWhite"

@@ -12,7 +12,6 @@ from typing import Final
 
 from solver.exports.asset_layers import AssetLayers
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
-from solver.exports.floor_rectangles import rectangles_of
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import held_things, moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
@@ -20,6 +19,7 @@ from solver.exports.safe_names import SafeNames
 from solver.exports.usd_bodies import body_guides, body_kind, door_text, front_text, held_text, wall_kind
 from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files, zipped
+from solver.geometry import rectangles_of
 from solver.version import VERSION
 
 CEILING: Final = 0.01

@@ -15,7 +15,7 @@ from itertools import islice, pairwise
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.room_names import RoomNames, room_names_of
+from catalogs.synonyms import RoomNames, room_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said

@@ -11,7 +11,7 @@ from statistics import median
 from typing import Final, Literal, NamedTuple
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.room_names import RoomNames, room_names_of
+from catalogs.synonyms import RoomNames, room_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
