@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shlex
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 from xml.sax.saxutils import escape
@@ -20,6 +20,7 @@ from solver.statistics.summary import spread
 from solver.whole_files import write_whole
 
 CARD: Final = "README.md"
+TEMPLATE: Final = Path(__file__).parent / "card.md"
 MADE_FROM: Final = "made_from"
 """The folder of the files that make the set again."""
 PLOTS: Final = "plots"
@@ -59,8 +60,8 @@ def write_card(folder: Path, manifest: Document) -> None:
     }
     for name, picture in plots.items():
         write_whole(folder / PLOTS / f"{name}.svg", picture.encode())
-    parts = [_front(manifest), _words(manifest), _statistics(homes, manifest, plots), _again(manifest), _claims(), _limits(manifest)]
-    write_whole(folder / CARD, ("\n\n".join(parts) + "\n").encode())
+    text = TEMPLATE.read_text(encoding="utf-8").format_map(_said(manifest, homes, plots))
+    write_whole(folder / CARD, text.encode())
 
 
 def _columns(folder: Path, name: str, columns: Sequence[str]) -> dict[str, list[Any]]:
@@ -76,46 +77,38 @@ def _known(values: Sequence[Any]) -> list[Any]:
     return [value for value in values if value is not None]
 
 
-def _front(manifest: Mapping[str, Any]) -> str:
-    size = next((words for most, words in _SIZES if manifest["homes"] < most), "n>10M")
-    splits = [split for split in SPLITS if manifest["splits"].get(split)]
-    lines = ["---", "pretty_name: Furnished homes made by Compose", "license: mit", "language: [en]", "task_categories: [other]"]
-    lines += ["tags: [indoor-scenes, floor-plans, furniture-layout, robotics, synthetic]", f"size_categories: ['{size}']", "configs:"]
-    for name in SCHEMAS:
-        lines += [f"- config_name: {name}", *(["  default: true"] if name == "houses" else []), "  data_files:"]
-        for split in splits:
-            lines += [f"  - split: {split}", f"    path: {TABLES}/{name}/{split}-*.parquet"]
-    return "\n".join([*lines, "---"])
-
-
-def _words(manifest: Mapping[str, Any]) -> str:
-    ranges = ", ".join(f"{first}-{last}" for first, last in manifest["seeds"])
-    catalogs = ", ".join(f"{name} ({mark})" for name, mark in manifest["catalogs"].items())
-    files = f", and `{ARCHIVES}/` of {', '.join(manifest['formats'])} as webdataset reads them" if manifest["formats"] != ["json"] else ""
-    status = ", ".join(f"{count:,} {name}" for name, count in manifest["status"].items())
-    splits = ", ".join(f"{manifest['splits'].get(name, 0):,} {name}" for name in SPLITS)
-    return f"""# Furnished homes made by Compose
-
-{manifest["homes"]:,} whole homes with rooms, doors, windows, furniture and what lies on it, each laid out from a seed ({ranges}) by
-Compose {manifest["version"]} and judged by its validator: {status}. Catalogs: {catalogs}. Tables in parquet{files}.
-
-Splits are drawn by a hash of the seed: {splits}. A home keeps its split when the set grows.
-
-The homes are made by MIT-licensed software from its own catalog; no scan, drawing or model of others is in them."""
-
-
-def _statistics(homes: Mapping[str, list[Any]], manifest: Mapping[str, Any], plots: Mapping[str, str]) -> str:
-    rows = [[words, *_spread(_known(homes[name]))] for name, words in FIGURES.items()]
+def _said(manifest: Mapping[str, Any], homes: Mapping[str, list[Any]], plots: Iterable[str]) -> dict[str, object]:
+    """Returns what stands at each place of the card."""
     rooms, proven = sum(_known(homes["rooms"])), sum(_known(homes["proven"]))
-    counts = [[name, f"{count:,}"] for name, count in manifest["rows"].items()]
-    parts = [
-        "## Figures",
-        table(["of a home", "10 %", "median", "90 %", "mean"], rows),
-        f"{100 * proven / rooms:.2f} % of the {rooms:,} rooms are proven: no placement of their pieces is cheaper." if rooms else "",
-        table(["table", "rows"], counts),
-        "\n".join(f"![{name}]({PLOTS}/{name}.svg)" for name in plots),
-    ]
-    return "\n\n".join(part for part in parts if part)
+    share = f"{100 * proven / max(rooms, 1):.2f} % of the {rooms:,} rooms are proven: no placement of their pieces is cheaper.\n\n"
+    figures = [[words, *_spread(_known(homes[name]))] for name, words in FIGURES.items()]
+    archives = f", and `{ARCHIVES}/` of {', '.join(manifest['formats'])} as webdataset reads them"
+    return {
+        "size": next((words for most, words in _SIZES if manifest["homes"] < most), "n>10M"),
+        "configs": "\n".join(_configs([split for split in SPLITS if manifest["splits"].get(split)])),
+        "homes": manifest["homes"],
+        "seeds": ", ".join(f"{first}-{last}" for first, last in manifest["seeds"]),
+        "version": manifest["version"],
+        "status": ", ".join(f"{count:,} {name}" for name, count in manifest["status"].items()),
+        "catalogs": ", ".join(f"{name} ({mark})" for name, mark in manifest["catalogs"].items()),
+        "archives": archives if manifest["formats"] != ["json"] else "",
+        "splits": ", ".join(f"{manifest['splits'].get(name, 0):,} {name}" for name in SPLITS),
+        "figures": table(["of a home", "10 %", "median", "90 %", "mean"], figures),
+        "proven": share if rooms else "",
+        "rows": table(["table", "rows"], [[name, f"{count:,}"] for name, count in manifest["rows"].items()]),
+        "plots": "\n".join(f"![{name}]({PLOTS}/{name}.svg)" for name in plots),
+        "digest": manifest["digest"],
+        "commands": "\n".join(_commands(manifest)),
+        "wrong": manifest["rows"].get("houses", 0) - manifest["status"].get("clean", 0),
+    }
+
+
+def _configs(splits: Sequence[str]) -> Iterator[str]:
+    """Yields where hubs find each table."""
+    for name in SCHEMAS:
+        yield from (f"- config_name: {name}", *(["  default: true"] if name == "houses" else []), "  data_files:")
+        for split in splits:
+            yield from (f"  - split: {split}", f"    path: {TABLES}/{name}/{split}-*.parquet")
 
 
 def _spread(values: Sequence[float]) -> list[str]:
@@ -123,46 +116,12 @@ def _spread(values: Sequence[float]) -> list[str]:
     return [f"{found[key]:g}" if found else "-" for key in ("p10", "median", "p90", "mean")]
 
 
-def _again(manifest: Mapping[str, Any]) -> str:
+def _commands(manifest: Mapping[str, Any]) -> Iterator[str]:
+    """Yields the commands that make the set again, one for each range of its seeds."""
     words = ["compose", "dataset", "--request", f"{MADE_FROM}/request.json"]
     words += ["--vary", f"{MADE_FROM}/vary.json"] if manifest["vary"] is not None else []
     words += ["--formats", ",".join(manifest["formats"]), "--shard-size", str(manifest["shard_size"])]
-    lines = [shlex.join([*words, "--seeds", f"{first}-{last}", "--out", "homes"]) for first, last in manifest["seeds"]]
-    needs = f"pip install 'compose-homes[dataset]=={manifest['version']}'"
-    return "\n".join(
-        [
-            "## Make it again",
-            "",
-            f"With `{needs}`, in this folder; the scenes' digest is then `{manifest['digest']}`:",
-            "",
-            "```sh",
-            *lines,
-            "```",
-            "",
-            "One home alone, from its row: `compose dataset make . --seed N`.",
-        ]
-    )
-
-
-def _claims() -> str:
-    rows = [
-        ["every file is as it was written, every count holds", "`compose dataset check .`"],
-        ["homes marked `clean` break no rule", "`compose dataset check . --all` validates every scene"],
-        ["every home is made again from its row, byte by byte", "`compose dataset check . --all`"],
-        ["a seed's split never changes", "`check` compares it with the hash"],
-        ["a room that is `proven` has no cheaper placement", "column `cost`; Compose's tests hold it against exact solvers"],
-        ["a front that `opens` 1 opens wholly", "table `fronts`; Compose's tests open each in MuJoCo"],
-    ]
-    return "\n\n".join(["## What is claimed, and what shows it", table(["claim", "check"], rows)])
-
-
-def _limits(manifest: Mapping[str, Any]) -> str:
-    return f"""## Limits
-
-* Furniture is built of boxes and cylinders of its catalog's sizes; there are no scanned shapes or textures.
-* Rooms have right angles, and stand on one storey.
-* Homes follow Compose's rules of furnishing, which are ours: they are no sample of homes that people live in.
-* {manifest["rows"].get("houses", 0) - manifest["status"].get("clean", 0):,} homes are not clean: filter by `status`."""
+    yield from (shlex.join([*words, "--seeds", f"{first}-{last}", "--out", "homes"]) for first, last in manifest["seeds"])
 
 
 WIDTH, LINE, NAME, ROOM = 640, 18, 170, 60
