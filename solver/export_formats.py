@@ -42,7 +42,9 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "usd": Exporter(
         "USD as text: Isaac Sim, Omniverse, Blender; colliders, masses, doors on joints, labels", "usd_stage", "model/vnd.usda", None, True
     ),
-    "arena": Exporter("Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "arena", "application/zip", None, True),
+    "arena": Exporter(
+        "Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "usd_stage", "application/zip", None, True
+    ),
     "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd"), True, 300),
     "usdz": Exporter(
         "the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd"), True, 300

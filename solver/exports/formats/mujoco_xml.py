@@ -12,7 +12,6 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
-from solver.exports.asset_objects import AssetObjects
 from solver.exports.colliders import AXES, FLOOR, Collider, Triple, box_between, carriers, floor_boxes, shares_of, wall_solids, z_up
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import (
@@ -29,6 +28,7 @@ from solver.exports.moving_parts import (
     moving_parts,
     still_part,
 )
+from solver.exports.object_files import AssetObjects
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files

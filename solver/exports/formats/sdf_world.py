@@ -9,13 +9,12 @@ import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Final
 
-from solver.exports.asset_objects import AssetObjects
 from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
-from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 

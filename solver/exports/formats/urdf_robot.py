@@ -12,9 +12,9 @@ from typing import Final
 from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.object_files import StretchedMesh, UnitMeshes
 from solver.exports.paints import channels
 from solver.exports.safe_names import SafeNames
-from solver.exports.unit_meshes import StretchedMesh, UnitMeshes
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 

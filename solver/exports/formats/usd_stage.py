@@ -1,22 +1,23 @@
 """USD: a house that simulates (Isaac Sim, Isaac Lab, Omniverse, Blender): kinds once, colliders, masses, doors on joints, labels.
 
 The frame is USD's for simulators: z up, y north, front towards -y, m, kg, degrees. The text needs no library; usd-core packs it.
+Isaac Lab-Arena wants an environment beside it, which names what is in the house.
 """
 
 from __future__ import annotations
 
+import json
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from solver.exports.asset_layers import AssetLayers
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import held_things, moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.safe_names import SafeNames
-from solver.exports.usd_bodies import body_guides, body_kind, door_text, front_text, held_text, wall_kind
+from solver.exports.usd_bodies import AssetLayers, body_guides, body_kind, door_text, front_text, held_text, wall_kind
 from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.geometry import rectangles_of
@@ -50,12 +51,17 @@ rel physics:filteredGroups = </House/Building>
 }
 """
 """Leaves turn inside their frames: the two do not touch."""
+_ENVIRONMENT: Final = """\
+# An environment of Isaac Lab-Arena. Register a background `{name}` whose usd_path is {name}.usda, and add `embodiment` and `task`.
+"""
 
 
 def write(model: HouseModel, settings: ExportSettings) -> Files:
-    """Writes `<house>.usda`, or `.usdc` or `.usdz` where the format says so."""
-    text, beside = stage_text(model)
-    name = model.name
+    """Writes `<house>.usda`, or `.usdc` or `.usdz` where the format says so; for arena an environment beside it, which brings its light."""
+    stage, name = _Stage(model), model.name
+    text, beside = stage.text(_GRAVITY if settings.format == "arena" else _SKY + _GRAVITY), stage.layers.files
+    if settings.format == "arena":
+        return {f"{name}.usda": text.encode(), f"{name}_arena.yaml": _environment(model).encode(), **beside}
     if settings.format not in ("usdc", "usdz"):
         return {f"{name}.usda": text.encode(), **beside}
     from pxr import Sdf  # noqa: PLC0415 (an extra)
@@ -69,10 +75,21 @@ def write(model: HouseModel, settings: ExportSettings) -> Files:
     return whole if settings.format == "usdc" else {f"{name}.usdz": zipped(whole, aligned=64)}
 
 
-def stage_text(model: HouseModel, lit: bool = True) -> tuple[str, Files]:
-    """Returns a house as a stage, USD's text format, and the files beside it that it refers to; `lit`: under a sky."""
-    stage = _Stage(model)
-    return stage.text(_SKY + _GRAVITY if lit else _GRAVITY), stage.layers.files
+def _environment(model: HouseModel) -> str:
+    """Returns an environment of Isaac Lab-Arena: the house as its background, and a reference for each body; in the frame of USD.
+
+    It also wants a robot and a task, which are the user's: the text says where.
+    """
+    told = "".join(f"# {json.dumps(warning)}\n" for warning in model.warnings)
+    references = [
+        f"- {{id: {path.rpartition('/')[2]}, parent_id: {model.name}, prim_path: {path.removeprefix('/House/')}, object_type: {kind}}}\n"
+        for path, kind in zip(prim_paths(model).values(), ("base" if body.fixed else "rigid" for body in model.bodies), strict=True)
+    ]
+    listed = f"object_references:\n{''.join(references)}" if references else "object_references: []\n"
+    return (
+        f"{_ENVIRONMENT.format(name=model.name)}{told}env_name: {model.name}\n"
+        f"background: {{id: {model.name}, registry_name: {model.name}}}\nobjects: []\n{listed}relations: []\n"
+    )
 
 
 def prim_paths(model: HouseModel) -> dict[str, str]:
