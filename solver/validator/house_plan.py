@@ -6,7 +6,7 @@ Bodies are not looked at, and nothing is moved for these rules.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from solver.demanded import demand
 from solver.scene import EXTERIOR, Opening
@@ -76,7 +76,7 @@ def _shared(one: Sequence[ExactBox], other: Sequence[ExactBox], wall: int) -> tu
 
 def _leaves_its_wall(place: PlacedRoom, hole: Hole) -> tuple[int, str] | None:
     side, line, start, end = hole.edge
-    over = _uncovered(start, end, [one[2:] for one in place.edges if one.line == line and one.side == side])
+    over = _uncovered(start, end, [(first, last) for wall, at, first, last in place.edges if at == line and wall == side])
     return (over, f"reaches {words(over)} beyond its wall") if over > 0 else None
 
 
@@ -137,11 +137,14 @@ def _beyond(world: World, place: PlacedRoom, hole: Hole) -> list[HouseWall]:
     walls = world.walls.get((place.room.level, OPPOSITE[cut.side]), ())
     first, last = bisect_left(walls, low, key=LINE_OF), bisect_right(walls, high, key=LINE_OF)
     demand(PAIR_WORK * (last - first))
-    return [wall for wall in walls[first:last] if wall.start < end and start < wall.end and wall.place is not place]
+    return [wall for wall in walls[first:last] if wall[1] < end and start < wall[2] and wall[3] is not place]
 
 
-def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:
+def _uncovered(start: int, end: int, parts: Sequence[tuple[int, int]]) -> int:
     """Returns how much of an interval none of the parts covers."""
+    for first, last in parts:
+        if first <= start and end <= last:  # as nearly always
+            return 0
     missing, at = 0, start
     for first, last in sorted(parts):
         if last > at and first < end:
@@ -152,6 +155,8 @@ def _uncovered(start: int, end: int, parts: Iterable[tuple[int, int]]) -> int:
 
 def _meets(hole: Hole, others: Sequence[Hole]) -> tuple[int, str] | None:
     """Judges an opening beside those listed before it in the same line of wall."""
+    if not others:
+        return None
     start, end, sill, top = hole.edge.start, hole.edge.end, hole.sill, hole.top
     apart = (max(start - one.edge.end, one.edge.start - end) >= 0 or one.top <= sill or one.sill >= top for one in others)
     number = next((number for number, is_apart in enumerate(apart) if not is_apart), len(others))

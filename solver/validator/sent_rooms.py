@@ -29,6 +29,7 @@ _NO_SUCH_WALL: Final = 4
 _FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
 """How a body is turned: its width along x, along z, or neither."""
+_MOST_TURNED: Final = 20_000
 
 
 def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
@@ -146,8 +147,21 @@ def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
 
 def _as_told(bodies: BodyRows, kinds: _KindTable) -> bytes:
     """Returns bodies that are told as rows already, and behind them how each is turned, and its kind."""
-    there = {look: kinds[look].to_bytes(8, "little") for look in dict.fromkeys(bodies.looks)}
-    return bodies.content + b"".join([_turn(turn) + there[look] for turn, look in zip(bodies.turns, bodies.looks, strict=True)])
+    turned = zip(bodies.turns, map(kinds.__getitem__, bodies.looks), strict=True)
+    return bodies.content + b"".join(map(_TURNED.__getitem__, turned))
+
+
+class _Turned(dict[tuple[int, int], bytes]):
+    """How bodies are turned, and their kind's number in their room, by both."""
+
+    def __missing__(self, key: tuple[int, int]) -> bytes:
+        if len(self) >= _MOST_TURNED:
+            self.clear()
+        found = self[key] = _turn(key[0]) + key[1].to_bytes(8, "little")
+        return found
+
+
+_TURNED: Final = _Turned()
 
 
 @lru_cache(maxsize=1024)
