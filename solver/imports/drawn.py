@@ -25,7 +25,7 @@ OpeningKind = Literal["door", "garage_door", "passage", "window"]
 class DrawnRoom:
     """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own.
 
-    `outdoor` None: the file does not say. `floor` is the colour of its floor, where the file names one.
+    `outdoor` None: the file does not say. `floor` is the colour of its floor, where the file names one. `holes` are outlines in it.
     """
 
     points: tuple[Spot, ...]
@@ -36,6 +36,7 @@ class DrawnRoom:
     outdoor: bool | None = None
     id: str = ""
     floor: str | None = None
+    holes: tuple[tuple[Spot, ...], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -89,7 +89,10 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
 
     return replace(
         plan,
-        rooms=tuple(replace(room, points=tuple(map(at, room.points))) for room in plan.rooms),
+        rooms=tuple(
+            replace(room, points=tuple(map(at, room.points)), holes=tuple(tuple(map(at, hole)) for hole in room.holes))
+            for room in plan.rooms
+        ),
         openings=tuple(_opening(one, at, metres) for one in plan.openings),
         walls=tuple(_wall(one, at, scale) for one in plan.walls),
         solid=tuple(_wall(one, at, scale) for one in plan.solid),

@@ -19,6 +19,7 @@ from solver.imports.formats.procthor_reading import is_procthor, read_procthor
 from solver.imports.formats.rplan_reading import is_rplan, read_rplan
 from solver.imports.formats.svg_reading import is_svg, read_svg
 from solver.imports.formats.sweet_home_reading import is_sweet_home, read_sweet_home
+from solver.imports.holes import cut_open
 from solver.imports.in_millimetres import in_millimetres, of_one_level
 from solver.imports.joining import PlacedDrawing, joined
 from solver.imports.line_growing import grown, usual_gap
@@ -134,6 +135,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
 
 
 def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> list[NamedRoom]:
+    plan = replace(plan, rooms=tuple(cut_open(room, plan.openings, notes) for room in plan.rooms))
     made = straightened([room.points for room in plan.rooms], [room.level for room in plan.rooms])
     kept: list[tuple[DrawnRoom, str, FloorCorners]] = []
     straight = []

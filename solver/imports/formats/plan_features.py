@@ -39,6 +39,8 @@ A_DEGREE: Final = ((111_412.84, -93.5), (111_132.95, -559.85))
 """How long a degree is, m: to the east in cosines of the latitude and of three times it, to the north one part, and that of twice it."""
 FEW_DEGREES: Final = 0.005
 """No plan is so small in any unit, but one in degrees."""
+MOST_RINGS: Final = 21
+"""Of a room: its outline and its holes."""
 KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
 OWN: Final = ("kind", "name", "type", "id", "level")
@@ -74,21 +76,21 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             unread.append(Unread(where, reason))
             continue
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
-        points = _points(shape, form, up, where)
+        points, *holes = _rings(shape, form, up, where)
         unread += [
             Unread(f"{where}.properties", f"no property is called {key!r:.60}; {meant}?")
             for key in said if key not in TOLD[form] for meant in get_close_matches(key, TOLD[form], 1)
         ]  # fmt: skip
         if form == "Polygon":
             tally.add("rooms", most=MOST_ROOMS)
-            tally.add("corners of rooms", len(points))
+            tally.add("corners of rooms", sum(map(len, (points, *holes))))
         elif form == "Point":
             tally.add("furniture")
         else:
             tally.add("walls" if kind == "wall" else "openings", len(points) - 1 if kind == "wall" else 1)
             tally.add("points of lines", len(points), 4 * MOST_POINTS)
         if form == "Polygon":
-            rooms.append(_room(said, points, where))
+            rooms.append(replace(_room(said, points, where), holes=tuple(map(tuple, holes))))
         elif form == "Point" and is_door(said):
             openings.append(DrawnOpening("door", points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
             widths[where] = a_number(said, "width", where, DOOR)
@@ -161,7 +163,8 @@ def _from_degrees(plan: DrawnPlan) -> DrawnPlan:
 
     return replace(
         plan,
-        rooms=tuple(replace(one, points=tuple(map(at, one.points))) for one in plan.rooms),
+        rooms=tuple(replace(one, points=tuple(map(at, one.points)), holes=tuple(tuple(map(at, hole)) for hole in one.holes))
+ for one in plan.rooms),
         openings=tuple(replace(one, start=at(one.start), end=at(one.end)) for one in plan.openings),
         walls=tuple(replace(one, start=at(one.start), end=at(one.end)) for one in plan.walls),
         pieces=tuple(replace(one, x=spot[0], z=spot[1]) for one in plan.pieces for spot in (at((one.x, one.z)),)),
@@ -169,14 +172,18 @@ def _from_degrees(plan: DrawnPlan) -> DrawnPlan:
     )  # fmt: skip
 
 
-def _points(shape: Mapping[str, Any], form: str, up: bool, where: str) -> list[Spot]:
-    place = f"{where}.geometry.coordinates"
-    given: Any = shape.get("coordinates")
-    if form == "Polygon":
-        rings = a_list(given, place)
-        if len(rings) != 1:
-            raise FieldError(place, f"has {len(rings)} rings", "one: rooms have no holes")
-        given, place = rings[0], f"{place}[0]"
+def _rings(shape: Mapping[str, Any], form: str, up: bool, where: str) -> list[list[Spot]]:
+    """Returns the points of a geometry; of a polygon those of its outline and of each hole."""
+    place, given = f"{where}.geometry.coordinates", shape.get("coordinates")
+    if form != "Polygon":
+        return [_points(given, form, up, place)]
+    rings = a_list(given, place)
+    if not 1 <= len(rings) <= MOST_RINGS:
+        raise FieldError(place, f"has {len(rings)} rings", f"1 to {MOST_RINGS}: an outline and its holes")
+    return [_points(ring, form, up, f"{place}[{at}]") for at, ring in enumerate(rings)]
+
+
+def _points(given: Any, form: str, up: bool, place: str) -> list[Spot]:
     listed = [given] if form == "Point" else a_list(given, place)
     check_count(place, len(listed), MOST_POINTS)
     found = [_point(point, up, f"{place}[{number}]") for number, point in enumerate(listed)]

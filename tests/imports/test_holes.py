@@ -1,0 +1,43 @@
+"""Rooms with holes are cut open to a wall: what is around stays floor, and doors into what is within are kept."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.imports.plans import box, collection, floor_area, line, polygon, read, rooms_of
+
+CORE = [(3.0, 2.0), (3.0, 4.0), (5.0, 4.0), (5.0, 2.0)]
+CUT = 0.1
+
+
+def around(*holes: list[tuple[float, float]]) -> dict[str, object]:
+    made = polygon("Hallway", (0, 0), (8, 0), (8, 6), (0, 6))
+    made["geometry"]["coordinates"] += [[*map(list, hole), list(hole[0])] for hole in holes]
+    return made
+
+
+@pytest.mark.parametrize("core", [CORE, CORE[::-1]])
+@pytest.mark.parametrize("south", [True, False])
+def test_a_room_around_another_is_cut_open_where_no_door_is(core: list[tuple[float, float]], south: bool) -> None:
+    y = 2 if south else 4
+    answer = read(collection(around(core), box("Bath", 3, 2, 5, 4), line("door", (3.6, y), (4.4, y)), line("door", (1, 0), (1.9, 0))))
+    hall, bath = rooms_of(answer).values()
+    assert hall.outline is not None
+    assert floor_area(hall.outline) == pytest.approx(48 - 4 - 2 * CUT)
+    assert [(one.connects_to, one.width) for one in bath.openings] == [(hall.id, 0.8)]
+    assert {one.connects_to for one in hall.openings} == {"EXTERIOR", bath.id}
+    assert [(one["of"], one["amount"]) for one in answer.changes if one["step"] == "read"] == [("features[0]", 2.0)]
+    assert not [issue for issue in answer.issues if issue.severity == "error"]
+
+
+def test_each_of_several_holes_is_cut_open_and_columns_and_round_ones_are_told() -> None:
+    round_one = [(6.0, 5.0), (6.5, 5.6), (7.0, 5.0), (6.5, 4.4)]
+    square, column = [(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)], [(1.0, 4.0), (1.3, 4.0), (1.3, 4.3), (1.0, 4.3)]
+    answer = read(collection(around(CORE, square, column, round_one)))
+    (room,) = answer.scene.rooms
+    assert room.outline is not None
+    cuts = sum(float(str(one["amount"])) for one in answer.changes if one["step"] == "read")
+    assert floor_area(room.outline) == pytest.approx(48 - 4 - 1 - CUT * cuts)
+    assert [one["reason"] for one in answer.unread] == [
+        "a hole in a room that is smaller than 0.5 m2, or has no straight side: it is floor"
+    ] * 2
