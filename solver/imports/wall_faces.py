@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Iterator, Sequence
 from typing import Final, Literal, NamedTuple
@@ -29,6 +30,8 @@ THICKEST: Final = 600
 """Of a wall, mm."""
 FAR: Final = 10**9
 """Farther than any wall, mm."""
+STEP: Final = 100
+"""How long the steps before a slanted line are, mm."""
 MOST_CELLS: Final = 250_000
 """Cells that the drawing may be cut into."""
 
@@ -59,17 +62,31 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
     return DrawnLine("x" if axis == "x" else "z", round((a[1 - along] + b[1 - along]) / 2), low, far)
 
 
-def faces_between(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[FloorCorners] | None:
-    """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate."""
+def faces_between(
+    walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], slants: Sequence[tuple[Spot, Spot]] = (), step: int = STEP
+) -> list[FloorCorners] | None:
+    """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate.
+
+    Slanted lines enclose, too: rooms reach to the steps before them.
+    """
     lines = gathered(walls)
-    xs = _cuts([one.at for one in lines if one.axis == "z"], [end for one in lines if one.axis == "x" for end in (one.low, one.high)])
-    zs = _cuts([one.at for one in lines if one.axis == "x"], [end for one in lines if one.axis == "z" for end in (one.low, one.high)])
+    xs, zs = (
+        _cuts(
+            [one.at for one in lines if one.axis != axis],
+            [end for one in lines if one.axis == axis for end in (one.low, one.high)],
+            [at for slant in slants for at in _steps(slant[0][along], slant[1][along], step)],
+        )
+        for along, axis in enumerate(("x", "z"))
+    )
     if len(xs) < 2 or len(zs) < 2:
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
     lines = _closed(lines, openings)
-    found = [outline_of_cells(cells, xs, zs) for cells in _parts(_free(lines, xs, zs), xs, zs) if _is_room(cells, xs, zs)]
+    free = _free(lines, xs, zs)
+    for slant in slants:
+        _cover(free, slant, xs, zs)
+    found = [outline_of_cells(cells, xs, zs) for cells in _parts(free, xs, zs) if _is_room(cells, xs, zs)]
     return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
 
 
@@ -192,8 +209,26 @@ def _fills(opening: DrawnLine, gap: DrawnLine) -> bool:
     return opening.axis == gap.axis and abs(opening.at - gap.at) <= BESIDE and length <= WIDEST * wide and common >= length / 2
 
 
-def _cuts(lines: Sequence[int], ends: Sequence[int]) -> NDArray[np.int64]:
-    return np.array(sorted({*lines, *ends}), dtype=np.int64)
+def _cuts(*values: Sequence[int]) -> NDArray[np.int64]:
+    return np.array(sorted({one for some in values for one in some}), dtype=np.int64)
+
+
+def _steps(a: float, b: float, step: int) -> range:
+    """Returns the whole steps from before one value to behind another."""
+    low, high = sorted((a, b))
+    return range(math.floor((low - SAME_LINE) / step) * step, math.ceil((high + SAME_LINE) / step) * step + 1, step)
+
+
+def _cover(free: NDArray[np.bool_], slant: tuple[Spot, Spot], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> None:
+    """Covers the cells that a slanted line goes through, from a little before its beginning to a little behind its end."""
+    (x0, z0), (x1, z1) = sorted(slant)
+    by = 2 * SAME_LINE / (math.dist(*slant) or 1.0)
+    x0, z0, x1, z1 = x0 - (x1 - x0) * by, z0 - (z1 - z0) * by, x1 + (x1 - x0) * by, z1 + (z1 - z0) * by
+    for at in range(max(0, int(np.searchsorted(xs, x0, "right")) - 1), min(len(xs) - 1, int(np.searchsorted(xs, x1, "left")))):
+        ends = (min(max(float(x), x0), x1) for x in xs[at : at + 2])
+        low, high = sorted(z0 + (z1 - z0) * (x - x0) / (x1 - x0) for x in ends)
+        first, last = int(np.searchsorted(zs, low, "right")) - 1, int(np.searchsorted(zs, high, "left"))
+        free[2 * at + 1 : 2 * at + 4, 2 * max(first, 0) + 1 : 2 * last + 2] = False
 
 
 def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> NDArray[np.bool_]:

@@ -14,13 +14,14 @@ from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.shape_openings import between
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
 from solver.imports.wall_gaps import PASSAGES, WallGap, fitted, gaps_of
 
 NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
 GAPS: Final = "enclose no room: gaps in which no door, window or opening is drawn leave them open"
 """Why there are no rooms where each end of a wall meets another wall."""
+SLANTED: Final = "{} slanted or curved lines: rooms are looked for between straight ones"
 GAPS_TAKEN: Final = "gaps in which nothing is drawn are taken as passages: {}"
 GAP: Final = "a gap in walls"
 """The place of a passage in which nothing is drawn."""
@@ -163,10 +164,13 @@ def _enclosed(walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening
 
     pairs = [(there(a), there(b)) for points in walls for a, b in pairwise(points)]
     lines = [line for a, b in pairs if (line := line_between(a, b))]
-    slanted = sum(1 for a, b in pairs if min(abs(a[0] - b[0]), abs(a[1] - b[1])) > STRAIGHT)
-    unread = [Unread("walls", f"{slanted} slanted or curved lines: rooms are looked for between straight ones")] if slanted else []
-    gaps = [line for one in openings if (line := line_between(there(one.start), there(one.end)))]
-    found = faces_between(lines, gaps)
+    across = [(there(one.start), there(one.end)) for one in openings]
+    gaps = [line for a, b in across if (line := line_between(a, b))]
+    slants = [(a, b) for a, b in (*pairs, *across) if min(abs(a[0] - b[0]), abs(a[1] - b[1])) > STRAIGHT]
+    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(lines, gaps, slants, step)) is not None), None)
+    unread = [Unread("walls", SLANTED.format(len(slants)))] if slants and found is None else []
+    if found is None and slants:
+        found = faces_between(lines, gaps)
     if found is None:
         return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
     if not found:

@@ -18,7 +18,7 @@ from solver import export
 from solver.errors import FieldError
 from solver.imported import PlanImport
 from solver.scene import Scene
-from tests.imports.plans import read
+from tests.imports.plans import floor_area, read
 from tests.imports.test_round_trips import home
 
 KEPT = ("WALLS", "DOORS", "WINDOWS", "OPENINGS", "NAMES")
@@ -177,3 +177,38 @@ def test_walls_with_gaps_alone_are_told_to_be_open_there() -> None:
 def test_walls_that_enclose_nothing_are_told_with_how_many_of_their_ends_are_free() -> None:
     with pytest.raises(FieldError, match="its walls: enclose no room: 4 of their ends meet neither another wall nor an opening"):
         single_lines((0, 0, 800, 0), (800, 0, 800, 400), (700, 600, 0, 600))
+
+
+def octagon(across: float) -> list[tuple[float, float]]:
+    """The corners of an octagon around (500, 500), so wide across, from the east end of its north side on, clockwise."""
+    turns = [math.radians(45 * at - 67.5) for at in range(8)]
+    by = across / 2 / math.cos(math.radians(22.5))
+    return [(500 + by * math.cos(turn), 500 + by * math.sin(turn)) for turn in turns]
+
+
+def path_of(spots: list[tuple[float, float]], end: str = "") -> str:
+    return "M" + " L".join(f"{x:.4f} {y:.4f}" for x, y in spots) + end
+
+
+@pytest.mark.parametrize("turn", [0, 20])
+@pytest.mark.parametrize("is_open", [False, True])
+def test_slanted_walls_enclose_rooms_that_reach_to_the_steps_before_them(turn: int, is_open: bool) -> None:
+    """An octagon 6 m wide; where it is open, a window closes half of its north-east side, which is slanted."""
+    inner, outer = octagon(600), octagon(640)
+    window = ""
+    if is_open:
+        quarters = [[(a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share) for share in (0.25, 0.75)]
+                    for a, b in (inner[:2], outer[:2])]  # fmt: skip
+        around = [quarters[0][1], *inner[1:], inner[0], quarters[0][0], quarters[1][0], outer[0], *outer[:0:-1], quarters[1][1]]
+        walls = path_of(around, "Z")
+        (x0, y0), (x1, y1) = (((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in zip(*quarters, strict=True))
+        window = f"<line class='window' x1='{x0}' y1='{y0}' x2='{x1}' y2='{y1}'/>"
+    else:
+        walls = path_of(inner, "Z") + path_of(outer, "Z")
+    answer = drawn(f"<g transform='rotate({turn})'><path class='wall' d='{walls}'/>{window}</g>")
+    (room,) = answer.scene.rooms
+    assert room.outline is not None
+    half = answer.scene.wall_thickness / 2
+    side, area = 6.0 * math.tan(math.radians(22.5)), 8 * math.tan(math.radians(22.5)) * 9.0
+    reached = floor_area(room.outline) - half * (4 * side + 2 * (6.0 - side) * 2)
+    assert area - 4 * side * 0.15 <= reached <= area + 0.3 * is_open
