@@ -108,13 +108,14 @@ class _Draft:
         return [i for i in self.unforced if self.types[i] is None]
 
     def essentials(self) -> None:
-        """Bathroom, kitchen, living room and master bedroom, as far as the rooms go and nobody forced them."""
+        """Bathroom, kitchen (at the outside if it can be), living room, master bedroom, as far as the rooms go and nobody forced them."""
         rooms = len(self.unforced)
         if rooms >= 2 and not self.counts["bathroom"]:
             self.give(self.untyped()[0], "bathroom", fixed=True)
         if rooms >= 2 and not self.counts["kitchen"]:
             left, typical = self.untyped(), self.fitness.rooms["kitchen"].area.typical
-            fit = [next((i for i in left[:-1] if self.area[i] >= least), left[-1]) for least in (typical, KITCHEN_M2)]
+            lit = [i for i in left[:-1] if self.fitness.outside[i]] or left[:-1]
+            fit = [next((i for i in lit if self.area[i] >= least), left[-1]) for least in (typical, KITCHEN_M2)]
             self.give(fit[0] if fit[0] != left[-1] else fit[1], "kitchen", fixed=True)
         if rooms != 2 and self.untyped() and not self.counts["living_room"]:
             self.give(min(self.untyped(), key=self._living), "living_room", fixed=True)

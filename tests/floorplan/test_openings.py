@@ -89,6 +89,15 @@ def test_windows_suit_their_rooms(seed: int) -> None:
             assert sum(o.width * o.height for o in windows) <= room.width * room.depth / 4 + 1e-9
 
 
+@pytest.mark.parametrize("fields", [{}, {"use_spine": False}, {"outdoor": True}], ids=str)
+def test_plain_houses_have_light_wherever_one_lives(fields: dict[str, object]) -> None:
+    """Kitchens were the smallest room of their size: of default houses 44 % of them lay inside, while rooms at the outside were baths."""
+    for seed in range(930_000, 930_020):
+        for room in drawn(seed=seed, **fields).rooms:
+            lit = any(o.kind == "window" for o in room.openings)
+            assert lit or not CATALOGS.rooms[room.type].plan.habitable, (seed, room.id)
+
+
 def test_no_front_door_takes_a_rooms_only_window() -> None:
     """Rooms that are lived in and lie at the outside have a window; of one such programme in thirty the door stood in the way."""
     every = homes.Homes()
