@@ -16,6 +16,8 @@ from tests.density.ruler import FACE, Box, boxes
 STORES = ("wardrobe", "dresser")
 FRONT, ASIDE = 0.6, 0.5
 """Floor before a cupboard's doors and drawers, and along a bed, for one who stands there."""
+SHELVES, SHELF_FRONT = ("bookshelf", "storage_shelf", "toy_shelf"), 0.4
+"""Shelves without doors, and the floor before them for one who takes something out."""
 FLAT = 0.02
 """What is lower lies on the floor and is in nobody's way."""
 DOUBLE = 1.35
@@ -126,6 +128,11 @@ def floors(scene: Scene, *types: str) -> Iterator[Floor]:
 def fronts_free(scene: Scene) -> Count:
     """Wardrobes and dressers with FRONT of floor free along the whole of their front."""
     return count(floor.free(strip(box, "front", FRONT), (box,)) for floor in floors(scene) for box in floor.named(*STORES))
+
+
+def shelves_free(scene: Scene) -> Count:
+    """Open shelves with SHELF_FRONT of floor free along the whole of their front."""
+    return count(floor.free(strip(box, "front", SHELF_FRONT), (box,)) for floor in floors(scene) for box in floor.named(*SHELVES))
 
 
 def _chairs(floor: Floor, table: Box) -> dict[str, int]:
@@ -357,6 +364,7 @@ def _inside(room: Room, opening: Opening, low: int, high: tuple[int, int]) -> tu
 
 LINES = (
     Line("wardrobe, dresser: front free, 0.6 m", fronts_free, {"*": 0.95}),
+    Line("open shelf: front free, 0.4 m", shelves_free, {"*": 0.9}),
     Line("free-standing dining table: lopsided chairs", lopsided, {"*": 0.05}, most=True),
     Line("dining table: one chair at most", lonely, {"*": 0.0}, most=True),
     Line("bed: head under a window", heads_under_windows, {"*": 0.05}, most=True),
