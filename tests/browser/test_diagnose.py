@@ -158,7 +158,7 @@ def test_fix_shows_what_the_service_made_of_it_and_undo_is_one_step(visit: Visit
     fixed = caught.value.json()
     assert sent_by(caught.value.request)["scene"] == answer["scene"]
     assert errors(fixed["issues"]) == []
-    expect(visit.page.locator("#diagnose_said")).to_contain_text(f"{len(fixed['moves'])} bod")
+    expect(visit.page.locator("#diagnose_said")).to_contain_text(f"{len(fixed['moves'])} piece")
     expect(visit.page.locator("#diagnose_said")).to_contain_text("no error is left")
     expect(visit.page.locator(".report-wrong")).to_have_count(0)
     told = ask(visit, "validate", {"scene": fixed["scene"], "report": True})["report"]["text"]
@@ -176,6 +176,7 @@ def test_fix_shows_what_the_service_made_of_it_and_undo_is_one_step(visit: Visit
 def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
     answer = spoiled(visit)
     removed = {"id": furniture_of(answer)[0], "reason": "there is no floor for it"}
+    name = removed["id"].partition("/")[2].removesuffix("_1").replace("_", " ")
 
     def refuse(route: Route) -> None:
         kept = {
@@ -195,7 +196,7 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
     said = visit.page.locator("#diagnose_said")
     expect(said).to_contain_text("0.2 m are missing")
     leaving.click()
-    expect(said).to_contain_text(f"Left out {removed['id']}: there is no floor for it")
+    expect(said).to_contain_text(f"Left out {name}: there is no floor for it")
     expect(leaving).to_be_hidden()
 
 

@@ -42,7 +42,7 @@ test("a repair is told with what moved, what went and what is left", () => {
   const move = { id: "a", dx: 1, dz: 0, rotation: 0 };
   expect(fixWords(nothing)).toEqual(["Nothing moved; no error is left."]);
   expect(fixWords({ ...nothing, moves: [move], issues: [issue("overlap"), issue("missing_required", "warning")] })).toEqual([
-    "1 body moved; 1 error is left.",
+    "1 piece moved; 1 error is left.",
   ]);
   const told = fixWords({
     ...nothing,
@@ -50,7 +50,7 @@ test("a repair is told with what moved, what went and what is left", () => {
     removed: [{ id: "b", reason: "no floor" }],
     conflicts: [{ ids: ["c", "d"], message: "0.2 m are missing", repairs: [] }],
   });
-  expect(told).toEqual(["2 bodies moved; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
+  expect(told).toEqual(["2 pieces moved; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
 });
 
 test("issues are grouped by rule, errors first, each once", () => {

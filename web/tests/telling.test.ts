@@ -63,6 +63,8 @@ describe("in English", () => {
     expect(tell("desk 1.40 x 0.70 m and console_table 1.20 x 0.34 m cannot stand together in foyer_1: 4 cm short", HOME))
       .toBe("desk 1.40 x 0.70 m and console table 1.20 x 0.34 m cannot stand together in the foyer: 4 cm short");
     expect(tellSentence("bathroom_4 can only be entered through bathroom_3/door", HOME)).toBe("Bathroom 2 can only be entered through bathroom_3/door");
+    expect(tell("kitchen_2/stove_1 stands 35 cm in the way of the door door_2 in kitchen_2", HOME)).toBe("the stove stands 35 cm in the way of door 2 in the kitchen");
+    expect(tell("person_1 stands 5 cm in the way of the garage_door garage_door_1", HOME)).toBe("the person stands 5 cm in the way of the garage door");
     expect(tell("kept from going further east by the floor before passage_13: 3.83 a metre", HOME)).toBe("kept from going further east by the floor before passage 13: 3.83 a metre");
   });
 });

@@ -1,7 +1,7 @@
 /** What a repair did, in words. Pure. */
 import type { FixAnswer } from "../contract";
 import { say, type Words } from "../words/language";
-import { tell, tellSentence } from "../words/telling";
+import { idWords, tell, tellSentence } from "../words/telling";
 
 const counted = (count: number, none: Words, one: Words, many: Words): string => (count === 0 ? say(none) : count === 1 ? say(one) : say(many, { count }));
 
@@ -9,8 +9,8 @@ const counted = (count: number, none: Words, one: Words, many: Words): string =>
 export function fixWords({ moves, removed, conflicts, issues, scene }: FixAnswer): string[] {
   const errors = issues.filter((issue) => issue.severity === "error").length;
   return [
-    counted(moves.length, "Nothing moved; ", "1 body moved; ", "{count} bodies moved; ") + counted(errors, "no error is left.", "1 error is left.", "{count} errors are left."),
-    ...removed.map(({ id, reason }) => say("Left out {piece}: {reason}", { piece: id, reason: tell(reason, scene) })),
-    ...conflicts.map(({ ids, message }) => say("Cannot stand together: {pieces}. {reason}", { pieces: ids.join(", "), reason: tellSentence(message, scene) })),
+    counted(moves.length, "Nothing moved; ", "1 piece moved; ", "{count} pieces moved; ") + counted(errors, "no error is left.", "1 error is left.", "{count} errors are left."),
+    ...removed.map(({ id, reason }) => say("Left out {piece}: {reason}", { piece: idWords(id), reason: tell(reason, scene) })),
+    ...conflicts.map(({ ids, message }) => say("Cannot stand together: {pieces}. {reason}", { pieces: ids.map(idWords).join(", "), reason: tellSentence(message, scene) })),
   ];
 }

@@ -29,6 +29,11 @@ const SUM = " + ";
 const ID = /^(?:[\p{L}\d_]+\/)?[\p{L}_][\p{L}\d_]*$/u;
 const IDS = /(?<![\p{L}\d_/'"])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\p{L}\d_/])/gu;
 
+/** An id of a piece, or of what has a number: a door, a person. */
+const OF_A_HOME = /\/|_\d+$/;
+/** A kind that the id after it begins with, too: the door door_2. */
+const KIND_BEFORE = /\bthe (\w+) (?=\1_\d+\b)/g;
+
 const escaped = (text: string): string => text.replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&");
 
 /** The forms: those first that begin with words of their own, of them those that say most with these. */
@@ -104,10 +109,10 @@ function numbers(english: string): string {
 /** What the service says of a scene, or of none that is known. */
 export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { rooms: [] }): string {
   const told = formed(said, (id) => roomWords(id, rooms) ?? (ID.test(id) ? idWords(id) : null), 0);
-  return told ?? said.replace(IDS, (id) => {
+  return told ?? said.replace(KIND_BEFORE, "").replace(IDS, (id) => {
     const room = roomWords(id, rooms);
     const words = room ?? idWords(id);
-    return TOLD || (room === null && !id.includes("/")) || NUMBERED.test(words) ? words : `the ${words}`;
+    return TOLD || (room === null && !OF_A_HOME.test(id)) || NUMBERED.test(words) ? words : `the ${words}`;
   });
 }
 
