@@ -138,6 +138,6 @@ export class Inspector {
       return choose;
     }));
     const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press “4 × 3 m”.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
-    return group(say("{count} rooms, {area}", { count: draft.rooms.length, area: sayArea(total) }), list, hint(words));
+    return group(say(draft.rooms.length === 1 ? "1 room, {area}" : "{count} rooms, {area}", { count: draft.rooms.length, area: sayArea(total) }), list, hint(words));
   }
 }
