@@ -137,6 +137,38 @@ def test_a_locked_neighbour_stays_and_cannot_be_dragged(visit: Visit) -> None:
     assert bench.fixes == asked
 
 
+SEEN = """id => {
+    const places = globalThis.seen = [];
+    const look = () => {
+        const [x] = compose.places[id];
+        if (places.at(-1) !== x) places.push(x);
+        if (globalThis.seen === places) requestAnimationFrame(look);
+    };
+    look();
+}"""
+"""Notes, frame by frame, where a piece is drawn: each place once, until it is asked for."""
+
+
+def test_a_moved_piece_glides_to_its_place_but_is_there_at_once_to_who_wants_no_motion(visit: Visit) -> None:
+    bench = Bench(visit, den(crate(ONE, 1, 1)))
+    bench.choose(ONE)
+
+    def seen(key: str) -> list[float]:
+        bench.page.evaluate(SEEN, ONE)
+        bench.press(key)
+        places: list[float] = bench.page.evaluate("() => { const places = seen; globalThis.seen = null; return places; }")
+        return places
+
+    for moves in ("reduce", "no-preference"):
+        bench.page.emulate_media(reduced_motion=moves)
+        glides = [seen(key) for key in ("ArrowRight", "ArrowLeft") * 4]
+        for there, back in zip(glides[::2], glides[1::2], strict=True):
+            assert (there[0], there[-1], back[0], back[-1]) == pytest.approx((1, 1.05, 1.05, 1), abs=1e-3)
+            assert (there, back[::-1]) == (sorted(there), sorted(back))
+        among = {len(places) > 2 for places in glides}  # a busy machine may show the end alone
+        assert (True in among) == (moves == "no-preference")
+
+
 def test_keys_turn_a_piece_and_undo_and_redo_go_back_and_forth(visit: Visit) -> None:
     bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 3, 2)))
     bench.choose(ONE)

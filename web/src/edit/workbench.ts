@@ -232,7 +232,7 @@ export class Workbench {
     if (seen !== house.bodies) for (const body of seen) house.place(body.id, spotOf(body));
     if (!this.#slide.to(house.bodies, belongs) || this.#sliding) return;
     this.#sliding = true;
-    this.stage.viewport.move((seconds) => {
+    this.stage.viewport.glide((seconds) => {
       this.#sliding = this.#slide.step(seconds);
       this.stage.viewport.castShadows();
       return this.#sliding;
