@@ -103,7 +103,6 @@ def test_with_a_home(spoken: Visit) -> None:
     page.locator("details.group").evaluate_all(OPEN)
     states.look("all groups open", "#recent_list .recent-home")
     scene = spoken.open(PLAIN_HOME)["scene"]
-    page.locator("details.group").evaluate_all(OPEN)
     for button, shown, shut in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
         page.locator(button).click()
         states.look(button, shown)
