@@ -15,6 +15,7 @@ from solver.demanded import demand
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.kinds import KindFronts, Kinds
 from solver.validator.shells import ShellRows, shell_of
+from solver.validator.walk import OPENED
 from solver.validator.world import PlacedRoom, World
 
 WALL: Final = "wall"
@@ -75,7 +76,7 @@ def travels_in(case: RuleCase) -> list[FrontTravel]:
 
 def _travels(case: RuleCase) -> list[FrontTravel]:
     """Returns how far every front of a room opens, in the order of its furniture."""
-    place, told, found = case.room, iter(case.judged.opened), list[FrontTravel]()
+    place, told, found = case.room, OPENED.iter_unpack(case.judged.opened), list[FrontTravel]()
     names = furniture_ids(place.room) if case.openers else ()
     for body, fronts in case.openers:
         for (name, slides, reach, must_open), (travel, meets) in zip(fronts.each, told, strict=False):

@@ -27,7 +27,8 @@ _FLOOR: Final = Struct("<4q")
 _AREAS: Final = Struct("<4Q")
 _JUDGED: Final = Struct("<2q")
 _FINDING: Final = Struct("<8q")
-_OPENED: Final = Struct("<2q")
+OPENED: Final = Struct("<2q")
+"""How far a front opens, millionths, and what it meets then."""
 
 
 @dataclass(frozen=True)
@@ -59,10 +60,10 @@ class Walk:
 
 
 class JudgedRows(NamedTuple):
-    """What the core tells of a room that was judged: what breaks a rule, how far its fronts open; nothing where that was too much."""
+    """What the core tells of a room that was judged: what breaks a rule, and `OPENED` of its fronts; none where that was too much."""
 
     findings: Sequence[tuple[int, ...]] = ()
-    opened: Sequence[tuple[int, ...]] = ()
+    opened: bytes = b""
 
 
 def walks(world: World) -> tuple[Walk, ...]:
@@ -110,8 +111,8 @@ def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows]
     at += _JUDGED.size * count
     opened_at = at + _FINDING.size * sum(findings for findings, _ in counts)
     for findings, fronts in counts:
-        end, opened_end = at + _FINDING.size * findings, opened_at + _OPENED.size * fronts
-        found.append(JudgedRows([*_FINDING.iter_unpack(told[at:end])], [*_OPENED.iter_unpack(told[opened_at:opened_end])]))
+        end, opened_end = at + _FINDING.size * findings, opened_at + OPENED.size * fronts
+        found.append(JudgedRows([*_FINDING.iter_unpack(told[at:end])], told[opened_at:opened_end]))
         at, opened_at = end, opened_end
     return found, opened_at
 
