@@ -36,7 +36,7 @@ from solver.imports.shape_openings import (
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
 from solver.imports.wall_gaps import fitted, gaps_of
-from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
+from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
     "garage_door": ("garage door", "garagedoor", "garagentor", "porte de garage"),
@@ -142,6 +142,7 @@ def plan_of_shapes(
             for a, b in zip(one.points, one.points[1:], strict=False)
         ]  # fmt: skip
         found = _beside(rooms, loose, openings, unit)
+        openings += passages_between(rooms, openings, gaps, unit)
     else:
         names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)

@@ -23,8 +23,8 @@ NARROW: Final = 600
 """Through what is narrower, mm, nobody goes outdoors."""
 DOOR: Final = (750, 1150)
 """A door to come in by is as wide, mm."""
-GARAGE: Final = 1900
-"""A garage door is as wide, mm."""
+GARAGE: Final = (1900, 2400)
+"""A garage door is as wide, mm; so is one of which the file says that it has a leaf."""
 NO_ENTRANCE: Final = 100
 """The place, in the order of entrances, of a room that is none."""
 UNTOLD: Final = "the file says no more than that it is an opening"
@@ -64,7 +64,7 @@ def _kind(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
 
 def _by_width(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
     """Returns what an opening is drawn as; a wide door without a leaf, from outside into a garage, is a garage door."""
-    is_wide = one.drawn.kind == "door" and one.high - one.low >= GARAGE and one.hinge is None
+    is_wide = one.drawn.kind == "door" and one.high - one.low >= GARAGE[one.hinge is not None]
     if is_wide and _is_outer(one, rooms) and rooms[one.edges[0].room].type.startswith("garage"):
         return "garage_door", "so wide a door leads into a garage"
     return one.drawn.kind, ""

@@ -95,7 +95,8 @@ def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowG
             other = gaps[others[0]]
             is_left[[place, others[0]]] = False
             line = DrawnLine(axis, (at + other.line.at) // 2, max(low, other.line.low), min(high, other.line.high))
-            yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
+            if not rows.is_filled(line._replace(at=at), other.line.at - at):
+                yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
         elif is_free[gap] and not rows.is_face(gap.line, THINNEST, THICKEST):
             yield gap, 0
 

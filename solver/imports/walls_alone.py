@@ -97,7 +97,7 @@ def rooms_between(
     one; or where there would be no room.
     """
     found = _enclosed(walls, openings, metres)
-    wide = [gap for gap in gaps if metres and PASSAGES[0] <= gap.width * metres * 1000 <= PASSAGES[1]]
+    wide = _empty(gaps, openings, metres)
     kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
     inside = {spot for room in kept for spot in names if encloses(room.points, spot.x, spot.z)}
     if metres is None or not wide or (kept and len(kept) == len(found.rooms) and len(inside) == len(names)):
@@ -117,6 +117,21 @@ def rooms_between(
     passages = [_passage(gap) for gap in wide if _beside(gap, added, within)]
     told = [Unread("walls", GAPS_TAKEN.format(len(passages)))] if passages else []
     return Between([*kept, *added], found.thickness, [*(() if added and not kept else found.told), *told], passages)
+
+
+def passages_between(
+    rooms: Sequence[DrawnRoom], openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None
+) -> list[DrawnOpening]:
+    """Returns the passages that gaps are which lie between two rooms."""
+    within = INSIDE / (metres or 1.0)
+    return [_passage(gap) for gap in _empty(gaps, openings, metres) if len({room.where for room in _beside(gap, rooms, within)}) > 1]
+
+
+def _empty(gaps: Sequence[WallGap], openings: Sequence[DrawnOpening], metres: float | None) -> list[WallGap]:
+    """Returns the gaps of a passage's width in which nothing is drawn."""
+    spots = [between(one.start, one.end) for one in openings]
+    wide = [gap for gap in gaps if metres and PASSAGES[0] <= gap.width * metres * 1000 <= PASSAGES[1]]
+    return [gap for gap in wide if all(math.dist(between(gap.start, gap.end), spot) > (gap.width + gap.thickness) / 2 for spot in spots)]
 
 
 def _passage(gap: WallGap) -> DrawnOpening:

@@ -122,3 +122,11 @@ def test_a_wide_door_of_a_garage_is_a_garage_door_and_a_number_may_begin_a_name(
     (garage,) = [room for room in imported(made).scene.rooms if room.type == "garage"]
     assert garage.extra["name"] == "2 car garage"
     assert sorted((one.kind, one.width) for one in garage.openings) == [("door", 0.885), ("garage_door", 2.4)]
+
+
+def test_gaps_between_rooms_that_are_drawn_are_passages_too() -> None:
+    made = drawing({})
+    for name, x0, x1 in (("Küche", 300, 3700), ("Flur", 3800, 5300), ("Bad", 5400, 8700)):
+        made.modelspace().add_lwpolyline([(x0, 300), (x1, 300), (x1, 5700), (x0, 5700)], close=True, dxfattribs={"layer": "Räume"})
+        made.modelspace().add_text(name, height=150).set_placement((x0 + 500, 3000))
+    assert [(one.kind, one.width) for one in doors(imported(made))] == [("passage", 0.885), ("passage", 0.76)]
