@@ -11,6 +11,7 @@ export class Progress {
 
   constructor(readonly host: HTMLElement, readonly busy: HTMLElement) {
     this.#words = host.querySelector("span") as HTMLElement;
+    this.#hide(); // until now the page itself was under way
   }
 
   start(what: string): void {
@@ -26,9 +27,13 @@ export class Progress {
     clearTimeout(this.#waiting);
     clearInterval(this.#ticking);
     this.#since = null;
+    this.#hide();
+    this.busy.setAttribute("aria-busy", "false");
+  }
+
+  #hide(): void {
     this.#words.textContent = "";
     this.host.hidden = true;
-    this.busy.setAttribute("aria-busy", "false");
   }
 
   #say(what: string): void {
