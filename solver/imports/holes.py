@@ -10,7 +10,7 @@ from typing import Final
 from solver.geometry import doubled_area, edges_round
 from solver.imports.drawn import DrawnOpening, DrawnRoom, PlanNotes, Spot
 
-Cut = tuple[Spot, Spot]
+Slit = tuple[Spot, Spot]
 CUT: Final = 100.0
 """How wide the cut is, mm."""
 SMALLEST: Final = 500_000.0
@@ -39,12 +39,12 @@ def cut_open(room: DrawnRoom, openings: Sequence[DrawnOpening], notes: PlanNotes
     return replace(room, points=tuple(points), holes=())
 
 
-def _is_at(cut: Cut, doors: Sequence[Cut]) -> bool:
+def _is_at(cut: Slit, doors: Sequence[Slit]) -> bool:
     """Tells whether a cut begins or ends in a door."""
     return any(math.dist(a, spot) + math.dist(spot, b) <= math.dist(a, b) + 2 * CUT for a, b in doors for spot in cut)
 
 
-def _cuts(points: Sequence[Spot], hole: Sequence[Spot], others: Sequence[Sequence[Spot]]) -> Iterator[tuple[Cut, tuple[Spot, ...]]]:
+def _cuts(points: Sequence[Spot], hole: Sequence[Spot], others: Sequence[Sequence[Spot]]) -> Iterator[tuple[Slit, tuple[Spot, ...]]]:
     """Yields the cuts from a hole's sides to sides of an outline, and the outline that each makes."""
     area = doubled_area(hole)
     if abs(area) < 2 * SMALLEST:
