@@ -73,8 +73,8 @@ def test_windows_suit_their_rooms(seed: int) -> None:
         windows = [o for o in room.openings if o.kind == "window"]
         if room.outdoor or not CATALOGS.rooms[room.type].plan.windows:
             assert windows == []
-        wanted = (0.6, 0.6, 1.4) if room.type in ("bathroom", "laundry") else (1.2, 1.4, 0.9)
-        assert all((o.width, o.height, o.sill) == wanted for o in windows)
+        wanted = {(0.6, 0.6, 1.4)} if room.type in ("bathroom", "laundry") else {(wide, 1.4, 0.9) for wide in (1.2, 1.8, 2.4)}
+        assert {(o.width, o.height, o.sill) for o in windows} <= wanted
         for wall in ("north", "south", "east", "west"):
             here = [o for o in windows if o.wall == wall]
             assert len(here) <= 2
@@ -87,6 +87,22 @@ def test_windows_suit_their_rooms(seed: int) -> None:
         if len(windows) > len(walls):
             assert CATALOGS.rooms[room.type].plan.habitable
             assert sum(o.width * o.height for o in windows) <= room.width * room.depth / 4 + 1e-9
+
+
+@pytest.mark.parametrize("program", [None, "family", "large"])
+def test_windows_of_living_spaces_are_as_wide_as_daylight_asks(program: str | None) -> None:
+    """Glass for 8 % of the floor (IRC, R303.1) everywhere; windows wider than others only where these leave less than an eighth."""
+    wide = 0
+    for seed in range(12):
+        for room in drawn(seed=seed, program=program).rooms:
+            panes = [o.width for o in room.openings if o.kind == "window"]
+            if not CATALOGS.rooms[room.type].plan.habitable or not panes:
+                continue
+            floor = room.width * room.depth
+            assert sum(panes) * 1.4 >= 0.08 * floor, (seed, room.id)
+            assert max(panes) == 1.2 or len(panes) * (max(panes) - 0.6) * 1.4 < floor / 8, (seed, room.id)
+            wide += max(panes) > 1.2
+    assert wide > 0
 
 
 @pytest.mark.parametrize("fields", [{}, {"use_spine": False}, {"outdoor": True}], ids=str)

@@ -7,9 +7,10 @@ namespace {
 
 // Of a living space, and of a bathroom or laundry, below which a basin and a washer stand.
 constexpr i64 PANE_MM = 1200, PANE_HIGH_MM = 1400, SMALL_PANE_MM = 600;
-constexpr i64 TWO_MM = 4200;  // wall from which it may have two windows
-// Most glass per floor with which a wall gets its second window; daylight asks for an eighth.
-constexpr f64 GLASS = 0.25;
+constexpr i64 WIDER_MM = 600, WIDEST_MM = 2400;  // by how much a pane is widened for daylight, and how far
+constexpr i64 TWO_MM = 4200;                     // wall from which it may have two windows
+// Most glass per floor with which a wall gets its second window; as much as daylight asks for (Musterbauordnung, 47).
+constexpr f64 GLASS = 0.25, DAYLIGHT = 0.125;
 constexpr i64 SHIFT_MM = 100;  // step in which a window gives way to a door
 
 i64 length(const Stretch& stretch) { return stretch.over.high - stretch.over.low; }
@@ -42,21 +43,37 @@ i64 place_in(const Doorways& doorways, i64 room, const Stretch& stretch, Interva
   return NONE;
 }
 
+i64 windows_in(const HouseRoom& kind, Span<Stretch> stretches, i32 at) {
+  return kind.has(HABITABLE) && bears_two(kind.rect, stretches, at) ? 2 : 1;
+}
+
+// The least width with which the windows of a living space let daylight in.
+i64 wished_width(const HouseRoom& kind, Span<Stretch> stretches) {
+  if (!kind.has(HABITABLE)) return kind.has(SMALL_PANES) ? SMALL_PANE_MM : PANE_MM;
+  i64 windows = 0;
+  for (i32 i = 0; i < stretches.size; i++) {
+    if (length(stretches[i]) >= PANE_MM + 2 * EDGE_MM) windows += windows_in(kind, stretches, i);
+  }
+  const i64 floor = kind.rect.width() * kind.rect.depth();
+  i64 width = PANE_MM;
+  while (width < WIDEST_MM && static_cast<f64>(windows * width * PANE_HIGH_MM) < DAYLIGHT * static_cast<f64>(floor)) width += WIDER_MM;
+  return width;
+}
+
 void place_windows_in(Doorways& doorways, i64 room, i64& number) {
   const HouseRoom& kind = doorways.house.rooms[room];
   const Span<Stretch> stretches = doorways.house.outside(room);
-  const i64 width = kind.has(SMALL_PANES) ? SMALL_PANE_MM : PANE_MM;
+  const i64 wished = wished_width(kind, stretches);
   for (i32 i = 0; i < stretches.size; i++) {
     const Stretch& stretch = stretches[i];
-    const i64 parts = kind.has(HABITABLE) && bears_two(kind.rect, stretches, i) ? 2 : 1;
-    i64 centres[2] = {NONE, NONE};
+    const i64 parts = windows_in(kind, stretches, i);
     for (i64 k = 0; k < parts; k++) {
       const i64 low = stretch.over.low + floor_div(length(stretch) * k, parts);
       const i64 high = stretch.over.low + floor_div(length(stretch) * (k + 1), parts);
-      centres[k] = place_in(doorways, room, stretch, {low, high}, width);
-    }
-    for (const i64 centre : centres) {
-      if (centre != NONE) doorways.add({CutKind::window, ++number, room, stretch.wall, NONE, centre, width, NONE, 0});
+      for (i64 width = wished, centre = NONE; centre == NONE && width >= least(wished, PANE_MM); width -= WIDER_MM) {
+        centre = place_in(doorways, room, stretch, {low, high}, width);
+        if (centre != NONE) doorways.add({CutKind::window, ++number, room, stretch.wall, NONE, centre, width, NONE, 0});
+      }
     }
   }
 }

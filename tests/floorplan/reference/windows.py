@@ -32,7 +32,11 @@ EDGE_MM: Final = 300
 TWO_MM: Final = 4200
 """Wall from which it may have two windows. Our choice."""
 GLASS: Final = 0.25
-"""Most glass per floor with which a wall gets its second window; daylight asks for an eighth. Our choice."""
+"""Most glass per floor with which a wall gets its second window. Our choice."""
+DAYLIGHT: Final = 0.125
+"""Least glass per floor of a living space, for which its windows are wider."""
+WIDER_MM: Final = 600
+WIDEST_MM: Final = 2400
 SHIFT_MM: Final = 100
 """Step in which a window gives way to a door."""
 
@@ -49,13 +53,18 @@ def place_windows(doorways: Doorways) -> None:
         kind = doorways.plan_of(room)
         if kind.outdoor or not kind.plan.windows or any(side.cut.kind == "window" for side in doorways.sides(room)):
             continue
-        width = pane_of(kind).width
         stretches = [(wall, stretch) for wall, exposed in doorways.layout.exposed[room].items() for stretch in exposed]
         two = _with_two(rect, stretches) if kind.plan.habitable else []
+        wished = _wished_width(rect, stretches, len(two)) if kind.plan.habitable else pane_of(kind).width
         for wall, stretch in stretches:
-            for centre in _centres(doorways, (room, wall), stretch, (width, 2 if (wall, stretch) in two else 1)):
-                number += 1
-                doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
+            parts = 2 if (wall, stretch) in two else 1
+            for part in range(parts):
+                for width in range(wished, min(wished, PANE.width) - 1, -WIDER_MM):
+                    centre = _centre(doorways, (room, wall), stretch, (width, part, parts))
+                    if centre is not None:
+                        number += 1
+                        doorways.add(Cut(f"window_{number}", "window", room, wall, None, centre, width))
+                        break
 
 
 def make_room_for_windows(doorways: Doorways) -> None:
@@ -96,18 +105,20 @@ def _with_two(rect: Rect, outside: Sequence[Outside]) -> list[Outside]:
     return long[: max(spare, 0)]
 
 
-def _centres(doorways: Doorways, at: tuple[int, str], stretch: tuple[int, int], panes: tuple[int, int]) -> list[int]:
-    """Finds places for windows of a width and number in a stretch of a room's wall, each in its own equal part of it."""
-    (room, wall), (low, high), (width, parts) = at, stretch, panes
-    found = []
-    for k in range(parts):
-        start, end = low + (high - low) * k // parts, low + (high - low) * (k + 1) // parts
-        inner = max(start, low + EDGE_MM) + width // 2, min(end, high - EDGE_MM) - width // 2
-        for centre in _tried((start + end) // 2, inner):
-            if doorways.free(room, wall, centre - width // 2, centre + width // 2):
-                found.append(centre)
-                break
-    return found
+def _wished_width(rect: Rect, outside: Sequence[Outside], doubled: int) -> int:
+    """Returns the least width with which the windows of a living space have glass for an eighth of its floor, or the widest."""
+    windows = doubled + sum(high - low >= PANE.width + 2 * EDGE_MM for _, (low, high) in outside)
+    wanted = DAYLIGHT * rect.width * rect.depth
+    return next((width for width in range(PANE.width, WIDEST_MM, WIDER_MM) if windows * width * PANE.height >= wanted), WIDEST_MM)
+
+
+def _centre(doorways: Doorways, at: tuple[int, str], stretch: tuple[int, int], pane: tuple[int, int, int]) -> int | None:
+    """Finds the place for a window of a width in one of the equal parts of a stretch of a room's wall."""
+    (room, wall), (low, high), (width, part, parts) = at, stretch, pane
+    start, end = low + (high - low) * part // parts, low + (high - low) * (part + 1) // parts
+    inner = max(start, low + EDGE_MM) + width // 2, min(end, high - EDGE_MM) - width // 2
+    free = (centre for centre in _tried((start + end) // 2, inner) if doorways.free(room, wall, centre - width // 2, centre + width // 2))
+    return next(free, None)
 
 
 def _tried(middle: int, inner: tuple[int, int]) -> Iterator[int]:
