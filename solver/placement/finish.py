@@ -87,10 +87,11 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
 
 
 def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
-    """Searches a room's placement once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap; None if none."""
+    """Searches a room once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap: as it was decided, else anew."""
     ways = room.space.ways_mm and room.space.ways_mm + MARGIN_MM
     wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM, ways_mm=ways)
     core = Core(encode(wider, room.core.encoded.pieces, room.core.encoded.walk))
-    if not core.evaluate(room.decisions, LIMITS.final_qps, Budget(is_known=True), True):
-        return None
-    return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)
+    if core.evaluate(room.decisions, LIMITS.final_qps, Budget(is_known=True), True):
+        return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)
+    anew = arrange(replace(wider, ways_mm=0), room.wanted, wide=room.wide) if room.wanted else None
+    return replace(anew, solves=room.solves, proven=False, best=False) if anew and anew.walkable else None

@@ -49,7 +49,7 @@ class Making {
       made_.solves = whole_.solves;
       placement::hand_over(desk());
       problem = placement::final_problem(desk());
-      settle();
+      settle(budget);
     }
     if (!made_.failed) {
       add_placed();
@@ -64,13 +64,11 @@ class Making {
   const placement::Engine& engine() const { return whole_.desk->engine; }
 
   // Puts what was found on whole millimetres.
-  void settle() {
+  void settle(f64 budget) {
     const bool walk = whole_.walk || is_walkable_as_found();
     Settled settled = settle_found(walk);
     WholeRoom wider;
-    const i64 ways = whole_.ways ? whole_.ways + MARGIN_MM : 0;
-    if (walk && settled == Settled::not_walkable &&
-        arrange_again(asked_room(room_, room_.header.robot + MARGIN_MM, ways), whole_, LIMITS.final_qps, wider)) {
+    if (walk && settled == Settled::not_walkable && is_found_for_wider(budget, wider)) {
       whole_ = wider;
       made_.widened = 1;
       placement::hand_over(desk());
@@ -86,6 +84,15 @@ class Making {
     made_.best = whole_.best;
     const f64 preference = placement::total_preference(engine().room, desk().decisions);
     made_.cost = rounded_6(engine().nodes.best_cost[0] + preference + desk().added[0]);
+  }
+
+  // Finds a room for a somewhat wider person: as it was found, else anew.
+  bool is_found_for_wider(f64 budget, WholeRoom& wider) {
+    const i64 robot = room_.header.robot + MARGIN_MM, ways = whole_.ways ? whole_.ways + MARGIN_MM : 0;
+    if (arrange_again(asked_room(room_, robot, ways), whole_, LIMITS.final_qps, wider)) return true;
+    wider = placement::arrange_wide(asked_room(room_, robot, 0), LIMITS, budget, made_.spent);
+    wider.proven = wider.best = false;
+    return wider.walk && wider.desk->engine.nodes.result->found;
   }
 
   Settled settle_found(bool walk) const { return placement::settle(desk(), walk, tidy_); }
