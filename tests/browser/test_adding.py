@@ -77,8 +77,8 @@ def test_with_no_room_chosen_a_kind_goes_to_a_room_of_a_type_that_has_it(visit: 
         with page.expect_request("**/place") as asked:
             page.locator(f"#palette [data-kind={kind}]").click()
         assert sent_by(asked.value)["room"]["type"] in having & {room["type"] for room in scene["rooms"]}
-        page.wait_for_function("() => compose.state.selected !== null")  # the new piece, once its answer is there
         visit.settle()
+        assert visit.state()["selected"] is not None, "the new piece"
         page.locator("#stage").focus()
         while visit.state()["selected"] is not None:
             page.keyboard.press("Escape")
@@ -92,7 +92,7 @@ def test_a_piece_goes_where_the_service_finds_it_best_and_its_other_places_are_f
     page.get_by_role("searchbox", name="Add a piece").fill("bookshelf")
     with page.expect_response(lambda response: response.url.endswith("/place")) as placed:
         page.locator("#palette button[data-kind=bookshelf]").click()
-    bench.rest()
+        bench.rest()
     answer = placed.value.json()
     scenes = [answer["scene"], *(other["scene"] for other in answer["alternatives"])]
     assert len(scenes) == 3

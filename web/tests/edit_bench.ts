@@ -2,11 +2,13 @@
 import type { Conflict, FixAnswer, FixRequest, Scene } from "../src/contract";
 import { Editor, type Refusal } from "../src/edit/editor";
 import type { Frames } from "../src/edit/frames";
+import { Places, type AskPlaces } from "../src/edit/places";
 import { Home } from "../src/state/home";
 import { piece, room, scene } from "./rooms";
 
 export const ONE = "den/one";
 export const OTHER = "den/other";
+export const CRATE = { key: "crate", name: "crate", category: "storage", size: [1, 1, 1], color: null } as const;
 export const turn = (): Promise<void> => new Promise((resolve) => { setTimeout(resolve, 0); });
 
 export interface Call {
@@ -52,3 +54,8 @@ export function bench(frames: Frames | null = null) {
 export const pushed = (x: number) => (sent: Scene): Scene => ({
   ...sent, rooms: sent.rooms.map((one) => ({ ...one, furniture: one.furniture.map((body) => (body.id === OTHER ? { ...body, x } : body)) })),
 });
+
+/** Puts new pieces where a service says; one that finds no place unless told otherwise. */
+export function placing(editor: Editor, ask: AskPlaces = () => Promise.resolve([])): Places {
+  return new Places({ hidden: true } as HTMLElement, editor, ask);
+}

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Conflict } from "../src/contract";
 import { Acts } from "../src/edit/acts";
-import { bench, house, ONE, OTHER, pushed, turn } from "./edit_bench";
+import { bench, CRATE, house, ONE, OTHER, placing, pushed, turn } from "./edit_bench";
 import { room, scene } from "./rooms";
 
 const stuck: readonly Conflict[] = [{ ids: [ONE, OTHER], message: "10 cm short", repairs: [{ action: "leave_out", id: OTHER }] }] as const;
@@ -222,7 +222,7 @@ describe("single edits", () => {
 
   it("that leave out what was never put in ask nothing", async () => {
     const { editor, calls, call, said, home } = bench();
-    editor.add("den", { key: "crate", name: "crate", category: "storage", size: [1, 1, 1], color: null });
+    placing(editor).add("den", CRATE);
     await turn();
     await call(0).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [] }]);
     await call(1).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [{ action: "leave_out", id: "den/crate_1" }] }]);
@@ -232,17 +232,6 @@ describe("single edits", () => {
     editor.take(refusal, repair);
     await turn();
     expect([calls.length, home.canUndo, said.refused.at(-1)]).toEqual([2, false, null]);
-  });
-
-  it("put a new piece beside the others if they can stay, else make them give way", async () => {
-    const { editor, call, home } = bench();
-    editor.add("den", { key: "crate", name: "crate", category: "storage", size: [1, 1, 1], color: null });
-    await turn();
-    expect(call(0).request.locked).toEqual([ONE, OTHER, "den/held"]);
-    await call(0).answer((sent) => sent, [{ ids: ["den/crate_1", ONE], message: "short", repairs: [] }]);
-    expect(call(1).request.locked).toBeUndefined();
-    await call(1).answer();
-    expect([home.find("den/crate_1")?.room.id, home.selected]).toEqual(["den", "den/crate_1"]);
   });
 
   it("that are refused change nothing, and a repair of theirs is asked of what was sent", async () => {

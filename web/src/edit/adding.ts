@@ -98,7 +98,7 @@ export class Adding {
   #choose(kind: FurnitureKind): void {
     const room = this.say.room() ?? this.#roomFor(kind) ?? this.home.scene?.rooms[0]?.id;
     this.#palette.open(false);
-    if (room !== undefined) this.#places.add(room, inStyle(kind, this.home.scene, this.#catalog, room)).catch((reason: unknown) => this.say.failed(reason));
+    if (room !== undefined) this.#places.add(room, inStyle(kind, this.home.scene, this.#catalog, room));
   }
 
   /** Where nothing is chosen: the room in view, unless the catalog has such a kind in rooms of other types alone. */

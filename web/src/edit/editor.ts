@@ -6,8 +6,8 @@ import { answerOf, drawn, samePlaces, type TakeInHand } from "./frames";
 import { conflictsIn } from "./judging";
 import { Live } from "./live";
 import { shifted, transferred } from "./many_edits";
-import { added, alone, locked, moved, posesOf, repaired, withRoom, without, type FurnitureKind } from "./scene_edits";
-import { within, type Draft, type Held, type Question, type Shift } from "./wishes";
+import { alone, locked, moved, posesOf, repaired, withRoom, without } from "./scene_edits";
+import { within, type Draft, type Drafted, type Held, type Question, type Shift } from "./wishes";
 
 export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
 
@@ -250,8 +250,8 @@ export class Editor {
     this.#shifted = more;
   }
 
-  /** Makes any other change, in turn with the others; null: none is wished. */
-  change(make: (scene: Scene) => Draft | null): void {
+  /** Makes any other change, in turn with the others, what it has to ask first included; null: none is wished. */
+  change(make: (scene: Scene) => Drafted): void {
     this.#edit(() => (this.home.settled ? make(this.home.settled.scene) : null));
   }
 
@@ -265,17 +265,6 @@ export class Editor {
 
   remove(id: string): void {
     this.#edit(() => this.#draft(id, (scene, room) => ({ scene: without(scene, id), id, room: room.id })));
-  }
-
-  /** Puts a new piece into a room: beside what stands there if it can, else what stands there gives way. */
-  add(roomId: string, kind: FurnitureKind): void {
-    this.#edit(() => {
-      const before = this.home.settled;
-      if (!before) return null;
-      const { scene, id } = added(before.scene, roomId, kind);
-      const others = before.scene.rooms.find((room) => room.id === roomId)?.furniture.map((piece) => piece.id) ?? [];
-      return { scene, id, room: roomId, locked: others };
-    });
   }
 
   /** Takes a repair that was offered; to leave out what is not there yet is to let it be. */
@@ -316,7 +305,7 @@ export class Editor {
     return found && scene && !found.piece.locked ? make(scene, found.room, found.piece) : null;
   }
 
-  #edit(make: () => Draft | null): void {
+  #edit(make: () => Drafted): void {
     if (this.#inHand) return;
     this.#shifted = null;
     this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason));
@@ -340,10 +329,10 @@ export class Editor {
     return done;
   }
 
-  async #carryOut(make: () => Draft | null): Promise<void> {
-    const draft = make();
+  async #carryOut(make: () => Drafted): Promise<void> {
     const before = this.home.settled;
-    if (!draft || !before) return;
+    const draft = await make();
+    if (!draft || !before || this.home.settled !== before) return;
     const answer = await this.#judge(draft, before);
     const conflicts = conflictsIn(answer, [draft.room, ...(draft.rooms ?? [])], before);
     if (this.home.settled !== before) return;

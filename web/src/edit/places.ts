@@ -1,7 +1,8 @@
 /** Where a new piece belongs in a room: the places that the service finds for it, to be flipped through. */
-import type { Furniture, Scene } from "../contract";
+import type { Furniture, Room, Scene } from "../contract";
 import type { Editor } from "./editor";
-import { freshId, type FurnitureKind } from "./scene_edits";
+import { added, freshId, type FurnitureKind } from "./scene_edits";
+import type { Draft } from "./wishes";
 import { replaceKeepingFocus } from "../panel/focus";
 import { say } from "../words/language";
 
@@ -13,33 +14,25 @@ export type AskPlaces = (scene: Scene, room: string, kind: FurnitureKind, id: st
 
 interface Offer {
   readonly room: string;
-  /** The house without the piece. */
-  readonly before: Scene;
   readonly pieces: readonly Furniture[];
   at: number;
 }
 
 export class Places {
   #offer: Offer | null = null;
-  #asked = 0;
 
   constructor(readonly host: HTMLElement, readonly editor: Editor, readonly ask: AskPlaces) {}
 
-  /** Puts a piece where it belongs, else where it can stand. */
-  async add(room: string, kind: FurnitureKind): Promise<void> {
+  /** Puts a piece where it belongs, else where it can stand: beside what stands there if it can, else what stands there gives way. */
+  add(room: string, kind: FurnitureKind): void {
     this.hide();
-    const before = this.editor.home.settled?.scene;
-    if (!before) return;
-    const asked = ++this.#asked;
-    const id = freshId(before, `${room}/${kind.name}`);
-    const pieces = await this.ask(before, room, kind, id);
-    if (asked !== this.#asked || this.editor.home.settled?.scene !== before) return;
-    if (pieces.length === 0) {
-      this.editor.add(room, kind);
-      return;
-    }
-    this.#offer = { room, before, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0 };
-    this.#put(this.#offer);
+    this.editor.change(async (before) => {
+      const pieces = await this.ask(before, room, kind, freshId(before, `${room}/${kind.name}`));
+      if (this.editor.home.settled?.scene !== before) return null;
+      if (pieces.length === 0) return { ...added(before, room, kind), room, locked: standingIn(before, room) };
+      this.#offer = { room, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0 };
+      return this.#taken(this.#offer, before);
+    });
   }
 
   /** Another of the places, the next or the one before. */
@@ -47,17 +40,17 @@ export class Places {
     const offer = this.#offer;
     if (!offer) return;
     offer.at = (offer.at + by + offer.pieces.length) % offer.pieces.length;
-    this.#put(offer);
+    this.editor.change((scene) => this.#taken(offer, scene));
   }
 
   /** The piece at the offer's place, what stands there kept where it is if that can be. */
-  #put({ room, before, pieces, at }: Offer): void {
+  #taken({ room, pieces, at }: Offer, scene: Scene): Draft | null {
     const piece = pieces[at];
-    if (!piece) return;
-    const others = before.rooms.find(({ id }) => id === room)?.furniture.map(({ id }) => id) ?? [];
-    const rooms = before.rooms.map((one) => (one.id === room ? { ...one, furniture: [...one.furniture, piece] } : one));
-    this.editor.change(() => ({ scene: { ...before, rooms }, id: piece.id, room, locked: others, chosen: [piece.id] }));
+    if (!piece) return null;
     this.#show();
+    const without = (one: Room): Furniture[] => one.furniture.filter(({ id }) => id !== piece.id);
+    const rooms = scene.rooms.map((one) => (one.id === room ? { ...one, furniture: [...without(one), piece] } : one));
+    return { scene: { ...scene, rooms }, id: piece.id, room, locked: standingIn(scene, room).filter((id) => id !== piece.id), chosen: [piece.id] };
   }
 
   #show(): void {
@@ -84,6 +77,10 @@ export class Places {
     const piece = this.#offer?.pieces[this.#offer.at];
     if (this.#offer && !scene?.rooms.some((room) => room.furniture.some(({ id }) => id === piece?.id))) this.hide();
   }
+}
+
+function standingIn(scene: Scene, room: string): string[] {
+  return scene.rooms.find(({ id }) => id === room)?.furniture.map(({ id }) => id) ?? [];
 }
 
 function button(sign: string, words: string, act: () => void): HTMLButtonElement {

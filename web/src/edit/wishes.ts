@@ -42,6 +42,9 @@ export interface Draft {
   readonly moved?: readonly string[];
 }
 
+/** What a change makes; null: nothing is wished for. */
+export type Drafted = Draft | null | Promise<Draft | null>;
+
 /** How far a piece is moved [m] and turned, counter-clockwise seen from above [degrees]. */
 export interface Shift {
   readonly id: string;
