@@ -29,8 +29,7 @@ def test_a_home_is_made_for_the_standard_that_is_chosen(visit: Visit) -> None:
     assert len(squares) >= 3
     assert all(round(x1 - x0, 3) == round(z1 - z0, 3) == 1.525 for x0, z0, x1, z1 in squares)
     assert [room["short"] for room in rooms if room["short"]] == []
-    visit.settle()
-    assert visit.state()["floorZones"] > plain
+    page.wait_for_function("plain => compose.state.floorZones > plain", arg=plain)
     page.keyboard.press("d")
     expect(page.get_by_role("dialog", name="Diagnosis")).to_contain_text("# Access: ada, met")
     page.keyboard.press("Escape")
