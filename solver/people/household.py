@@ -63,10 +63,10 @@ class _Drawing:
 
     def people_rooms(self, name: str, entry: Dweller) -> None:
         """Draws somebody for some of the rooms, until there are enough in the house."""
-        for room in self.rooms:
+        for room in (room for room in self.rooms if room.type in entry.rooms):
             stream = Stream(self.household.seed, name, room.index)
             enough = sum(one.kind in entry.kinds for one in self.there) >= entry.most
-            if room.type in entry.rooms and not enough and stream.chance(entry.chance):
+            if not enough and stream.chance(entry.chance):
                 self._place(self._newcomer(entry, stream), room, entry, stream)
 
     def settle_one(self, name: str, entry: Dweller) -> None:

@@ -46,7 +46,8 @@ def arranged(arrangements: Mapping[str, Arrangement], catalogs: Catalogs) -> set
 
 def parted(rooms: Sequence[Room], catalogs: Catalogs) -> tuple[list[Room], list[Room]]:
     """Returns the rooms that are furnished first, and those that ask what stands in them."""
-    return [room for room in rooms if not asks(room, catalogs)], [room for room in rooms if asks(room, catalogs)]
+    ask = {name: asks(room, catalogs) for name, room in {room.type: room for room in rooms}.items()}
+    return [room for room in rooms if not ask[room.type]], [room for room in rooms if ask[room.type]]
 
 
 def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> Catalogs:
