@@ -22,7 +22,7 @@ from solver.scene import Level, Room, Scene
 from solver.scene_bodies import counted
 from solver.validator import check, metrics
 from solver.validator.kinds import kinds_of
-from solver.validator.sent_rooms import room_bytes
+from solver.validator.sent_rooms import NumberedKinds, room_bytes
 from solver.validator.world import world_of
 from tests.validator.travels import front_travels
 
@@ -78,7 +78,7 @@ def test_a_home_is_judged_alike(homes: tuple[Scene, Scene]) -> None:
     assert check(told, KNOWN).issues == check(made, KNOWN).issues
     assert metrics(told, KNOWN) == metrics(made, KNOWN)
     assert front_travels(told, KNOWN) == front_travels(made, KNOWN)
-    world, kinds = world_of(told), kinds_of(KNOWN)
+    world, kinds = world_of(told), NumberedKinds(kinds_of(KNOWN))
     things = [room_bytes(world, place, kinds) for place in world.places]
     assert things != [room_bytes(world_of(made), place, kinds) for place in world_of(made).places]
 

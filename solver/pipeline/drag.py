@@ -231,10 +231,10 @@ def _went(before: SentBody, now: SentBody, way: tuple[float, float]) -> bool:
     return near and replace(now, x=before.x, z=before.z) == before
 
 
-VERSION: Final = 1
+VERSION: Final = 2
 _HEAD: Final = Struct("<6q")
 _MOVER: Final = Struct("<2q")
-_RIDER: Final = Struct("<3q")
+_RIDER: Final = Struct("<q")
 NOBODY: Final = -1
 NO_ANSWER, PLACED, DRAWN, STAYED = range(4)
 """What becomes of a frame: `enum class Outcome` of solver/core/drag/drag.hpp."""
@@ -279,7 +279,7 @@ def opening_of(scene: Scene, label: str, locked: Sequence[str], catalogs: Catalo
         return None
     problem = problem_bytes(task.space, hand.pieces)
     movers = [_MOVER.pack(numbers[piece.label], reach) for piece, reach in zip(hand.pieces, hand.reaches, strict=True)]
-    riders = [_RIDER.pack(hand.riders.get(body.id, NOBODY), *use) for body, use in zip(judged.bodies, judged.uses, strict=True)]
+    riders = [_RIDER.pack(hand.riders.get(body.id, NOBODY)) for body in judged.bodies]
     head = _HEAD.pack(VERSION, len(problem), len(judged.rows), len(movers), len(riders), hand.held)
     return b"".join((head, problem, judged.rows, *movers, *riders))
 
@@ -288,7 +288,7 @@ def riders_of(opening: bytes, ids: Sequence[str]) -> frozenset[str]:
     """Returns the ids of the piece in hand and of all that goes along with it, of the ids of all bodies in turn."""
     bodies, held = _HEAD.unpack_from(opening)[4:]
     rows = _RIDER.iter_unpack(opening[len(opening) - bodies * _RIDER.size :])
-    return frozenset(label for label, (piece, *_) in zip(ids, rows, strict=True) if piece == held)
+    return frozenset(label for label, (piece,) in zip(ids, rows, strict=True) if piece == held)
 
 
 class Dragging:

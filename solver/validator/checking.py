@@ -20,10 +20,9 @@ from solver.scene import Room, Scene
 from solver.understanding import understood
 from solver.validator.judging import FINDING_WORK, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
-from solver.validator.opening import asked_room
 from solver.validator.rules import CHECKS, homeless, issues_of
-from solver.validator.sent_rooms import room_bytes
-from solver.validator.walk import judged_storey, storeys
+from solver.validator.sent_rooms import NumberedKinds, room_bytes
+from solver.validator.walk import ANY_NUMBER, judged_storey, storeys
 from solver.validator.world import PlacedRoom, World, world_of
 
 _OF_THE_CERTIFICATE = "missing_required"
@@ -31,7 +30,6 @@ _OF_THE_CERTIFICATE = "missing_required"
 
 ROOM_WORK: Final = 150
 """What judging a room counts; measured."""
-_ALL_OF_THEM: Final = 1 << 60
 
 
 @dataclass(frozen=True)
@@ -111,34 +109,34 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
     world = world_of(scene, before[0].case.world if before else None)
     was = {one.case.room.room.id: one for one in before}
     same = {place.room.id: was[place.room.id] for place in world.places if place.room.id in was and was[place.room.id].case.room == place}
-    judged = {}
+    table = before[0].case.table if before else NumberedKinds(kinds)
+    cases: dict[str, RuleCase] = {}
     for places in storeys(world):
-        for case in _storey_cases(world, places, kinds, same):
-            judged[case.room.room.id] = _judge(case, same.get(case.room.room.id))
-    rooms = tuple(judged[place.room.id] for place in world.places)
+        cases.update((case.room.room.id, case) for case in _storey_cases(world, places, table, same, cases))
+    rooms = tuple(_judge(cases[place.room.id], same.get(place.room.id)) for place in world.places)
     found = (issue for one in rooms if one.issues for rule in CHECKS for issue in one.issues.get(rule, ()))
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)
 
 
-def _storey_cases(world: World, places: Sequence[PlacedRoom], kinds: Kinds, same: Mapping[str, _Judged]) -> Iterator[RuleCase]:
+def _storey_cases(
+    world: World, places: Sequence[PlacedRoom], table: NumberedKinds, same: Mapping[str, _Judged], others: Mapping[str, RuleCase]
+) -> Iterator[RuleCase]:
     """Judges those rooms of a storey by the core that are not the same as before, and yields all of them."""
     anew = {number: place for number, place in enumerate(places) if place.room.id not in same}
     if not anew:
-        yield from (replace(same[place.room.id].case, world=world, room=place) for place in places)
+        yield from (replace(same[place.room.id].case, world=world, room=place, others=others) for place in places)
         return
     demand(ROOM_WORK * len(anew))
-    rows = [room_bytes(world, place, kinds) if k in anew else same[place.room.id].case.rows for k, place in enumerate(places)]
-    asked = [asked_room(world, place, kinds, number) for number, place in anew.items()]
-    most = int(min(still_allowed() / FINDING_WORK, _ALL_OF_THEM))
-    walk, told = judged_storey(world, list(zip(places, rows, strict=True)), [sent for sent, _ in asked], most)
-    demand(FINDING_WORK * sum(len(one.findings) for one in told))
-    judged = dict(zip(anew, zip(told, asked, strict=True), strict=True))
+    rows = [room_bytes(world, place, table) if k in anew else same[place.room.id].case.rows for k, place in enumerate(places)]
+    most = int(min(still_allowed() / FINDING_WORK, ANY_NUMBER))
+    walk, told = judged_storey(world, list(zip(places, rows, strict=True)), table, list(anew), most)
+    demand(FINDING_WORK * sum(len(one.findings) + len(one.of_plan) for one in told))
+    judged = dict(zip(anew, told, strict=True))
     for number, place in enumerate(places):
         if number in anew:
-            one, (_, openers) = judged[number]
-            yield RuleCase(world, walk, place, kinds, rows[number], one, openers)
+            yield RuleCase(world, walk, place, table, rows[number], judged[number], others)
         else:
-            yield replace(same[place.room.id].case, world=world, walk=walk, room=place)
+            yield replace(same[place.room.id].case, world=world, walk=walk, room=place, others=others)
 
 
 def _judge(case: RuleCase, known: _Judged | None) -> _Judged:

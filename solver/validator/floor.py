@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from itertools import islice
 from struct import Struct
 from typing import Any, Final
 
@@ -10,12 +11,12 @@ from catalogs import Catalogs, load_catalogs
 from solver.core import ask
 from solver.scene import Scene
 from solver.validator.accessibility import turning_squares
-from solver.validator.lattice import ExactBox, metres
-from solver.validator.squares import squares, window_zone
+from solver.validator.lattice import metres
 from solver.validator.walk import walks
 from solver.validator.world import PlacedRoom, World, world_of
 
-_NUMBER: Final = Struct("<q")
+_COUNTS: Final = Struct("<3q")
+_BOX: Final = Struct("<4q")
 
 
 def floors(scene: Scene, rooms: Collection[str] = (), catalogs: Catalogs | None = None) -> list[dict[str, Any]]:
@@ -36,12 +37,13 @@ def floors(scene: Scene, rooms: Collection[str] = (), catalogs: Catalogs | None 
     world = world_of(scene)
     found: dict[str, dict[str, Any]] = {}
     for walk in walks(world):
-        told = [number for (number,) in _NUMBER.iter_unpack(ask("free_floors", walk.rows))]
-        at = len(walk.places)
-        for place, count in zip(walk.places, told[:at], strict=True):
-            free = [[metres(steps) for steps in told[i : i + 4]] for i in range(at, at + 4 * count, 4)]
-            at += 4 * count
-            found[place.room.id] = _floor(world, place, free) | squares_by_room.get(place.room.id, {"turning": [], "short": []})
+        told = ask("free_floors", walk.rows)
+        at = _COUNTS.size * len(walk.places)
+        boxes = ([metres(steps) for steps in box] for box in _BOX.iter_unpack(told[at:]))
+        for place, counts in zip(walk.places, _COUNTS.iter_unpack(told[:at]), strict=True):
+            free, doors, windows = (list(islice(boxes, count)) for count in counts)
+            floor = {"room": place.room.id, "clear": _clear(world, place), "doors": doors, "windows": windows, "free": free}
+            found[place.room.id] = floor | squares_by_room.get(place.room.id, {"turning": [], "short": []})
     return [found[place.room.id] for place in world.places if not rooms or place.room.id in rooms]
 
 
@@ -58,22 +60,7 @@ def _turning(scene: Scene, catalogs: Catalogs | None) -> dict[str, dict[str, lis
     return found
 
 
-def _floor(world: World, place: PlacedRoom, free: list[list[float]]) -> dict[str, Any]:
-    windows = [window_zone(hole) for hole in place.holes if hole.opening.kind == "window"]
-    return {
-        "room": place.room.id,
-        "clear": _metres(_clear(world, place)),
-        "doors": [_metres(square.box) for square in squares(world, place)],
-        "windows": [_metres(zone) for zone in windows],
-        "free": free,
-    }
-
-
-def _clear(world: World, place: PlacedRoom) -> ExactBox:
+def _clear(world: World, place: PlacedRoom) -> list[float]:
     """Returns the bounds less half a wall on each side; without extent where the walls take all of it."""
     x0, z0, x1, z1 = place.outline.bounds.grown(-world.half_wall)
-    return ExactBox(x0, z0, max(x0, x1), max(z0, z1))
-
-
-def _metres(box: ExactBox) -> list[float]:
-    return [metres(steps) for steps in box]
+    return [metres(steps) for steps in (x0, z0, max(x0, x1), max(z0, z1))]

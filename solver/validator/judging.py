@@ -7,18 +7,30 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Final, NamedTuple
 
-from solver.validator.kinds import KindFronts, Kinds
+from solver.validator.kinds import Kinds
+from solver.validator.sent_rooms import NumberedKinds
 from solver.validator.walk import JudgedRows, Walk
 from solver.validator.world import PlacedRoom, World
 
-JUDGED: Final = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window", "floating", "shapes_cross", "above_ceiling")
+JUDGED: Final = (
+    "out_of_bounds",
+    "overlap",
+    "wall_far",
+    "blocks_door",
+    "blocks_window",
+    "floating",
+    "shapes_cross",
+    "above_ceiling",
+    "rooms_overlap",
+    "opening_wrong",
+)
 """The rules that the core judges, by their numbers there (`enum class Rule` of solver/core/validate/room.hpp)."""
 FINDING_WORK: Final = 10
 """What putting a finding into words counts, and sending it; measured."""
 
 
 class Told(NamedTuple):
-    """A broken rule as the core tells it: bodies by their place in the room, lengths in lattice steps."""
+    """A broken rule as the core tells it: bodies or openings by their place in the room, rooms in the storey; lengths in lattice steps."""
 
     body: int
     other: int
@@ -31,30 +43,36 @@ class Told(NamedTuple):
 
 @dataclass(frozen=True)
 class RuleCase:
-    """A room to be judged: the house it is in, the walk of its storey, what the catalogs say, and the room as the core reads it.
+    """A room to be judged: the house it is in, the walk of its storey, its kinds, and the room as the core reads it.
 
-    `judged` is what the core tells of it, `openers` are its pieces that have fronts, by their number there. `kept` holds what a
-    rule found and the certificate says as well.
+    `judged` is what the core tells of it, `others` are all rooms of the house by id. `kept` holds what a rule found and the certificate
+    says as well.
     """
 
     world: World
     walk: Walk
     room: PlacedRoom
-    kinds: Kinds
+    table: NumberedKinds
     rows: bytes
     judged: JudgedRows
-    openers: Sequence[tuple[int, KindFronts]] = ()
+    others: Mapping[str, RuleCase] = field(default_factory=dict, compare=False, repr=False)
     kept: dict[str, Any] = field(default_factory=dict, compare=False)
+
+    @property
+    def kinds(self) -> Kinds:
+        """What the catalogs say."""
+        return self.table.kinds
 
     def due(self, rules: Iterable[str]) -> Iterable[str]:
         """Returns the rules that the room may break: without those that the core judges, where it finds nothing."""
-        return rules if self.judged.findings else [rule for rule in rules if rule not in JUDGED]
+        is_broken = self.judged.findings or self.judged.of_plan or len(self.room.holes) < len(self.room.room.openings)
+        return rules if is_broken else [rule for rule in rules if rule not in JUDGED]
 
     @cached_property
     def told(self) -> Mapping[str, Sequence[Told]]:
         """What the core finds in the room, by rule."""
         found: dict[str, list[Told]] = {rule: [] for rule in JUDGED}
-        for rule, *row in self.judged.findings:
+        for rule, *row in (*self.judged.findings, *self.judged.of_plan):
             found[JUDGED[rule]].append(Told(*row))
         return found
 

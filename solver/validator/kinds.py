@@ -16,23 +16,11 @@ from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
 from solver.body_rows import BodyKey, Look
 from solver.validator.lattice import exact
-from solver.validator.world import FLAT, KindKey
+from solver.validator.world import FLAT, TURNS_TO, KindKey
 
 SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
 """Keys whose rows are kept."""
-
-
-class KindRows(NamedTuple):
-    """A kind as the core reads it: how many surfaces and parts it has; rows in lattice steps, and boxes in shares.
-
-    A surface's row is its height, and how far in from the left, right, back and front edge it is.
-    """
-
-    surfaces: int
-    surface_rows: bytes
-    parts: int
-    part_rows: bytes
 
 
 class KindFronts(NamedTuple):
@@ -47,12 +35,14 @@ class KindFronts(NamedTuple):
     numbers: bytes
 
 
+_KIND: Final = Struct("<6i")
 _FRONT: Final = Struct("<4d4q")
 _AXES: Final[dict[Axis, int]] = {"x": 0, "y": 1, "z": 2}
 _PART: Final = Struct("<6dq")
 _BOX, _BALL = 0, 4
-NO_KIND: Final = KindRows(0, b"", 0, b"")
-"""A kind of which nothing is said."""
+_NO_FRONTS: Final = KindFronts((), b"", 0, b"")
+NO_KIND: Final = _KIND.pack(0, 0, 0, 0, 0, 0)
+"""A kind of which nothing is said, as the core reads it."""
 
 
 @lru_cache(maxsize=4)
@@ -67,7 +57,7 @@ class Kinds:
     def __init__(self, catalogs: Catalogs) -> None:
         self.rooms = catalogs.rooms
         self._book = KindBook(catalogs)
-        self._rows: dict[KindKey, KindRows] = {}
+        self._rows: dict[KindKey, bytes] = {}
         self._fronts: dict[KindKey, KindFronts] = {}
         self._uses: dict[KindKey, Use | None] = {}
         self._named = catalogs.kinds_by_name()
@@ -80,15 +70,15 @@ class Kinds:
             self._uses[key] = self._named[name].use if name in self._named and exact(height) > FLAT else None
         return self._uses[key]
 
-    def rows(self, key: KindKey) -> KindRows:
-        """Returns a kind as the core reads it."""
+    def row(self, key: KindKey) -> bytes:
+        """Returns a kind as the core reads it (`KindRow` of solver/core/validate/room.hpp), in lattice steps and shares of its box."""
         known = self._rows.get(key)
         if known is None:
             if len(self._rows) >= _MOST_KNOWN:
                 self._rows.clear()
                 self._fronts.clear()
                 self._uses.clear()
-            known = self._rows[key] = self._rows_of(key)
+            known = self._rows[key] = self._row_of(key)
         return known
 
     def fronts(self, key: KindKey) -> KindFronts:
@@ -100,7 +90,7 @@ class Kinds:
             found = self._fronts[key] = _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
         return found
 
-    def _rows_of(self, key: KindKey) -> KindRows:
+    def _row_of(self, key: KindKey) -> bytes:
         sort, name, width, depth, height, said = _told(key)
         is_person, size = sort == "person", (width, depth, height)
         shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
@@ -108,7 +98,15 @@ class Kinds:
         solids = self._book.solids(shape)
         heights = [exact(length) for one in surfaces for length in (one.height, one.left, one.right, one.back, one.front)]
         parts = b"".join([_PART.pack(*solid.x, *solid.y, *solid.z, _filled(solid, size)) for solid in solids])
-        return KindRows(len(surfaces), pack(f"<{len(heights)}q", *heights), len(solids), parts)
+        fronts, uses = (self.fronts(key), self._uses_of(key)) if sort == "furniture" else (_NO_FRONTS, (0, 0))
+        head = _KIND.pack(len(surfaces), len(solids), len(fronts.each), fronts.parts, *uses)
+        return b"".join([head, pack(f"<{len(heights)}q", *heights), parts, fronts.rows, fronts.numbers])
+
+    def _uses_of(self, key: KindKey) -> tuple[int, int]:
+        """Returns the sides that a kind is used from, as bits by their turns: of which one must be come to, and which all must."""
+        use = self.use_of(key)
+        bits = sum({1 << TURNS_TO[side] for side in use.sides}) if use else 0
+        return (0, bits) if use and use.need == "all" else (bits, 0)
 
 
 def _told(key: KindKey) -> BodyKey:

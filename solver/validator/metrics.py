@@ -13,7 +13,7 @@ from solver.scene_bodies import counted
 from solver.understanding import understood
 from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.lattice import PER_METRE
-from solver.validator.reaching import LEAST_FLOOR, missed_sides, used_pieces
+from solver.validator.reaching import LEAST_FLOOR
 from solver.validator.walk import Walk, walks
 from solver.validator.world import world_of
 
@@ -31,15 +31,16 @@ def metrics(scene: Scene, catalogs: Catalogs | None = None) -> dict[str, Any]:
         used from a side, and how many of them can be.
     """
     world = world_of(scene if catalogs is None else understood(scene, catalogs).scene)
-    walked = walks(world)
+    kinds = None if catalogs is None else kinds_of(catalogs)
+    walked = walks(world, kinds)
     measured = {name: room for walk in walked for name, room in _measured(walk)}
     rooms = {room.id: measured[room.id] for room in scene.rooms}
     totals = {key: sum(room[key] for room in rooms.values()) for key in ("area", "clear", "covered", "under_furniture", "walked")}
     answer = {"counts": counted(scene.rooms, scene.dynamic), "area": round(totals["area"], 4), **_shares(totals)}
     answer["reached"] = sum(room["reached"] for room in rooms.values())
     answer["rooms"] = {name: _published(room) for name, room in rooms.items()}
-    if catalogs is not None:
-        answer["use_sides"] = _use_sides(walked, kinds_of(catalogs))
+    if kinds is not None:
+        answer["use_sides"] = _use_sides(walked, kinds)
     return answer
 
 
@@ -67,14 +68,11 @@ def _measured(walk: Walk) -> Iterator[tuple[str, dict[str, Any]]]:
 
 
 def _use_sides(walked: tuple[Walk, ...], kinds: Kinds) -> dict[str, int]:
-    met = list(_met(walked, kinds))
-    return {"wanted": len(met), "reached": sum(met)}
-
-
-def _met(walked: tuple[Walk, ...], kinds: Kinds) -> Iterator[bool]:
-    """Tells for each piece that is used from a side whether it can be."""
+    wanted = reached = 0
     for walk in walked:
         for place in walk.places:
-            entered = walk.floor(place) >= LEAST_FLOOR
-            for number, use in used_pieces(place, kinds):
-                yield entered and not missed_sides(walk, place, number, use)
+            used = sum(kinds.use_of(key) is not None for key, _ in place.pieces)
+            wanted += used
+            if walk.floor(place) >= LEAST_FLOOR:
+                reached += used - sum(map(bool, walk.missed[place.room.id]))
+    return {"wanted": wanted, "reached": reached}

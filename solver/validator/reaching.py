@@ -7,12 +7,11 @@ from typing import Final
 
 from catalogs.entries import Use
 from solver.geometry import LEAST_FLOOR_MM2
-from solver.scene import Furniture
+from solver.scene import WALLS, Furniture
 from solver.validator.judging import Finding, RuleCase
-from solver.validator.kinds import Kinds
 from solver.validator.lattice import PER_METRE, words
 from solver.validator.walk import Walk
-from solver.validator.world import SIDES, PlacedRoom, World, side_of
+from solver.validator.world import PlacedRoom, World, side_of
 
 LEAST_FLOOR: Final = LEAST_FLOOR_MM2 * (PER_METRE // 1000) ** 2
 """How much of a room's free centres must be reached, in square lattice steps."""
@@ -24,27 +23,11 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
     if walk.floor(place) < LEAST_FLOOR:
         yield Finding((), world.robot, _room_message(world, walk, place))
         return
-    for number, use in used_pieces(place, case.kinds):
-        missed = missed_sides(walk, place, number, use)
-        if missed:
-            piece = place.room.furniture[number]
-            yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed))
-
-
-def used_pieces(place: PlacedRoom, kinds: Kinds) -> Iterator[tuple[int, Use]]:
-    """Yields the pieces of a room that are used from a side, by their numbers there, and from which."""
-    use_of = kinds.use_of
-    return ((number, use) for number, (key, _) in enumerate(place.pieces) if (use := use_of(key)) is not None)
-
-
-def missed_sides(walk: Walk, place: PlacedRoom, number: int, use: Use) -> tuple[str, ...]:
-    """Returns the use sides of a piece, by its number in its room, that the square cannot come to; none where enough are reached."""
-    touched = walk.touched(place, number)
-    if len(touched) == len(SIDES):
-        return ()
-    rotation = place.pieces[number][1]
-    missed = tuple([side for side in use.sides if side_of(rotation, side) not in touched])
-    return missed if use.need == "all" or len(missed) == len(use.sides) else ()
+    missed = walk.missed[place.room.id]
+    for number in (number for number, touched in enumerate(missed) if touched) if any(missed) else ():
+        piece, use = place.room.furniture[number], case.kinds.use_of(place.pieces[number][0])
+        assert use is not None, "what is not used misses nothing"
+        yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed[number]))
 
 
 def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
@@ -57,7 +40,8 @@ def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
     return f"{wide} cannot get to {place.room.id} from {ways or 'the largest free floor'}"
 
 
-def _side_message(world: World, piece: Furniture, use: Use, missed: tuple[str, ...]) -> str:
-    joined = " and its " if use.need == "all" else " or its "
-    sides = joined.join(f"{side} ({side_of(piece.rotation, side)})" for side in missed)
+def _side_message(world: World, piece: Furniture, use: Use, touched: int) -> str:
+    """Says which use sides cannot be come to; of `touched` the bits of walls are those that its sides which can be look to."""
+    joined, looks_to = " and its " if use.need == "all" else " or its ", {side: side_of(piece.rotation, side) for side in use.sides}
+    sides = joined.join(f"{side} ({wall})" for side, wall in looks_to.items() if not touched >> WALLS.index(wall) & 1)
     return f"somebody {words(world.robot)} wide cannot get to {piece.id}'s {sides}"

@@ -10,21 +10,18 @@ from struct import Struct
 from typing import Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, rows_in
-from solver.scene import WALLS
-from solver.validator.kinds import NO_KIND, SEATED, KindRows, Kinds
-from solver.validator.lattice import ExactBox, WallEdge
-from solver.validator.squares import squares, window_zone
-from solver.validator.world import WAYS, Hole, KindKey, PlacedRoom, World, turns_of
+from solver.validator.kinds import NO_KIND, SEATED, Kinds
+from solver.validator.lattice import WALL_NUMBERS, ExactBox
+from solver.validator.sent_openings import sent_openings
+from solver.validator.world import KindKey, PlacedRoom, World, turns_of
 
-_ROOM: Final = Struct("<6q14i")
+_ROOM: Final = Struct("<5q12i")
 _BOX: Final = Struct("<4q")
-_ZONE: Final = Struct("<6q")
-_KIND: Final = Struct("<4i")
 _BODY: Final = Struct("<6d40s6i")
 _TURN: Final = Struct("<4d2i")
-_STOREY: Final = Struct("<2q4i")
+_STOREY: Final = Struct("<3q6i")
 _PLACE: Final = Struct("<2q")
-_WALL: Final[dict[str | None, int]] = {None: -1, **{wall: i for i, wall in enumerate(WALLS)}}
+_WALL: Final = WALL_NUMBERS | {None: -1}
 _NO_SUCH_WALL: Final = 4
 _FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
@@ -32,73 +29,68 @@ _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
 _MOST_TURNED: Final = 20_000
 
 
-def room_bytes(world: World, place: PlacedRoom, kinds: Kinds | None) -> bytes:
-    """Returns a room as bytes; without kinds nothing is said of surfaces and shapes."""
-    doors = [_zone(square.hole, square.box) for square in squares(world, place)]
-    windows = [_zone(hole, window_zone(hole)) for hole in place.holes if hole.opening.kind == "window"]
-    edges = [edge_row(edge) for edge in place.edges]
-    ways = [edge_row(hole.edge) for hole in place.holes if hole.opening.kind in WAYS]
-    of_kinds = _KindTable(kinds)
-    bodies = _bodies(place, of_kinds)
-    outline = place.outline
-    shell = (outline.inside, outline.missing, edges, ways, doors, windows)
-    kinds_sent, kind_sizes = of_kinds.sent()
-    sizes = (*map(len, shell), *kind_sizes, len(bodies.told), bodies.names, *bodies.counts)
-    head = _ROOM.pack(world.half_wall, *outline.bounds, place.ceiling, *sizes)
-    boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
-    return b"".join([head, *boxes, *edges, *ways, *doors, *windows, kinds_sent, *bodies.told, bodies.rows])
-
-
-def storey_bytes(
-    world: World, placed: Iterable[tuple[PlacedRoom, bytes]], bridges: Sequence[ExactBox], entrances: Sequence[ExactBox], most: int
-) -> bytes:
-    """Returns the rooms of a storey as bytes.
+class Floors(NamedTuple):
+    """What is said of a storey's floor besides its rooms.
 
     `bridges` are floor inside doorways between walls that lie apart, `entrances` a step of floor along every door that one comes in by; a
-    tile of the floor holds `most` boxes before it is halved.
+    tile of the floor holds `most` boxes before it is halved. `deepest_wall`: as far two rooms' wall lines may lie apart at an opening.
     """
+
+    bridges: Sequence[ExactBox]
+    entrances: Sequence[ExactBox]
+    most: int
+    deepest_wall: int
+
+
+class NumberedKinds(dict[KindKey, int]):
+    """The kinds of a house's bodies, each once, by what they are looked up by; one that is not there yet is added.
+
+    Without kinds nothing is said of surfaces, shapes and use.
+    """
+
+    def __init__(self, kinds: Kinds | None) -> None:
+        super().__init__()
+        self._kinds = kinds
+        self._rows: list[bytes] = []
+
+    @property
+    def kinds(self) -> Kinds:
+        """What the catalogs say."""
+        assert self._kinds is not None
+        return self._kinds
+
+    def __missing__(self, key: KindKey) -> int:
+        at = self[key] = len(self._rows)
+        self._rows.append(self._kinds.row(key) if self._kinds else NO_KIND)
+        return at
+
+    def sent(self) -> bytes:
+        """Returns the kinds."""
+        return b"".join(self._rows)
+
+
+def room_bytes(world: World, place: PlacedRoom, kinds: NumberedKinds) -> bytes:
+    """Returns a room as bytes."""
+    edges, openings, bodies, outline = place.edges, sent_openings(world, place), _bodies(place, kinds), place.outline
+    sizes = len(outline.inside), len(outline.missing), len(edges), *openings[:3], len(bodies.told), bodies.names, *bodies.counts
+    head = _ROOM.pack(*outline.bounds, place.ceiling, *sizes, place.room.outdoor)
+    boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
+    lines = [_BOX.pack(WALL_NUMBERS[side], line, start, end) for side, line, start, end in edges]
+    return b"".join([head, *boxes, *lines, openings.rows, *bodies.told, bodies.rows])
+
+
+def storey_bytes(world: World, placed: Iterable[tuple[PlacedRoom, bytes]], kinds: NumberedKinds, floors: Floors) -> bytes:
+    """Returns the rooms of a storey as bytes."""
     rooms = [_PLACE.pack(place.x, place.z) + rows for place, rows in placed]
-    head = _STOREY.pack(world.half_wall, reach_of(world), len(rooms), len(bridges), len(entrances), most)
-    return b"".join([head, *(_BOX.pack(*box) for box in (*bridges, *entrances)), *rooms])
+    bridges, entrances, most, deepest = floors
+    counts = len(rooms), len(bridges), len(entrances), most, len(kinds), 0
+    head = _STOREY.pack(world.half_wall, reach_of(world), deepest, *counts)
+    return b"".join([head, *(_BOX.pack(*box) for box in (*bridges, *entrances)), kinds.sent(), *rooms])
 
 
 def reach_of(world: World) -> int:
     """Returns how far the walking square reaches from its centre: half its side, less a step of the lattice."""
     return world.robot // 2 - 1
-
-
-class _KindTable(dict[KindKey, int]):
-    """The kinds of a room's bodies, each once, by what they are looked up by; one that is not there yet is added."""
-
-    def __init__(self, kinds: Kinds | None) -> None:
-        super().__init__()
-        self._kinds = kinds
-        self._rows: list[KindRows] = []
-
-    def __missing__(self, key: KindKey) -> int:
-        at = self[key] = len(self._rows)
-        self._rows.append(self._kinds.rows(key) if self._kinds else NO_KIND)
-        return at
-
-    def sent(self) -> tuple[bytes, tuple[int, int, int]]:
-        """Returns the kinds, their surfaces, their parts, and how many of each there are."""
-        surfaces = parts = 0
-        rows = []
-        for one in self._rows:
-            rows.append(_KIND.pack(surfaces, one.surfaces, parts, one.parts))
-            surfaces, parts = surfaces + one.surfaces, parts + one.parts
-        rows += [one.surface_rows for one in self._rows]
-        rows += [one.part_rows for one in self._rows]
-        return b"".join(rows), (len(self._rows), surfaces, parts)
-
-
-def _zone(hole: Hole, box: ExactBox) -> bytes:
-    return _ZONE.pack(*box, hole.sill, hole.top)
-
-
-def edge_row(edge: WallEdge) -> bytes:
-    """Returns a piece of wall line as the core reads it."""
-    return _BOX.pack(_WALL[edge.side], edge.line, edge.start, edge.end)
 
 
 class _SentBodies(NamedTuple):
@@ -113,7 +105,7 @@ class _SentBodies(NamedTuple):
     counts: tuple[int, int, int]
 
 
-def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
+def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
     """Returns furniture, small things and people; ids are numbered as they come, equal ones alike."""
     room, none = place.room, -1
     pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
@@ -145,7 +137,7 @@ def _bodies(place: PlacedRoom, kinds: _KindTable) -> _SentBodies:
     return _SentBodies(told, max(len(numbers), first + counts[1]), b"".join([_as_told(rows, kinds) for rows in as_rows]), counts)
 
 
-def _as_told(bodies: BodyRows, kinds: _KindTable) -> bytes:
+def _as_told(bodies: BodyRows, kinds: NumberedKinds) -> bytes:
     """Returns bodies that are told as rows already, and behind them how each is turned, and its kind."""
     turned = zip(bodies.turns, map(kinds.__getitem__, bodies.looks), strict=True)
     return bodies.content + b"".join(map(_TURNED.__getitem__, turned))

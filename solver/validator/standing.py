@@ -7,7 +7,7 @@ from typing import Final
 
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import exact, words
-from solver.validator.squares import squares
+from solver.validator.sent_openings import openings_on
 
 WALL_REACH: Final = exact(0.2)
 """A piece with a wall is no farther than this from its line,"""
@@ -49,20 +49,17 @@ def wall_far(case: RuleCase) -> Iterator[Finding]:
 
 def blocks_door(case: RuleCase) -> Iterator[Finding]:
     """A body stands in the square of a door or passage, on either side of it."""
-    if not case.told["blocks_door"]:
-        return
-    doors = [square.hole.opening for square in squares(case.world, case.room)]
+    openings = openings_on(case.world, case.room) if case.told["blocks_door"] else []
     for told in case.told["blocks_door"]:
-        name, opening = case.name(told.body), doors[told.other]
+        name, opening = case.name(told.body), openings[told.other]
         message = f"{name} stands {words(told.amount)} in the way of the {opening.kind} {opening.id} in {case.room.room.id}"
         yield Finding((name,), told.amount, message)
 
 
 def blocks_window(case: RuleCase) -> Iterator[Finding]:
     """A piece taller than the sill stands within 0.5 m of a window, its width plus 0.1 m each side."""
-    windows = [hole.opening.id for hole in case.room.holes if hole.opening.kind == "window"]
     for told in case.told["blocks_window"]:
-        name, where = case.name(told.body), f"{windows[told.other]} of {case.room.room.id}"
+        name, where = case.name(told.body), f"{case.room.holes[told.other].opening.id} of {case.room.room.id}"
         message = f"{name} stands {words(told.amount)} before the window {where} and is {words(told.a)} higher than its sill"
         yield Finding((name,), told.amount, message)
 

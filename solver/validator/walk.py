@@ -8,27 +8,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from struct import Struct
+from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from solver.core import ask
-from solver.scene import EXTERIOR, WALLS
+from solver.demanded import demand, still_allowed
+from solver.scene import EXTERIOR
+from solver.validator.kinds import Kinds
 from solver.validator.lattice import ExactBox, WallEdge, exact
-from solver.validator.sent_rooms import room_bytes, storey_bytes
+from solver.validator.sent_rooms import Floors, NumberedKinds, room_bytes, storey_bytes
 from solver.validator.world import OPPOSITE, WAYS, Hole, PlacedRoom, World
 
 DEEPEST_WALL: Final = exact(0.6)
 """As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
+ANY_NUMBER: Final = 1 << 60
 MOST: Final = 400
 """How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
-_WALLS_OF: Final = [frozenset(wall for i, wall in enumerate(WALLS) if bits >> i & 1) for bits in range(1 << len(WALLS))]
-"""The walls that the bits of a number mean."""
-_FLOOR: Final = Struct("<4q")
+_FLOOR: Final = Struct("<5q")
 _AREAS: Final = Struct("<4Q")
-_JUDGED: Final = Struct("<2q")
+_JUDGED: Final = Struct("<3q")
 _FINDING: Final = Struct("<8q")
-OPENED: Final = Struct("<2q")
-"""How far a front opens, millionths, and what it meets then."""
+OPENED: Final = Struct("<q4i")
+"""How far a front opens, millionths, what it meets then, of which body it is and which of its fronts, and nothing."""
+LOOK_WORK: Final = 0.005
+"""What the core counts as one: looking at two walls, rooms or openings [see demanded.py]. Measured."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,8 @@ class Walk:
 
     `entrances` are the ways in that were tried; none where the largest free floor stood in for them. `comes_in`: there is floor that
     one can come to. `tiles`, `cells`: into how many the floor was cut. `areas`: of each room the free centres that can be come to, and all,
-    in square lattice steps. `sides`: of each room a byte a body. `rows`: the storey as the core reads it.
+    in square lattice steps. `missed`: of each room a byte a body, 0 but where it is used from sides that cannot be come to: then the sides
+    that can be, as bits 1 << wall. `rows`: the storey as the core reads it.
     """
 
     places: tuple[PlacedRoom, ...]
@@ -46,7 +50,7 @@ class Walk:
     tiles: int
     cells: int
     areas: Mapping[str, tuple[int, int]]
-    sides: Mapping[str, bytes]
+    missed: Mapping[str, bytes]
     rows: bytes
 
     def floor(self, place: PlacedRoom, only_entered: bool = True) -> int:
@@ -54,21 +58,23 @@ class Walk:
         entered, free = self.areas[place.room.id]
         return entered if only_entered else free
 
-    def touched(self, place: PlacedRoom, number: int) -> frozenset[str]:
-        """Returns which walls the sides of a piece look to that the square can come to touch, its centre within their extent."""
-        return _WALLS_OF[self.sides[place.room.id][number]]
-
 
 class JudgedRows(NamedTuple):
-    """What the core tells of a room that was judged: what breaks a rule, and `OPENED` of its fronts; none where that was too much."""
+    """What the core tells of a room that was judged: what breaks a rule, of bodies and of the plan, and `OPENED` of its fronts.
+
+    None where that was too much.
+    """
 
     findings: Sequence[tuple[int, ...]] = ()
+    of_plan: Sequence[tuple[int, ...]] = ()
     opened: bytes = b""
 
 
-def walks(world: World) -> tuple[Walk, ...]:
-    """Walks every storey of a house."""
-    return tuple(judged_storey(world, [(place, room_bytes(world, place, None)) for place in places])[0] for places in storeys(world))
+def walks(world: World, kinds: Kinds | None = None) -> tuple[Walk, ...]:
+    """Walks every storey of a house; without kinds nothing is said of what is used."""
+    table = NumberedKinds(kinds)
+    sent = ([(place, room_bytes(world, place, table)) for place in places] for places in storeys(world))
+    return tuple(judged_storey(world, rows, table)[0] for rows in sent)
 
 
 def storeys(world: World) -> list[tuple[PlacedRoom, ...]]:
@@ -80,28 +86,33 @@ def storeys(world: World) -> list[tuple[PlacedRoom, ...]]:
 
 
 def judged_storey(
-    world: World, placed: Sequence[tuple[PlacedRoom, bytes]], asked: Sequence[bytes] = (), most: int = 0
+    world: World, placed: Sequence[tuple[PlacedRoom, bytes]], kinds: NumberedKinds, asked: Sequence[int] = (), most: int = 0
 ) -> tuple[Walk, Sequence[JudgedRows]]:
-    """Walks the rooms of one storey, each with its bytes, and judges those `asked` for (`AskedRow` of solver/core/validate/room.hpp).
+    """Walks the rooms of one storey, each with its bytes, and judges those asked for by their numbers.
 
     Where more than `most` breaks a rule in them, the rooms behind are not judged.
+
+    Raises:
+        TooMuch: the call may not have so much work.
     """
     places = tuple(place for place, _ in placed)
     entrances = _entrances(places)
     steps = [line.strip(line.start, line.end, 1) for line in (_line(place, hole) for place, hole in entrances)]
-    rows = storey_bytes(world, placed, list(_bridges(world, places)), steps, MOST)
-    told = ask("judge_storey", rows, b"".join(asked), numbers=[most])
-    tiles, cells, comes_in, count = _FLOOR.unpack_from(told)
+    rows = storey_bytes(world, placed, kinds, Floors(list(_bridges(world, places)), steps, MOST, DEEPEST_WALL))
+    most_looks = int(min(still_allowed() / LOOK_WORK, ANY_NUMBER))
+    told = ask("judge_storey", rows, pack(f"<{len(asked)}q", *asked), numbers=[most, most_looks])
+    tiles, cells, comes_in, count, looks = _FLOOR.unpack_from(told)
+    demand(LOOK_WORK * looks)
     at = _FLOOR.size + _AREAS.size * len(places)
     walked = zip(places, _AREAS.iter_unpack(told[_FLOOR.size : at]), strict=True)
     areas = {place.room.id: (high << 64 | low, free_high << 64 | free_low) for place, (high, low, free_high, free_low) in walked}
     judged, at = _judged_rows(told, at, count)
-    sides = {}
+    missed = {}
     for place in places:
         end = at + place.count_bodies()
-        sides[place.room.id] = told[at:end]
+        missed[place.room.id] = told[at:end]
         at = end
-    return Walk(places, tuple(hole for _, hole in entrances), bool(comes_in), tiles, cells, areas, sides, rows), judged
+    return Walk(places, tuple(hole for _, hole in entrances), bool(comes_in), tiles, cells, areas, missed, rows), judged
 
 
 def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows], int]:
@@ -109,11 +120,13 @@ def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows]
     found = list[JudgedRows]()
     counts = list(_JUDGED.iter_unpack(told[at : at + _JUDGED.size * count]))
     at += _JUDGED.size * count
-    opened_at = at + _FINDING.size * sum(findings for findings, _ in counts)
-    for findings, fronts in counts:
-        end, opened_end = at + _FINDING.size * findings, opened_at + OPENED.size * fronts
-        found.append(JudgedRows([*_FINDING.iter_unpack(told[at:end])], told[opened_at:opened_end]))
-        at, opened_at = end, opened_end
+    plan_at = at + _FINDING.size * sum(findings for findings, _, _ in counts)
+    opened_at = plan_at + _FINDING.size * sum(of_plan for _, of_plan, _ in counts)
+    for findings, of_plan, fronts in counts:
+        end, plan_end, opened_end = at + _FINDING.size * findings, plan_at + _FINDING.size * of_plan, opened_at + OPENED.size * fronts
+        broken, wrong = [*_FINDING.iter_unpack(told[at:end])], [*_FINDING.iter_unpack(told[plan_at:plan_end])]
+        found.append(JudgedRows(broken, wrong, told[opened_at:opened_end]))
+        at, plan_at, opened_at = end, plan_end, opened_end
     return found, opened_at
 
 

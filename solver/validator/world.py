@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from operator import itemgetter
-from typing import Final, NamedTuple, TypeAlias
+from typing import Final, TypeAlias
 
 from solver.body_rows import (
     BodyKey,
@@ -19,7 +19,6 @@ from solver.body_rows import (
     furniture_turns,
     rows_in,
 )
-from solver.demanded import demand
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
@@ -30,7 +29,8 @@ KindKey: TypeAlias = BodyKey | Look
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
-_TURNS_TO: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
+TURNS_TO: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
+"""How many quarter turns a side is from the front."""
 OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
 FLAT: Final = exact(0.02)
 """Rugs and mats: what is no higher is not a body (docs/scene.md)."""
@@ -40,9 +40,6 @@ WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
 _OPEN_SKY: Final = 1 << 60
 """As high as this is a room outdoors, and one whose height is not said."""
-
-PAIR_WORK: Final = 0.1
-"""What looking at two rooms, walls or openings counts; measured."""
 
 
 @dataclass(frozen=True)
@@ -93,19 +90,6 @@ class PlacedRoom:
         return count_furniture(self.room) + count_decorations(self.room) + len(self.people)
 
 
-class HouseWall(NamedTuple):
-    """A piece of wall line in the house: where it lies, what it spans, whose it is."""
-
-    line: int
-    start: int
-    end: int
-    place: PlacedRoom
-
-
-LINE_OF: Final = itemgetter(0)
-"""The line of a `HouseWall`."""
-
-
 @dataclass(frozen=True)
 class World:
     """A whole scene. `half_wall` is half a wall's thickness, `robot` the side of the square that walks."""
@@ -121,31 +105,15 @@ class World:
         return {place.room.id: place for place in self.places}
 
     @cached_property
-    def walls(self) -> Mapping[tuple[int, str], Sequence[HouseWall]]:
-        """The wall lines by the storey and the wall that they are, by where they lie."""
-        found: dict[tuple[int, str], list[HouseWall]] = {}
+    def numbers(self) -> Mapping[str, tuple[int, int]]:
+        """Of each room by id its storey, and its number there."""
+        counts: Counter[int] = Counter()
+        found = dict[str, tuple[int, int]]()
         for place in self.places:
-            for edge in place.edges:
-                found.setdefault((place.room.level, edge.side), []).append(HouseWall(*edge.moved(place.x, place.z)[1:], place))
-        for walls in found.values():
-            walls.sort(key=LINE_OF)
+            level = place.room.level
+            found[place.room.id] = level, counts[level]
+            counts[level] += 1
         return found
-
-    @cached_property
-    def beside(self) -> Mapping[int, Sequence[PlacedRoom]]:
-        """By the `id` of each room those listed after it on its storey that share some of its extent from west to east."""
-        found: dict[int, list[int]] = {}
-        open_: dict[int, list[tuple[int, int]]] = {}
-        spans = [(place.outline.bounds.x0 + place.x, place.outline.bounds.x1 + place.x) for place in self.places]
-        for number in sorted(range(len(spans)), key=lambda number: spans[number]):
-            (west, east), level = spans[number], self.places[number].room.level
-            still = [one for one in open_.get(level, ()) if one[0] > west]
-            demand(PAIR_WORK * len(still))
-            for _, other in still:
-                first, later = (number, other) if number < other else (other, number)
-                found.setdefault(first, []).append(later)
-            open_[level] = [*still, (east, number)]
-        return {id(self.places[first]): [self.places[number] for number in sorted(later)] for first, later in found.items()}
 
     @cached_property
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:
@@ -192,7 +160,7 @@ def turns_of(rotation: float) -> int:
 
 def side_of(rotation: float, name: str) -> str:
     """Returns where a side of the catalog (front, back, left = -x, right = +x, unrotated) of a body looks in the room."""
-    return SIDES[(turns_of(rotation) + _TURNS_TO[name]) % 4]
+    return SIDES[(turns_of(rotation) + TURNS_TO[name]) % 4]
 
 
 def _hole(opening: Opening, outline: Outline) -> Hole | None:

@@ -16,14 +16,14 @@ from solver.errors import TooMuch
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.validator import metrics, validate
 from solver.validator.kinds import kinds_of
-from solver.validator.sent_rooms import room_bytes, storey_bytes
+from solver.validator.sent_rooms import Floors, NumberedKinds, room_bytes, storey_bytes
 from solver.validator.world import world_of
 
 KNOWN = load_catalogs()
 FINDING, COUNT = Struct("<8q"), Struct("<q")
-FIRST_ROOM = Struct("<6q").pack(0, 0, 0, 0, 0, 0)
-"""The first room of a storey is to be judged; nothing in it opens."""
-FLOOR_AND_AREAS = 32 + 32
+FIRST_ROOM = Struct("<q").pack(0)
+"""The first room of a storey is to be judged."""
+FLOOR_AND_AREAS, TOLD_OF_ROOM = 40 + 32, 24
 """What is told of the floor of a storey with one room before what is found in this."""
 ANY_NUMBER = 1 << 60
 BED = Furniture("bed", "double_bed", x=2.0, z=1.3, width=1.6, depth=2.0, height=0.5)
@@ -32,14 +32,15 @@ BED = Furniture("bed", "double_bed", x=2.0, z=1.3, width=1.6, depth=2.0, height=
 def sent(*furniture: Furniture) -> bytes:
     """A storey of one room as the core reads it."""
     world = world_of(Scene(rooms=(Room("room", width=4.0, depth=4.0, furniture=furniture),)))
-    return storey_bytes(world, [(world.places[0], room_bytes(world, world.places[0], kinds_of(KNOWN)))], (), (), 400)
+    kinds = NumberedKinds(kinds_of(KNOWN))
+    return storey_bytes(world, [(world.places[0], room_bytes(world, world.places[0], kinds))], kinds, Floors((), (), 400, 0))
 
 
 def judged(rows: bytes, most: int = ANY_NUMBER) -> list[tuple[int, ...]]:
     """What the core finds in the room."""
-    told = ask("judge_storey", rows, FIRST_ROOM, numbers=[most])
+    told = ask("judge_storey", rows, FIRST_ROOM, numbers=[most, ANY_NUMBER])
     (count,) = COUNT.unpack_from(told, FLOOR_AND_AREAS)
-    return [FINDING.unpack_from(told, FLOOR_AND_AREAS + 16 + FINDING.size * number) for number in range(count)]
+    return [FINDING.unpack_from(told, FLOOR_AND_AREAS + TOLD_OF_ROOM + FINDING.size * number) for number in range(count)]
 
 
 def in_one_place(count: int) -> bytes:
@@ -64,8 +65,8 @@ def test_thousands_of_bodies_in_one_place_take_no_more_memory_than_what_may_be_t
     rows, most = in_one_place(4900), 1000
     core = CoreInstance()
     asked = core.write(FIRST_ROOM)
-    told = core.call("judge_storey", core.write(rows), len(rows), asked, len(FIRST_ROOM), most)
-    assert told >> 32 == FLOOR_AND_AREAS + 16 + FINDING.size * (most + 1) + 4900
+    told = core.call("judge_storey", core.write(rows), len(rows), asked, len(FIRST_ROOM), most, ANY_NUMBER)
+    assert told >> 32 == FLOOR_AND_AREAS + TOLD_OF_ROOM + FINDING.size * (most + 1) + 4900
     assert core.size < 16 << 20
     beds = tuple(replace(BED, id=f"bed_{number}") for number in range(4900))
     with demanding_at_most(50_000), pytest.raises(TooMuch):
@@ -77,10 +78,10 @@ def test_what_ends_early_is_refused_and_the_next_is_answered(export: str) -> Non
     whole, is_judging = sent(BED), export == "judge_storey"
     for size in (0, 8, 80, 200):
         with pytest.raises(CoreFailed, match="the request is none"):
-            ask(export, whole[:size], *([FIRST_ROOM] if is_judging else []), numbers=[ANY_NUMBER] if is_judging else [])
+            ask(export, whole[:size], *([FIRST_ROOM] if is_judging else []), numbers=[ANY_NUMBER, ANY_NUMBER] if is_judging else [])
         if is_judging and size:
             with pytest.raises(CoreFailed, match="the request is none"):
-                ask(export, whole, FIRST_ROOM[: size // 8 + 1], numbers=[ANY_NUMBER])
+                ask(export, whole, FIRST_ROOM[: size // 40 + 1], numbers=[ANY_NUMBER, ANY_NUMBER])
     assert judged(whole) == []
 
 
@@ -88,7 +89,7 @@ def test_bytes_that_are_changed_end_the_call_or_are_answered() -> None:
     chance, whole = Random(1), sent(BED)
     refused = 0
     for _ in range(60):
-        at = 8 * chance.randrange(12, 18)  # the counts in the room's header
+        at = 8 * chance.randrange(3, 8)  # the counts in the storey's header
         changed = whole[:at] + chance.randbytes(8) + whole[at + 8 :]
         try:
             judged(changed)

@@ -44,7 +44,7 @@ def test_a_town_is_walked_from_tile_to_tile() -> None:
         patch.setattr(walk, "MOST", 10_000)
         (whole,) = walk.walks(world_of(town(14)))
     assert tiled.tiles >= 4 > whole.tiles == 1
-    assert (tiled.areas, tiled.sides, tiled.comes_in) == (whole.areas, whole.sides, whole.comes_in)
+    assert (tiled.areas, tiled.missed, tiled.comes_in) == (whole.areas, whole.missed, whole.comes_in)
     assert told(town(14), "unreachable") == set()
     assert told(town(14, walled=9), "unreachable") == {("unreachable", f"{x}.{z}", ()) for x in range(14) for z in range(9, 14)}
 

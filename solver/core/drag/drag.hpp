@@ -11,7 +11,7 @@
 
 namespace drag {
 
-constexpr i64 VERSION = 1;
+constexpr i64 VERSION = 2;
 
 // What the host sends at the start: this, a `placement::RoomRequest`, the room as a storey of its own (`validate::StoreyRow`), and then
 // movers and riders.
@@ -31,7 +31,6 @@ struct Mover {
 // A body of the room.
 struct Rider {
   i64 piece;  // the piece, standing free, that takes it along: itself or what carries it; -1: it stays
-  i64 any_of, all_of;  // its sides that must be come to, one of them or all of them, as bits 1 << Wall
 };
 
 // Where the middle of a body is, m.

@@ -1,6 +1,7 @@
 // Rooms and storeys as bytes -> the rows that are said of them.
 #include "validate/validate.hpp"
 
+#include "validate/plan.hpp"
 #include "validate/walk.hpp"
 
 namespace validate {
@@ -29,70 +30,87 @@ static Area free_area(Span<Rect> floors, const List<Rect>& obstacles, i32 most_b
 
 // What is said of a storey's floor, and of a room that was judged.
 struct WalkedFloor {
-  i64 tiles, cells, is_entered, judged;
+  i64 tiles, cells, is_entered, judged, looks;
 };
 struct Judged {
-  i64 findings, opened;
+  i64 findings, of_plan, opened;
 };
 
 static WalkedFloor floor_of(const Walk& walk) {
-  WalkedFloor floor{walk.tiles.size(), 0, 0, 0};
+  WalkedFloor floor{walk.tiles.size(), 0, 0, 0, 0};
   for (const Grid& tile : walk.tiles) floor.cells += static_cast<i64>(tile.cells.rows) * tile.cells.columns;
   for (const bool one : walk.entered) floor.is_entered |= one;
   return floor;
 }
 
-// Which sides of a body can be come to, as bits.
-static u8 touched_sides(const Storey& storey, const Walk& walk, const Placed& placed, const Body& body) {
-  u8 sides = 0;
-  for (i32 k = 0; k < 4 && body.is(Sort::furniture); k++) {
-    if (touches(walk, moved(body.box, placed.x, placed.z), WALLS[k], storey.reach)) sides |= 1 << k;
-  }
-  return sides;
-}
+namespace {
+
+// What is found in the rooms that are judged.
+struct Told {
+  List<Judged> judged;
+  Findings found, of_plan;
+  List<Opened> opened;
+  Looks looks;
+
+  bool is_too_much() const { return found.is_full() || of_plan.is_full() || looks.done > looks.most; }
+};
+
+}  // namespace
 
 // Judges the rooms asked for, each in turn, until too much is found.
-static void judge(const Storey& storey, Bytes asked, List<Judged>& judged, Findings& found, List<Opened>& opened) {
+static void judge(const Storey& storey, Bytes asked, Told& told) {
+  if (asked.size == 0) return;
+  const Plan plan(storey, told.looks);
   for (Reader reader(asked); !reader.is_at_end();) {
-    const AskedRow& own = reader.take<AskedRow>(1)[0];
-    if (own.room < 0 || own.room >= storey.rooms.size) fail(Failure::bad_request);
-    const Room& room = storey.rooms[static_cast<i32>(own.room)].room;
-    const Judged before{found.rows.size(), opened.size()};
-    find_standing(room, found);
-    find_above_ceiling(room, found);
-    find_floating(room, found);
-    find_crossing(room, found);
-    if (!found.is_full()) find_opened(room, own, reader, opened);
-    judged.add({found.rows.size() - before.findings, opened.size() - before.opened});
-    if (found.is_full()) return;
+    const i64 number = reader.take<i64>(1)[0];
+    if (number < 0 || number >= storey.rooms.size) fail(Failure::bad_request);
+    const Room& room = storey.rooms[static_cast<i32>(number)].room;
+    const Judged before{told.found.rows.size(), told.of_plan.rows.size(), told.opened.size()};
+    find_standing(room, told.found);
+    find_above_ceiling(room, told.found);
+    find_floating(room, told.found);
+    find_crossing(room, told.found);
+    if (!told.is_too_much()) plan.find(static_cast<i32>(number), told.looks, told.of_plan);
+    if (!told.is_too_much()) find_opened(room, told.looks, told.opened);
+    const i64 findings = told.found.rows.size() - before.findings, of_plan = told.of_plan.rows.size() - before.of_plan;
+    told.judged.add({findings, of_plan, told.opened.size() - before.opened});
+    if (told.is_too_much()) return;
   }
 }
 
-Bytes judge_storey(Bytes rows_sent, Bytes asked, i64 most) {
+Bytes judge_storey(Bytes rows_sent, Bytes asked, i64 most, i64 most_looks) {
   Reader reader(rows_sent);
   const Storey storey = read_storey(reader);
-  List<Judged> judged;
-  Findings found{most, {}};
-  List<Opened> opened;
-  judge(storey, asked, judged, found, opened);
+  Told found{{}, {most, {}}, {most, {}}, {}, {most_looks, 0}};
+  judge(storey, asked, found);
   const Walk walk = walk_of(storey);
   WalkedFloor floor = floor_of(walk);
-  floor.judged = judged.size();
+  floor.judged = found.judged.size(), floor.looks = found.looks.done;
   List<WalkedRoom> areas;
   List<u8> sides;
   for (const Placed& placed : storey.rooms) {
     areas.add(walked_floor(storey, walk, placed));
-    for (const Body& body : placed.room.bodies) sides.add(touched_sides(storey, walk, placed, body));
+    for (const Body& body : placed.room.bodies) sides.add(missed_sides(storey, walk, placed, body));
   }
   List<u8> told;
   const auto tell_all = [&](Bytes rows) { told.add_all({rows.data, static_cast<i32>(rows.size)}); };
   tell_all(bytes_of(Span<WalkedFloor>{&floor, 1}));
   tell_all(bytes_of(areas.all()));
-  tell_all(bytes_of(judged.all()));
-  tell_all(bytes_of(found.rows.all()));
-  tell_all(bytes_of(opened.all()));
+  tell_all(bytes_of(found.judged.all()));
+  tell_all(bytes_of(found.found.rows.all()));
+  tell_all(bytes_of(found.of_plan.rows.all()));
+  tell_all(bytes_of(found.opened.all()));
   tell_all(bytes_of(sides.all()));
   return bytes_of(told.all());
+}
+
+// Adds what the openings of some kind keep free of a room's floor.
+static void add_kept(const Room& room, bool of_windows, List<Rect>& found) {
+  for (i32 k = 0; k < room.openings.size; k++) {
+    const Zone zone = zone_of(room, k);
+    const bool is_any = zone.box.width() > 0 || zone.box.depth() > 0;
+    if (is_any && (room.openings[k].kind == OpeningKind::window) == of_windows) found.add(zone.box);
+  }
 }
 
 Bytes free_floors(Bytes rows_sent) {
@@ -100,14 +118,16 @@ Bytes free_floors(Bytes rows_sent) {
   const Storey storey = read_storey(reader);
   const Walk walk = walk_of(storey);
   List<Rect> found;
-  const Span<i64> counts = reserved<i64>(storey.rooms.size);
-  for (i32 i = 0; i < storey.rooms.size; i++) {
-    const i32 before = found.size();
-    find_swept_floor(storey, walk, storey.rooms[i], found);
-    counts[i] = found.size() - before;
-  }
   List<i64> rows;
-  rows.add_all(counts);
+  for (const Placed& placed : storey.rooms) {
+    const i32 before = found.size();
+    find_swept_floor(storey, walk, placed, found);
+    const i32 swept = found.size();
+    add_kept(placed.room, false, found);
+    const i32 doors = found.size();
+    add_kept(placed.room, true, found);
+    rows.add(swept - before), rows.add(doors - swept), rows.add(found.size() - doors);
+  }
   for (const Rect& box : found) rows.add(box.x0), rows.add(box.z0), rows.add(box.x1), rows.add(box.z1);
   return bytes_of(rows.all());
 }

@@ -17,7 +17,8 @@ constexpr f64 SURELY_METRES = 0.00001;    // bounds farther apart than this are 
 constexpr f64 TOUCHING_METRES = 0.00025;  // a front is so much smaller at every side: what touches it does not stop it
 constexpr f64 CLEAR_METRES = 0.001;        // boxes whose bounds are that far apart need no closer look
 constexpr f64 FLAT_METRES = 0.03;         // what lies on the floor and is no higher is walked on, and opened over
-constexpr i64 NOTHING = -1, WALL = -2;
+constexpr i32 NOTHING = -1, WALL = -2;
+constexpr i64 FRONT_LOOKS = 70;           // what a front counts for each body of its room; measured
 
 namespace {
 
@@ -27,7 +28,7 @@ struct Point {
 struct SolidBox {
   Point at, half;
   Point along[3];  // where its own axes point
-  i64 body;
+  i32 body;
   Fills fills;
 };
 struct Span3 {
@@ -135,7 +136,7 @@ static f64 apart(const Span3& a, const Span3& b) {
 static bool share(const Span3& a, const Span3& b) { return apart(a, b) < 0; }
 
 // A box of a body, as seen from the furniture; shares of the body's own box.
-static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& frame, i64 body) {
+static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& frame, i32 body) {
   const f64 across = ((part.x0 + part.x1) / 2 - 0.5) * row.width, along = ((part.z0 + part.z1) / 2 - 0.5) * row.depth;
   const Point at = frame.point(row.x + across * row.cosine + along * row.sine, row.y + (part.y0 + part.y1) / 2 * row.height,
                                row.z + along * row.cosine - across * row.sine);
@@ -192,7 +193,7 @@ static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>&
 
 // The boxes that reach into some room: of other bodies, and walls. A small thing that carries nothing is its whole box; what lies on the
 // furniture itself is taken off before a lid is lifted.
-static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i64 own, const Frame& frame,
+static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i32 own, const Frame& frame,
                                 const Span3& within) {
   constexpr UnitBox whole{0, 1, 0, 1, 0, 1, Fills::box};
   List<Obstacle> found;
@@ -225,10 +226,10 @@ static f64 farthest_step(const Front& front, const Point& hinge, const SolidBox&
   return STEP_SHARE * (__builtin_sqrt(dot(away, away)) + __builtin_sqrt(dot(part.half, part.half)));
 }
 
-// A front of a body, and the numbers of its parts.
+// A front of a body, by its number there, and the numbers of its parts.
 struct Moving {
   const Front& front;
-  i64 body;
+  i32 body, number;
   Span<i64> parts;
 };
 
@@ -261,7 +262,7 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
         const f64 gap = apart(bounds, other.span);
         room_left = least(room_left, gap);
         if (gap >= 0 || !meet_each_other(now, other.box)) continue;
-        return {whole(nearest(most(way - step, 0.0) * 1e6)), other.box.body};
+        return {whole(nearest(most(way - step, 0.0) * 1e6)), other.box.body, moving.body, moving.number, 0};
       }
       clear_until[i] = k + 1 + between<i64>(whole((room_left - SURELY_METRES) / farthest_step(front, hinge, parts[i])), 0, STEPS);
     }
@@ -270,40 +271,37 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
     const f64 turned = cosine * COSINE - sine * by;
     sine = sine * COSINE + cosine * by, cosine = turned;
   }
-  return {whole(nearest(length * 1e6)), NOTHING};
+  return {whole(nearest(length * 1e6)), NOTHING, moving.body, moving.number, 0};
 }
 
-void find_opened(const Room& room, const AskedRow& sent, Reader& reader, List<Opened>& found) {
-  const Span<HoleRow> holes = reader.take<HoleRow>(static_cast<i32>(sent.holes));
-  const Span<ShellBox> shell = shell_of(room, holes, reader.take<FittedBox>(static_cast<i32>(sent.fitted)));
-  const Span<Opener> openers = reader.take<Opener>(static_cast<i32>(sent.openers));
-  const Span<Front> fronts = reader.take<Front>(static_cast<i32>(sent.fronts));
-  const Span<i64> numbers = reader.take<i64>(static_cast<i32>(sent.parts));
+// Which bodies carry something.
+static List<bool> carrying(const Room& room) {
   List<bool> is_carrier, carries;
   for (i32 i = 0; i < room.names; i++) is_carrier.add(false);
   for (const Body& body : room.bodies) {
     if (body.row->on >= 0) is_carrier[body.row->on] = true;
   }
   for (const Body& body : room.bodies) carries.add(is_carrier[body.row->name]);
-  i32 next = 0;
-  i64 parts = 0;
-  for (const Opener& opener : openers) {
-    const bool fits = opener.body >= 0 && opener.body < room.bodies.size && opener.fronts >= 0 && opener.fronts <= fronts.size - next &&
-                      opener.parts >= 0 && opener.parts <= numbers.size - parts;
-    if (!fits) fail(Failure::bad_request);
-    const Span<i64> own{numbers.data + parts, static_cast<i32>(opener.parts)};
-    for (const i32 end = next + static_cast<i32>(opener.fronts); next < end; next++) {
-      const Front& front = fronts[next];
-      const bool right = front.parts > 0 && front.first >= 0 && front.first <= own.size - front.parts && absolute(front.end) <= 180;
-      if (!right) fail(Failure::bad_request);
+  return carries;
+}
+
+void find_opened(const Room& room, Looks& looks, List<Opened>& found) {
+  i64 fronts = 0;
+  for (const Body& body : room.bodies) fronts += body.is(Sort::furniture) ? room.fronts_of(body).size : 0;
+  if (fronts == 0 || !looks.are_left_after(FRONT_LOOKS * fronts * room.bodies.size)) return;
+  const Span<ShellBox> shell = shell_of(room, looks);
+  const List<bool> carries = carrying(room);
+  for (i32 i = 0; i < room.bodies.size && looks.are_left_after(0); i++) {
+    if (!room.bodies[i].is(Sort::furniture)) continue;
+    const Span<Front> own = room.fronts_of(room.bodies[i]);
+    i64* const numbers = room.kind_of(room.bodies[i]).numbers.data;
+    for (i32 k = 0; k < own.size; k++) {
       const arena::Mark mark = arena::mark();
-      const Opened way = opened(room, shell, carries, {front, opener.body, {own.data + front.first, static_cast<i32>(front.parts)}});
+      const Opened way = opened(room, shell, carries, {own[k], i, k, {numbers + own[k].first, static_cast<i32>(own[k].parts)}});
       arena::release(mark);
       found.add(way);
     }
-    parts += opener.parts;
   }
-  if (next != fronts.size) fail(Failure::bad_request);
 }
 
 }  // namespace validate

@@ -64,36 +64,69 @@ static Span<BodyRow> body_rows(const RoomRow& sent, Reader& reader) {
   return rows.all();
 }
 
-Room read_room(Reader& reader) {
+Span<Kind> read_kinds(Reader& reader, i32 count) {
+  if (count < 0) fail(Failure::bad_request);
+  const auto is_within = [](i64 first, i64 many, i64 all) { return first >= 0 && many >= 0 && first <= all - many; };
+  List<Kind> kinds;
+  for (i32 i = 0; i < count; i++) {
+    const KindRow& row = reader.take<KindRow>(1)[0];
+    Kind kind{{}, {}, {}, {}, row.any_of, row.all_of};
+    kind.surfaces = reader.take<Surface>(row.surfaces);
+    kind.parts = reader.take<UnitBox>(row.parts);
+    kind.fronts = reader.take<Front>(row.fronts);
+    kind.numbers = reader.take<i64>(row.numbers);
+    bool fits = true;
+    for (const i64 number : kind.numbers) fits = fits && is_within(number, 1, row.parts);
+    for (const Front& front : kind.fronts) {
+      fits = fits && front.parts > 0 && is_within(front.first, front.parts, row.numbers) && absolute(front.end) <= 180;
+    }
+    if (!fits) fail(Failure::bad_request);
+    kinds.add(kind);
+  }
+  return kinds.all();
+}
+
+Room read_room(Reader& reader, Span<Kind> kinds, i64 half_wall) {
   const RoomRow& sent = reader.take<RoomRow>(1)[0];
   Room room{};
-  room.half_wall = sent.half_wall;
+  room.half_wall = half_wall;
   room.bounds = sent.bounds;
   room.ceiling = sent.ceiling;
+  room.is_outdoor = sent.outdoor != 0;
   room.names = sent.names;
   room.inside = reader.take<Rect>(sent.inside);
   room.missing = reader.take<Rect>(sent.missing);
   room.edges = reader.take<Edge>(sent.edges);
-  room.ways = reader.take<Edge>(sent.ways);
-  room.doors = reader.take<Zone>(sent.doors);
-  room.windows = reader.take<Zone>(sent.windows);
-  room.kinds = reader.take<Kind>(sent.kinds);
-  room.surfaces = reader.take<Surface>(sent.surfaces);
-  room.parts = reader.take<UnitBox>(sent.parts);
+  if (sent.openings < 0 || sent.beyond < 0 || sent.beyond > (1 << 30) - sent.openings) fail(Failure::bad_request);
+  room.openings = reader.take<Opening>(sent.openings + sent.beyond);
+  room.own = sent.openings;
+  room.fitted = reader.take<FittedBox>(sent.fitted);
+  room.kinds = kinds;
   const Span<BodyRow> rows = body_rows(sent, reader);
   room.bodies = reserved<Body>(rows.size);
-  for (const Kind& kind : room.kinds) {
-    const bool fits = kind.first_surface >= 0 && kind.surfaces >= 0 && kind.first_surface + kind.surfaces <= sent.surfaces &&
-                      kind.first_part >= 0 && kind.parts >= 0 && kind.first_part + kind.parts <= sent.parts;
-    if (!fits) fail(Failure::bad_request);
-  }
   for (i32 i = 0; i < rows.size; i++) {
     const BodyRow& row = rows[i];
-    const bool fits = row.kind >= 0 && row.kind < sent.kinds && row.name >= 0 && row.name < sent.names && row.on < sent.names;
+    const bool fits = row.kind >= 0 && row.kind < kinds.size && row.name >= 0 && row.name < sent.names && row.on < sent.names;
     if (!fits) fail(Failure::bad_request);
     room.bodies[i] = body_of(row);
   }
   return room;
+}
+
+constexpr i64 DOOR_DEPTH = PER_METRE * 9 / 10;  // a door's square is as deep as the door is wide, at most this
+constexpr i64 WINDOW_DEPTH = PER_METRE / 2;     // so much tall pieces leave free before a window,
+constexpr i64 WINDOW_MARGIN = PER_METRE / 10;   // and beside it
+
+Zone zone_of(const Room& room, i32 opening) {
+  const Opening& one = room.openings[opening];
+  const Edge& edge = one.edge;
+  const bool is_own = opening < room.own;
+  if (one.kind == OpeningKind::window && is_own) {
+    return {edge.strip(edge.start - WINDOW_MARGIN, edge.end + WINDOW_MARGIN, WINDOW_DEPTH, 0), one.sill, one.top};
+  }
+  if (!one.is_door() || !one.keeps_free()) return {};
+  const i64 deep = least(edge.end - edge.start, DOOR_DEPTH);
+  return {edge.strip(edge.start, edge.end, is_own ? deep : 0, is_own ? 0 : deep), one.sill, one.top};
 }
 
 }  // namespace validate

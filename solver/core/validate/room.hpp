@@ -60,9 +60,36 @@ struct Zone {
   i64 top;
 };
 
-// Where a kind's surfaces and parts lie among those of its room.
-struct Kind {
-  i32 first_surface, surfaces, first_part, parts;
+enum class OpeningKind : i32 { window = 0, door = 1, passage = 2, garage_door = 3, other = 4 };
+
+// Where an opening leads, where not to a room of the storey, by its number: what is not judged; outside; to no room that there is.
+enum class Leads : i32 { anywhere = -1, outside = -2, nowhere = -3 };
+
+// An opening at its place on a room's walls; of the boxes fitted to openings so many are its own, which follow those of the one before it.
+struct Opening {
+  Edge edge;      // from where to where
+  i64 sill, top;  // as the rules read them, in steps
+  f64 low, high;  // as it is cut out of the wall, m
+  OpeningKind kind;
+  i32 to;  // a room's number, or a `Leads`
+  i32 fitted;
+  i32 flags;
+
+  bool keeps_free() const { return flags & 1; }    // its square, in this room
+  bool says_height() const { return flags & 2; }
+  bool is_door() const { return kind == OpeningKind::door || kind == OpeningKind::passage; }
+  bool is_way() const { return is_door() || kind == OpeningKind::garage_door; }
+};
+
+// A box that is fitted to an opening: along the wall from where that begins, up from the floor, across from the wall's middle line, m.
+struct FittedBox {
+  f64 start, end, low, high, near, far;
+};
+
+// A kind of body: how many surfaces, parts, fronts, and numbers of these' parts follow; the sides that it is used from, one of them or all
+// of them, as bits by how many quarter turns they are from the front: right, back, left.
+struct KindRow {
+  i32 surfaces, parts, fronts, numbers, any_of, all_of;
 };
 
 // What carries things: how high above the underside, how far in from the edges as it is seen from the front's side.
@@ -130,36 +157,48 @@ struct ThingLook {
 // What is sent as it was put there: `furniture`, its ids numbered from 0 on, and then no other furniture is sent; and `things`, between the
 // furniture and the people, their ids numbered from `first_thing` on.
 struct RoomRow {
-  i64 half_wall;
   Rect bounds;
   i64 ceiling;
-  i32 inside, missing, edges, ways, doors, windows, kinds, surfaces, parts, bodies, names, furniture, things, first_thing;
+  i32 inside, missing, edges, openings, beyond, fitted, bodies, names, furniture, things, first_thing, outdoor;
+};
+
+// A front of a kind: a point of its axis (0 the body's x, 1 y) in shares from the middle of its footprint at its underside; how far it
+// opens, degrees, or the share of the body's depth that it slides along z; where the numbers of its parts are, among those of the kind.
+struct Front {
+  f64 x, y, z;
+  f64 end;
+  i64 axis;
+  i64 slides;
+  i64 first, parts;
+};
+
+struct Kind {
+  Span<Surface> surfaces;
+  Span<UnitBox> parts;
+  Span<Front> fronts;
+  Span<i64> numbers;
+  i32 any_of, all_of;
 };
 
 struct Room {
   i64 half_wall;
   Rect bounds;
   i64 ceiling;         // how high it is above its floor
+  bool is_outdoor;
   Span<Rect> inside;   // boxes that cover its floor
   Span<Rect> missing;  // boxes that cover the rest of its bounds
   Span<Edge> edges;
-  Span<Edge> ways;  // doors and passages: from, to on their edges
-  Span<Zone> doors;
-  Span<Zone> windows;
-  Span<Kind> kinds;
-  Span<Surface> surfaces;
-  Span<UnitBox> parts;
+  Span<Opening> openings;  // that it lists itself, and behind them, from number `own` on, those that only others list
+  i32 own;
+  Span<FittedBox> fitted;
+  Span<Kind> kinds;  // of its storey
   Span<Body> bodies;
   i32 names;
 
-  Span<Surface> surfaces_of(const Body& body) const {
-    const Kind& kind = kinds[body.row->kind];
-    return {surfaces.data + kind.first_surface, kind.surfaces};
-  }
-  Span<UnitBox> parts_of(const Body& body) const {
-    const Kind& kind = kinds[body.row->kind];
-    return {parts.data + kind.first_part, kind.parts};
-  }
+  const Kind& kind_of(const Body& body) const { return kinds[body.row->kind]; }
+  Span<Surface> surfaces_of(const Body& body) const { return kind_of(body).surfaces; }
+  Span<UnitBox> parts_of(const Body& body) const { return kind_of(body).parts; }
+  Span<Front> fronts_of(const Body& body) const { return kind_of(body).fronts; }
 };
 
 // Takes rows from bytes, one after the other; rows start at multiples of 8.
@@ -181,34 +220,16 @@ class Reader {
   u8* end_;
 };
 
-Room read_room(Reader& reader);
+Span<Kind> read_kinds(Reader& reader, i32 count);
+Room read_room(Reader& reader, Span<Kind> kinds, i64 half_wall);
 
-// A body with fronts, which follow those of the one before it, and how many numbers of parts they have.
-struct Opener {
-  i64 body;
-  i64 fronts, parts;
-};
+// What an opening of a room keeps free there; of what keeps nothing free a box without extent.
+Zone zone_of(const Room& room, i32 opening);
 
-// A front of a body: a point of its axis (0 the body's x, 1 y) in shares from the middle of its footprint at its underside; how far it
-// opens, degrees, or the share of the body's depth that it slides along z; where the numbers of its parts are, among those of the body.
-struct Front {
-  f64 x, y, z;
-  f64 end;
-  i64 axis;
-  i64 slides;
-  i64 first, parts;
-};
-
-// A room of a storey that is to be judged: its number there, and how much follows of what stands around it and of what opens in it.
-struct AskedRow {
-  i64 room;
-  i64 holes, fitted, openers, fronts, parts;
-};
-
-// How far a front opens, millionths of a degree or of a metre, and what it meets then: a body, -1 nothing, -2 a wall.
+// How far a front of a body opens, millionths of a degree or of a metre, and what it meets then: a body, -1 nothing, -2 a wall.
 struct Opened {
   i64 travel;
-  i64 meets;
+  i32 meets, body, front, unused;
 };
 
 // A broken rule: who, with whom, by how much, and what its words say besides.
@@ -222,7 +243,18 @@ struct Finding {
 };
 
 // In the order of the answers' rules (solver/validator/judging.py).
-enum class Rule : i32 { out_of_bounds, overlap, wall_far, blocks_door, blocks_window, floating, shapes_cross, above_ceiling };
+enum class Rule : i32 {
+  out_of_bounds,
+  overlap,
+  wall_far,
+  blocks_door,
+  blocks_window,
+  floating,
+  shapes_cross,
+  above_ceiling,
+  rooms_overlap,
+  opening_wrong,
+};
 
 // What was found, and how much may be: with one more, which is too much, nothing more is looked for.
 struct Findings {
@@ -241,7 +273,18 @@ void find_above_ceiling(const Room& room, Findings& found);
 void find_floating(const Room& room, Findings& found);
 void find_crossing(const Room& room, Findings& found);
 
-// How far the fronts of a room open that are sent behind `asked`.
-void find_opened(const Room& room, const AskedRow& asked, Reader& reader, List<Opened>& found);
+// Work that is counted, in looks at two walls or rooms: beyond what may be done no more is.
+struct Looks {
+  i64 most;
+  i64 done;
+
+  bool are_left_after(i64 more) {
+    done += more;
+    return done <= most;
+  }
+};
+
+// How far the fronts of a room's furniture open.
+void find_opened(const Room& room, Looks& looks, List<Opened>& found);
 
 }  // namespace validate

@@ -3,7 +3,8 @@
 
 namespace validate {
 
-constexpr f64 HEIGHT = 3.0;  // how high walls are taken to be, m
+constexpr f64 HEIGHT = 3.0;        // how high walls are taken to be, m
+constexpr i64 STRETCH_LOOKS = 60;  // what a hole counts at each stretch of wall that it is over; measured
 
 static f64 metres(i64 steps) { return static_cast<f64>(steps) / static_cast<f64>(PER_METRE); }
 
@@ -50,7 +51,7 @@ static void add_between(const Line& line, const Span1& along, List<Cut>& over, f
 }
 
 // Adds a wall, cut at the sides of its holes, which come in the order in which they begin; it goes on by half its thickness at its ends.
-static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, List<ShellBox>& boxes) {
+static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, Looks& looks, List<ShellBox>& boxes) {
   const Line line = line_of(edge, boxes);
   const f64 start = metres(edge.start) - half, end = metres(edge.end) + half;
   List<f64> stops;
@@ -74,30 +75,32 @@ static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, List<ShellBox>
       if (one.along.high > low) over[kept++] = one;
     }
     over.cut(kept);
+    if (!looks.are_left_after(STRETCH_LOOKS * kept)) return;
     add_between(line, {low, high}, over, half);
   }
 }
 
-Span<ShellBox> shell_of(const Room& room, Span<HoleRow> holes, Span<FittedBox> fitted) {
+Span<ShellBox> shell_of(const Room& room, Looks& looks) {
   const f64 half = metres(room.half_wall);
   List<ShellBox> boxes;
   List<Cut> cuts;
   for (const Edge& edge : room.edges) {
     cuts.cut(0);
-    for (const HoleRow& hole : holes) {
+    if (!looks.are_left_after(room.openings.size)) return {};
+    for (const Opening& hole : room.openings) {
       if (hole.edge.runs_east() != edge.runs_east() || hole.edge.line != edge.line) continue;
       cuts.add({{metres(hole.edge.start), metres(hole.edge.end)}, {hole.low, hole.high}});
     }
     stable_sort(cuts.all(), [](const Cut& a, const Cut& b) { return a.along.low < b.along.low; });
-    add_wall(edge, cuts.all(), half, boxes);
+    add_wall(edge, cuts.all(), half, looks, boxes);
   }
   i32 first = 0;
-  for (const HoleRow& hole : holes) {
-    if (hole.fitted < 0 || hole.fitted > fitted.size - first) fail(Failure::bad_request);
+  for (const Opening& hole : room.openings) {
+    if (hole.fitted < 0 || hole.fitted > room.fitted.size - first) fail(Failure::bad_request);
     const Line line = line_of(hole.edge, boxes);
     const f64 at = metres(hole.edge.start);
-    for (const i32 end = first + static_cast<i32>(hole.fitted); first < end; first++) {
-      const FittedBox& one = fitted[first];
+    for (const i32 end = first + hole.fitted; first < end; first++) {
+      const FittedBox& one = room.fitted[first];
       line.add({at + one.start, at + one.end}, {one.low, one.high}, {one.near, one.far});
     }
   }

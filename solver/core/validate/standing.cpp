@@ -100,9 +100,10 @@ static void find_wall_far(const Room& room, Findings& found) {
 }
 
 // A body stands in the square of a door; furniture taller than the sill stands before a window.
-static void find_blocking(const Room& room, Span<Zone> zones, Rule rule, Findings& found) {
-  for (i32 k = 0; k < zones.size; k++) {
-    const Zone& zone = zones[k];
+static void find_blocking(const Room& room, Rule rule, Findings& found) {
+  for (i32 k = 0; k < room.openings.size; k++) {
+    if ((room.openings[k].kind == OpeningKind::window) != (rule == Rule::blocks_window)) continue;
+    const Zone zone = zone_of(room, k);
     for (i32 i = 0; i < room.bodies.size; i++) {
       const Body& body = room.bodies[i];
       const bool counts = body.is_solid && (rule == Rule::blocks_door || body.is(Sort::furniture));
@@ -125,8 +126,8 @@ void find_standing(const Room& room, Findings& found) {
   find_out_of_bounds(room, found);
   find_overlap(room, found);
   find_wall_far(room, found);
-  find_blocking(room, room.doors, Rule::blocks_door, found);
-  find_blocking(room, room.windows, Rule::blocks_window, found);
+  find_blocking(room, Rule::blocks_door, found);
+  find_blocking(room, Rule::blocks_window, found);
 }
 
 }  // namespace validate

@@ -7,14 +7,15 @@ constexpr i64 WALL_SLACK = PER_METRE / 4;  // two walls this close are one wall'
 
 Storey read_storey(Reader& reader) {
   const StoreyRow& sent = reader.take<StoreyRow>(1)[0];
-  Storey storey{sent.half_wall, sent.reach, most(sent.most_boxes, 1), {}, {}, {}};
+  Storey storey{sent.half_wall, sent.reach, sent.deepest_wall, most(sent.most_boxes, 1), {}, {}, {}};
   storey.bridges = reader.take<Rect>(sent.bridges);
   storey.entrances = reader.take<Rect>(sent.entrances);
+  const Span<Kind> kinds = read_kinds(reader, sent.kinds);
   if (sent.rooms < 0) fail(Failure::bad_request);
   storey.rooms = reserved<Placed>(sent.rooms);
   for (Placed& placed : storey.rooms) {
     const Point at = reader.take<Point>(1)[0];
-    placed = {read_room(reader), at.x, at.z};
+    placed = {read_room(reader, kinds, sent.half_wall), at.x, at.z};
   }
   return storey;
 }
@@ -35,7 +36,10 @@ static void add_walls(const Edge& edge, const List<Interval>& ways, i64 half_wal
 static List<Edge> all_ways(const Storey& storey) {
   List<Edge> ways;
   for (const Placed& placed : storey.rooms) {
-    for (const Edge& way : placed.room.ways) ways.add(way.moved(placed.x, placed.z));
+    const Room& room = placed.room;
+    for (i32 k = 0; k < room.own; k++) {
+      if (room.openings[k].is_way()) ways.add(room.openings[k].edge.moved(placed.x, placed.z));
+    }
   }
   stable_sort(ways.all(), [](const Edge& a, const Edge& b) {
     return a.runs_east() != b.runs_east() ? b.runs_east() : a.line < b.line;
@@ -168,9 +172,7 @@ WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& pl
 bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach) {
   const bool runs_east = runs_along_x(side);
   const i64 line = box.line(side) - inwards(side) * reach;
-  constexpr Wall OPPOSITE[] = {Wall::south, Wall::north, Wall::west, Wall::east};
-  const Wall opposite = OPPOSITE[static_cast<i32>(side)];
-  const Edge edge{static_cast<i64>(opposite), line, runs_east ? box.x0 : box.z0, runs_east ? box.x1 : box.z1};
+  const Edge edge{static_cast<i64>(opposite(side)), line, runs_east ? box.x0 : box.z0, runs_east ? box.x1 : box.z1};
   bool found = false;
   look_at(walk, edge.strip(edge.start, edge.end, 1, 0), [&](const Grid& tile, const CellWindow& at) {
     for (i32 i = at.x0; i < at.x1; i++) {
@@ -178,6 +180,22 @@ bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach) {
     }
   });
   return found;
+}
+
+u8 missed_sides(const Storey& storey, const Walk& walk, const Placed& placed, const Body& body) {
+  const Kind& kind = placed.room.kind_of(body);
+  if (!body.is(Sort::furniture) || (kind.any_of | kind.all_of) == 0) return 0;
+  u8 touched = 0;
+  i32 met = 0;
+  for (i32 turn = 0; turn < 4; turn++) {
+    if (((kind.any_of | kind.all_of) >> turn & 1) == 0) continue;
+    const Wall side = wall_ahead(90 * (body.row->quarters + turn));
+    if (!touches(walk, moved(body.box, placed.x, placed.z), side, storey.reach)) continue;
+    met |= 1 << turn;
+    touched |= 1 << static_cast<i32>(side);
+  }
+  const bool is_enough = (kind.all_of & ~met) == 0 && (kind.any_of == 0 || (kind.any_of & met) != 0);
+  return is_enough ? 0 : 16 | touched;
 }
 
 void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& placed, List<Rect>& found) {

@@ -10,8 +10,9 @@ constexpr i64 HEADROOM = 2 * PER_METRE;  // what hangs higher is walked under: t
 
 struct StoreyRow {
   i64 half_wall;
-  i64 reach;  // half the square's side, less a step: gaps of exactly the side pass
-  i32 rooms, bridges, entrances, most_boxes;
+  i64 reach;         // half the square's side, less a step: gaps of exactly the side pass
+  i64 deepest_wall;  // so far two rooms' wall lines may lie apart at an opening that goes through both
+  i32 rooms, bridges, entrances, most_boxes, kinds, unused;
 };
 
 // A room and where it lies.
@@ -23,6 +24,7 @@ struct Placed {
 struct Storey {
   i64 half_wall;
   i64 reach;
+  i64 deepest_wall;
   i32 most_boxes;
   Span<Rect> bridges;    // floor inside doorways between walls that lie apart
   Span<Rect> entrances;  // a step of floor along every door that one comes in by; none: the largest free floor is come to
@@ -46,6 +48,10 @@ WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& pl
 
 // Whether the square can come to touch a side of a box, its centre within the side's extent.
 bool touches(const Walk& walk, const Rect& box, Wall side, i64 reach);
+
+// What is said of how a body is used: 0 where enough of its use sides can be come to, else 16 and a bit of each wall that those which can
+// be come to look to.
+u8 missed_sides(const Storey& storey, const Walk& walk, const Placed& placed, const Body& body);
 
 // What the square sweeps of a room's clear floor, in rectangles that do not overlap.
 void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& placed, List<Rect>& found);
