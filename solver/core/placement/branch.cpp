@@ -148,11 +148,16 @@ void widen(const Engine& engine, i64 parent, f64 ceiling, bool all) {
   const arena::Scope scope;
   const Nodes& nodes = engine.nodes;
   i64 count = 0;
+  reach_out(engine, parent);
   for (const i64 row : wider_rows(engine.room, engine.work, engine.grid, all)) {
     const bool fits = count < nodes.family.size && nodes.state->spare >= OPTIONS;
     if (all && (row == UNTOLD || !fits)) nodes.result->exhausted = 0;
     if (!fits) break;
     if (row == UNTOLD) continue;
+    if (!possible(engine, engine.work.wide[row])) {
+      nodes.result->solves++;  // a QP would say so, too
+      continue;
+    }
     const i64 slot = solve_child(engine, parent, engine.work.options.size + row, ceiling);
     if (slot < 0) continue;
     nodes.widened[slot]++;
