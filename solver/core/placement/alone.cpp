@@ -19,7 +19,6 @@ Work without_persons(const Work& work) {
   Work alone = work;
   alone.rows = reserved_rows<DifferenceRow>(work.counts->rows);
   alone.choice_size = reserved<i64>(static_cast<i32>(work.counts->choices));
-  alone.held = zeroes<i32>(static_cast<i32>(work.counts->choices));
   alone.options = reserved_rows<DifferenceRow>(OPTIONS * work.counts->choices);
   for (i64 k = 0; k < work.counts->rows; k++) {
     const DifferenceRow& row = work.rows[k];

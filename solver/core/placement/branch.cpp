@@ -14,33 +14,25 @@ constexpr i64 FEWER_FIRST = 1'000'000'000'000;
 // With more choices than this the most violated come first whatever is left to them: nothing is proven there anyway.
 constexpr i64 MANY_CHOICES = 500;
 
-// How far an option of a choice holds at the open node, m.
-static f64 slack_at(const Engine& engine, i64 option) {
-  const PlacedOption& own = engine.work.placed_options[option];
-  const f64* positions = engine.nodes.positions.data;
-  return positions[own.j] - positions[own.i] - own.s;
-}
+// How far an option of a choice holds at positions, m.
+static f64 slack_at(const f64* positions, const PlacedOption& own) { return positions[own.j] - positions[own.i] - own.s; }
 
-// The first choice from number `choice` on of which no option holds that was last seen to; `choices` where there is none.
-static i32 next_doubtful(const Engine& engine, i32 choice, i32 choices) {
-  const PlacedOption* options = engine.work.placed_options.data;
-  const i32* held = engine.work.held.data;
-  const f64* positions = engine.nodes.positions.data;
-  for (; choice < choices; choice++) {
-    const PlacedOption& own = options[OPTIONS * choice + held[choice]];
-    if (positions[own.j] - positions[own.i] - own.s < -VIOLATED) break;
-  }
+// The first choice from number `choice` on of which no option holds that was last seen to; `choices` where there is none. By itself, since
+// a loop of few steps is compiled to fewer where nothing else is in their way.
+[[gnu::noinline]] static i32 next_doubtful(const PlacedOption* held, const f64* positions, i32 choice, i32 choices) {
+  while (choice < choices && slack_at(positions, held[choice]) >= -VIOLATED) choice++;
   return choice;
 }
 
 // How far the option of a choice holds that holds best; where it holds at all, some option that does, which is noted.
 static f64 best_slack(const Engine& engine, i32 choice) {
-  const i32 first = OPTIONS * choice, size = static_cast<i32>(engine.work.choice_size[choice]);
-  i32& held = engine.work.held[choice];
-  f64 slack = slack_at(engine, first + held);
-  for (i32 k = 0; k < size && slack < -VIOLATED; k++) {
-    slack = most(slack, slack_at(engine, first + k));
-    held = k;
+  const i32 first = OPTIONS * choice, end = first + static_cast<i32>(engine.work.choice_size[choice]);
+  const f64* positions = engine.nodes.positions.data;
+  PlacedOption& held = engine.work.held[choice];
+  f64 slack = slack_at(positions, held);
+  for (i32 k = first; k < end && slack < -VIOLATED; k++) {
+    held = engine.work.placed_options[k];
+    slack = most(slack, slack_at(positions, held));
   }
   return slack;
 }
@@ -70,7 +62,8 @@ i64 find_violated(const Engine& engine, i64 slot) {
   const bool few = choices <= MANY_CHOICES;
   bool known = false;
   i64 found = ALL_HOLD, lowest = 0;
-  for (i32 c = next_doubtful(engine, 0, choices); c < choices; c = next_doubtful(engine, c + 1, choices)) {
+  const auto next_from = [&](i32 c) { return next_doubtful(engine.work.held.data, engine.nodes.positions.data, c, choices); };
+  for (i32 c = next_from(0); c < choices; c = next_from(c + 1)) {
     const f64 slack = best_slack(engine, c);
     if (slack >= -VIOLATED) continue;
     if (!known) reach_out(engine, slot);
@@ -122,7 +115,7 @@ static void order_options(const Engine& engine, i64 choice) {
   const Nodes& nodes = engine.nodes;
   for (i64 o = 0; o < engine.work.choice_size[choice]; o++) {
     const i64 k = OPTIONS * choice + o;
-    const i64 slack = in_steps(slack_at(engine, k));
+    const i64 slack = in_steps(slack_at(nodes.positions.data, engine.work.placed_options[k]));
     i64 at = o;
     for (; at > 0 && nodes.order[at - 1].slack < slack; at--) nodes.order[at] = nodes.order[at - 1];
     nodes.order[at] = {k, slack};

@@ -66,10 +66,10 @@ struct Work {
   Rows<DifferenceRow> rows;
   Rows<Part> parts;
   Span<i64> choice_size;
-  Span<i32> held;  // of a choice: the option that held when it was last looked at, which is looked at first
   Rows<ChoiceParts> choice_parts;
   Rows<DifferenceRow> options;
   Span<PlacedOption> placed_options;
+  Span<PlacedOption> held;  // of a choice: the option that held when it was last looked at, which is looked at first
   Rows<DifferenceRow> wide;  // what widenings ask for; option number options.size + k
   Span<i64> body_part, rotation, taken_candidate, taken_side;  // by piece
   Rows<Mark> marks;

@@ -81,10 +81,10 @@ static bool open_root(const Engine& engine) {
   const Nodes& nodes = engine.nodes;
   for (i64 c = 0; c < work.counts->choices; c++) {
     if (work.choice_size[c] == 0) return false;
-    work.held[c] = 0;
   }
   if (!prepare(engine)) return false;
   place_options(work, nodes.positions.columns);
+  for (i64 c = 0; c < work.counts->choices; c++) work.held[c] = work.placed_options[OPTIONS * c];
   const i64 slot = next_slot(nodes);
   for (i64 axis = 0; axis < 2; axis++) {
     const Program& program = engine.programs[axis];

@@ -99,7 +99,7 @@ static Work new_work(const Sizes& sizes) {
   work.rows = reserved_rows<DifferenceRow>(sizes.rows);
   work.parts = reserved_rows<Part>(v);
   work.choice_size = new_span<i64>(c);
-  work.held = new_span<i32>(c);
+  work.held = new_span<PlacedOption>(c);
   work.choice_parts = reserved_rows<ChoiceParts>(c);
   work.options = reserved_rows<DifferenceRow>(OPTIONS * c);
   work.placed_options = new_span<PlacedOption>(OPTIONS * c);
