@@ -65,9 +65,9 @@ what holds things counts."""
 def read_catalogs(directory: Path | None = None) -> Catalogs:
     """Reads and checks our catalogs, or those with a directory's own laid over them; see `cached.load_catalogs`."""
     if directory is None:
-        return _checked(_layer(HERE))
+        return _checked(_ours())
     _refuse_strays(directory)
-    return _checked(_laid_over(_layer(HERE), _layer(directory)), over_ours=True)
+    return _checked(_laid_over(_ours(), _layer(directory)), over_ours=True)
 
 
 @dataclass(frozen=True)
@@ -91,6 +91,12 @@ def _layer(directory: Path) -> _Layer:
     files |= {(_ROOMS, name): path for name, path in room_files.items()}
     entries[_SHAPES], shapes_in = _shapes(shape_files)
     return _Layer(entries, files | shapes_in)
+
+
+@cache
+def _ours() -> _Layer:
+    """Returns what our own files say, read once in a process: any number of folders may be laid over them."""
+    return _layer(HERE)
 
 
 def _refuse_strays(directory: Path) -> None:

@@ -162,14 +162,15 @@ def solids(parts: Sequence[ShapePart], surfaces: Mapping[str, float], size: Kind
     for part in parts:
         shown = images(part, heights(part, surfaces))
         for image, front in zip(shown, _fronts(part, len(shown), parts), strict=True):
+            solid = image if front is None else _with(image, front=front)
             if part.hollow is not None:
                 inside = _Inside(*_inner(image, part.hollow, size), len(insides), image.material)
                 insides.append(inside)
                 made += _boards(image, part.hollow, inside, size)
             elif image.opens is None:
-                made.append(image.model_copy(update={"front": front}))
+                made.append(solid)
             else:
-                panels.append((image.model_copy(update={"front": front}), part.range or 0.0))
+                panels.append((solid, part.range or 0.0))
     for panel, wished in panels:
         made += _drawer(panel, wished or DRAWN, insides, size) if panel.opens == "drawer" else [_with(panel, range=wished or QUARTER)]
     return tuple(made)

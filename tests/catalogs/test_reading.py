@@ -26,13 +26,15 @@ def copy(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def edit(copy: Path) -> Mend:
+def edit(tmp_path: Path) -> Mend:
+    """Lays one file of ours, changed, over ours."""
+
     def change(file: str, old: str, new: str) -> Path:
-        path = copy / file
-        text = path.read_text()
+        text = (OURS / file).read_text()
         assert old in text
-        path.write_text(text.replace(old, new, 1))
-        return copy
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text(text.replace(old, new, 1))
+        return tmp_path
 
     return change
 
