@@ -1,6 +1,7 @@
 """The calls that are made in workers, from document to document: what HTTP and the command line share. Start reading here.
 
-Each is one function, from the body that it takes to what it answers; route, reading and OpenAPI follow from these types.
+Each is one function, from the body that it takes to what it answers; route, reading and OpenAPI follow from these types. What it does is
+imported when it does it: a command loads its own flow, and the service, whose workers do all of them, none.
 """
 
 from __future__ import annotations
@@ -10,8 +11,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
-from typing import Any, Final, NamedTuple, cast, get_type_hints
+from typing import TYPE_CHECKING, Any, Final, NamedTuple, cast, get_type_hints
 
+import solver
 from catalogs import Catalogs
 from service.contract import (
     DragAnswer,
@@ -38,26 +40,20 @@ from service.contract import (
 )
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, made_house
-from solver import explain, export, fix, fix_frame, place, prepare_drag, validate
 from solver.answers import Fixed, Generated
 from solver.errors import FieldError
 from solver.exchange import FORMATS, misspelt, read, scene_schema, write
 from solver.explained import Explained
 from solver.export_formats import EXPORTERS, Freedom
-from solver.exports import Files, is_available, packed
 from solver.guessed import FurnishedPlan
 from solver.imported import ImportSettings, PlanImport
-from solver.named_assets import with_assets
-from solver.named_kinds import with_kinds
-from solver.pipeline.import_plan import import_plan
-from solver.pipeline.own_plan import furnish
 from solver.plain import Document
 from solver.request import NO_ACCESS, Request
 from solver.scene import Scene
 from solver.scene_bodies import body_ids, check_id, check_ids
-from solver.understanding import understood
-from solver.validator import access_of, floors, metrics
-from solver.view import report, view
+
+if TYPE_CHECKING:
+    from solver.exports import Files
 
 
 @dataclass(frozen=True)
@@ -104,6 +100,8 @@ def generate_house(body: Request | RerollBody | RestyleBody | None, catalogs: Ca
 @_call("furnish")
 def furnish_plan(body: FurnishBody, catalogs: Catalogs) -> FurnishedPlan:
     """Furnishes the rooms of somebody's own plan; says what was guessed of it."""
+    from solver.pipeline.own_plan import furnish
+
     check_size(body.scene)
     seed = draw_seed() if body.seed is None and body.scene.seed is None else body.seed
     with limited_to(body.effort) as work:
@@ -122,9 +120,9 @@ def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
     fixed = None
     with limited_to(body.effort) as work:
         if body.dragging:
-            fixed = fix_frame(body.scene, moved, locked=locked, previous=body.previous, catalogs=catalogs, clock=perf_counter)
+            fixed = solver.fix_frame(body.scene, moved, locked=locked, previous=body.previous, catalogs=catalogs, clock=perf_counter)
         if fixed is None:
-            fixed = fix(
+            fixed = solver.fix(
                 body.scene, locked=locked, moved=moved, on_conflict=body.on_conflict, previous=body.previous, catalogs=catalogs,
                 clock=perf_counter,
             )  # fmt: skip
@@ -137,7 +135,7 @@ def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
     check_id("id", body.id, body_ids(body.scene))
     check_ids(body_ids(body.scene), locked=body.locked)
     with limited_to():
-        taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
+        taken = solver.prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
     return DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
 
 
@@ -145,7 +143,7 @@ def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
 def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> PlaceAnswer:
     """Places a list of pieces, with their relations, in a room of the caller's own."""
     with limited_to(body.effort) as work:
-        answer = place(
+        answer = solver.place(
             body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
             height=body.height,
             catalogs=catalogs, engine=engine, clock=perf_counter,
@@ -160,9 +158,13 @@ def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> P
 @_call("validate")
 def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
     """Lists which rules a scene breaks, and by how much."""
+    from solver.understanding import understood
+    from solver.validator import access_of, metrics
+    from solver.view import report
+
     scene, flagged = body.scene, tuple(dict.fromkeys(body.flagged or ()))
     check_ids(body_ids(scene), flagged=flagged)
-    issues = validate(scene, catalogs)
+    issues = solver.validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     measured = metrics(scene, catalogs)
     words = Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
@@ -173,6 +175,9 @@ def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
 @_call("view")
 def view_scene(body: ViewBody, _: Catalogs) -> Lines:
     """Writes a scene as readable YAML, and which body each line is."""
+    from solver.validator import metrics
+    from solver.view import view
+
     return Lines(*view(body.scene, _areas(metrics(body.scene))))
 
 
@@ -185,12 +190,14 @@ def _areas(measured: Document) -> dict[str, float]:
 def explain_place(body: ExplainBody, catalogs: Catalogs) -> Explained:
     """Says where a piece of a generated home was wished, and what holds it back from there."""
     with limited_to():
-        return explain(body.scene, body.id, catalogs=catalogs)
+        return solver.explain(body.scene, body.id, catalogs=catalogs)
 
 
 @_call("import")
 def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
     """Reads a floor plan of another program as a scene, and says all that is not as the file says."""
+    from solver.pipeline.import_plan import import_plan
+
     if (body.file is None) == (body.document is None):
         raise FieldError(
             "file", "is missing" if body.file is None else "is given, and so is the document", "a file in base64, or a document"
@@ -206,6 +213,8 @@ def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
 @_call("floor")
 def floor_of(body: FloorBody, catalogs: Catalogs) -> FloorAnswer:
     """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
+    from solver.validator import floors
+
     check_ids([room.id for room in body.scene.rooms], rooms=body.rooms)
     return FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs)))
 
@@ -219,6 +228,9 @@ def _read_export(document: object) -> ExportBody:
 @_call("export", reads=_read_export)
 def export_scene(body: ExportBody | SceneByItself, catalogs: Catalogs) -> Scene:
     """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
+    from solver.named_assets import with_assets
+    from solver.named_kinds import with_kinds
+
     scene = body if isinstance(body, Scene) else body.scene
     return with_assets(with_kinds(scene, catalogs), catalogs)
 
@@ -238,7 +250,7 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
         FieldError: a field is wrong, or the format's library is not installed.
     """
     body = _read_export(document)
-    return export(
+    return solver.export(
         body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, called=body.called, catalogs=catalogs
     )
 
@@ -249,6 +261,8 @@ def export_one(document: object, catalogs: Catalogs, format: str) -> ExportedFil
     Raises:
         FieldError: as `export_files`.
     """
+    from solver.exports import packed
+
     return ExportedFile(*packed(export_files(document, catalogs, format), format, EXPORTERS[format].media_type))
 
 
@@ -258,6 +272,8 @@ def import_content(content: object, catalogs: Catalogs, settings: ImportSettings
     Raises:
         FieldError: the file cannot be read; names the place.
     """
+    from solver.pipeline.import_plan import import_plan
+
     return write(import_plan(content, name, settings, catalogs=catalogs))
 
 
@@ -284,6 +300,8 @@ def _catalog(catalogs: Catalogs) -> Document:
 
 def _exports(_: Catalogs) -> Document:
     """Lists the formats that /export writes, beside JSON and YAML."""
+    from solver.exports import is_available
+
     formats = (ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
     return write(ExportFormats(tuple(write(one) for one in formats)))
 

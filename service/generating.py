@@ -8,8 +8,8 @@ from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Final
 
+import solver
 from service.effort import limited_to
-from solver import generate, reroll, restyle
 from solver.answers import Generated
 from solver.errors import FieldError
 from solver.exchange import read, read_request
@@ -31,7 +31,7 @@ def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Ge
 
         wish = read(RestyleBody, document)
         check_size(wish.scene)
-        return restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter)
+        return solver.restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter)
     if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
         from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
 
@@ -39,12 +39,12 @@ def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Ge
         check_size(body.scene)
         rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
         with limited_to(body.effort) as work:
-            made = reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
+            made = solver.reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
         return replace(made, limited=work.limited())
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
     with limited_to() as work:
-        house = generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
+        house = solver.generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
     return replace(house, limited=work.limited())
 
 

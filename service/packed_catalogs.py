@@ -12,7 +12,6 @@ from hashlib import sha256
 from typing import Final, cast
 
 from catalogs import Catalogs
-from solver.core import load_core
 
 KNOWN: Final[dict[str, Catalogs]] = {}
 """The last catalogs that this process packed or was sent, by their mark."""
@@ -57,6 +56,8 @@ def _keep(mark: str, catalogs: Catalogs) -> None:
 
 def warm(catalogs: bytes) -> None:
     """Does nothing but load what calls need; the collector of cycles leaves that alone from then on."""
+    from solver.core import load_core  # noqa: PLC0415 - the service itself makes no calls
+
     unpacked(catalogs)
     load_core()
     gc.collect()

@@ -35,8 +35,11 @@ SIZE_BYTES: Final = 8
 """Before each answer stands how long it is."""
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES: Final[Any] = multiprocessing.get_context("forkserver" if _CAN_FORK else "spawn")
-if _CAN_FORK:  # a process that has imported all is copied within milliseconds
-    _PROCESSES.set_forkserver_preload([f"{__package__}.work", __name__])
+_FLOWS: Final = ("drag", "explain", "export", "fix", "generate", "import_plan", "own_plan", "place", "restyle")
+PRELOADED: Final = (f"{__package__}.work", __name__, *(f"solver.pipeline.{flow}" for flow in _FLOWS), "solver.view")
+"""What calls load when they are made: a process that has loaded all of it is copied within milliseconds."""
+if _CAN_FORK:
+    _PROCESSES.set_forkserver_preload(list(PRELOADED))
 
 
 class Raised(NamedTuple):

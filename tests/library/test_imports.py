@@ -15,6 +15,24 @@ KERNEL = FINAL_SOLVE | {"wasmtime"}
 SERVER = {"fastapi", "starlette", "uvicorn", "anyio"}
 CATALOGS = {"catalogs.reading", "catalogs.schema", "numpy"}
 SCENE = "from compose_homes import Room, Scene\nscene = Scene(rooms=(Room('den', width=4.0, depth=3.0),))\n"
+FLOWS = {"solver.pipeline.generate", "solver.pipeline.fix", "solver.pipeline.import_plan", "solver.placement", "solver.floorplan", "numpy"}
+ALL_CALLS = """
+import sys
+from importlib import import_module
+from catalogs import load_catalogs
+from service.workers import PRELOADED
+for name in PRELOADED:
+    import_module(name)
+from service.calls import CALLS
+from service.openapi import examples
+from service.packed_catalogs import packed, warm
+warm(packed(load_catalogs()))
+before = set(sys.modules)
+for name, call in CALLS.items():
+    call(examples()["/export/{format}" if name == "export" else f"/{name}"]["body"], load_catalogs())
+later = sorted(name for name in set(sys.modules) - before if name.startswith(("catalogs", "service", "solver")))
+assert not later, later
+"""
 GENERATE = "from compose_homes import Request, generate\ngenerate(Request(seed=1, width=4, depth=4))"
 
 
@@ -40,7 +58,8 @@ def loaded(program: str) -> set[str]:
         (GENERATE, {"cvxpy", "osqp", "scipy", "jinja2"} | SERVER),
         ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
         ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
-        ("import service.app", KERNEL),
+        ("import service.app", KERNEL | (FLOWS - {"numpy"})),
+        ("import service.calls", KERNEL | SERVER | FLOWS),
     ],
 )
 def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None:
@@ -49,3 +68,7 @@ def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None
 
 def test_a_call_loads_what_it_needs() -> None:
     assert loaded(GENERATE) > {"wasmtime", "osqp.ext_builtin"}
+
+
+def test_what_calls_load_is_loaded_before_processes_are_forked() -> None:
+    assert loaded(ALL_CALLS) > FLOWS

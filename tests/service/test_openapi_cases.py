@@ -17,7 +17,7 @@ from hypothesis import HealthCheck, settings
 from schemathesis import Case, CheckContext, Response
 from schemathesis.specs.openapi.checks import positive_data_acceptance
 
-from service import generating
+import solver
 from service.app import create_app
 from service.work import Failure, do, do_alone
 from solver import generate
@@ -109,7 +109,7 @@ SCHEMA.config.update(request_timeout=PATIENCE_S)
 @settings(max_examples=CASES, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
 def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(generating, "generate", made_small)
+        patch.setattr(solver, "generate", made_small)
         case.call_and_validate(excluded_checks=[positive_data_acceptance], additional_checks=[what_fits_is_taken])
 
 
