@@ -261,9 +261,9 @@ class Catalogs(Entry):
         """Returns the catalogs for homes that are made for a profile, by its name; the same ones where there is none of it."""
         return _for_access(self, name) if name in self.access else self
 
-    def for_walls(self, more_mm: int) -> Catalogs:
-        """Returns the catalogs for homes whose inner walls are thicker than usual by so many mm: rooms are planned larger by as much."""
-        return _for_walls(self, more_mm) if more_mm else self
+    def widened(self, more_mm: int) -> Catalogs:
+        """Returns the catalogs for homes whose rooms are planned larger by so many mm, for thicker inner walls or wider ways."""
+        return _widened(self, more_mm) if more_mm else self
 
     def of_home(self, types: Collection[str], planned: bool = True) -> Catalogs:
         """Returns the catalogs of a home with rooms of these types.
@@ -320,14 +320,14 @@ def _is_before(piece: PieceSpec, room: str, profile: AccessProfile) -> bool:
 
 
 @lru_cache(maxsize=16)
-def _for_walls(catalogs: Catalogs, more_mm: int) -> Catalogs:
-    """Returns the catalogs with the sizes that homes' rooms have between the lines of thicker walls, their floors as large as ever."""
-    made_from = blake2b(f"{catalogs.fingerprint} walls {more_mm}".encode(), digest_size=6)
-    rooms = {name: _between_thicker(kind, more_mm / 1000) for name, kind in catalogs.rooms.items()}
+def _widened(catalogs: Catalogs, more_mm: int) -> Catalogs:
+    """Returns the catalogs with the sizes of rooms that are longer and wider by so much, what is left of their floors as large as ever."""
+    made_from = blake2b(f"{catalogs.fingerprint} wider {more_mm}".encode(), digest_size=6)
+    rooms = {name: _wider(kind, more_mm / 1000) for name, kind in catalogs.rooms.items()}
     return catalogs.model_copy(update={"rooms": rooms, "fingerprint": made_from.hexdigest()})
 
 
-def _between_thicker(kind: RoomType, more: float) -> RoomType:
+def _wider(kind: RoomType, more: float) -> RoomType:
     home = kind.home
     if home is None:
         return kind

@@ -39,7 +39,7 @@ def home_question(number: int) -> HomeQuestion:
     """Returns a search, of as many sorts as there are."""
     rng = Random(f"a home {number}")
     walls = HouseWalls(rng.choice((100, 100, 50, 115, 240)))
-    catalogs = KNOWN.for_access(rng.choice(("none", *sorted(KNOWN.access)))).for_walls(walls.more)
+    catalogs = KNOWN.for_access(rng.choice(("none", *sorted(KNOWN.access)))).widened(walls.more)
     program = rng.choice(("studio", "one_bed", "family", "large", random_programme(number), random_programme(number)))
     types = types_of(counts_of(Request(program=program), catalogs), catalogs)
     floor = rng.choice((None, None, rng.uniform(8.0, 22.0) * len(types)))

@@ -148,7 +148,7 @@ def test_usual_walls_asked_for_make_the_home_that_is_made_unasked() -> None:
 def test_rooms_of_any_form_keep_their_least_floor() -> None:
     """A room of the least area between thick walls' lines, however long it may be, has the least floor between usual walls."""
     for more in (15, 140):
-        for name, kind in KNOWN.for_walls(more).rooms.items():
+        for name, kind in KNOWN.widened(more).rooms.items():
             if kind.home is None:
                 continue
             least, usual = kind.home.area[0], KNOWN.rooms[name].home

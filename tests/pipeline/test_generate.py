@@ -83,7 +83,7 @@ def test_any_request_gives_a_house_without_errors(**fields: Any) -> None:
     assert read_scene(load_text(text, "yaml")) == made.scene
 
 
-@pytest.mark.parametrize("robot_width", [1.0, 1.2, 1.3])
+@pytest.mark.parametrize("robot_width", [1.0, 1.3, 1.6, 2.0])
 @pytest.mark.parametrize("program", ["family", "studio", None])
 def test_doors_are_as_wide_as_what_has_to_pass_them(program: str | None, robot_width: float) -> None:
     for seed in range(500, 503):

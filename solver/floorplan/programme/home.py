@@ -15,7 +15,7 @@ from solver.floorplan.given import tilings_of
 from solver.floorplan.programme.home_search import GIVEN, FoundHome, Frame, HomeSeed, find_home, find_home_within, outlines_for
 from solver.floorplan.programme.planned_rooms import WALLS_SHARE, PlannedRoom, counts_of, loosened, planned_rooms, spared, types_of
 from solver.floorplan.programme.yard import PlannedHome, house_frame, with_yard
-from solver.floorplan.tiling import LATTICE_MM, HouseWalls, Layout
+from solver.floorplan.tiling import LATTICE_MM, LEAF_MM, HouseWalls, Layout
 from solver.geometry import Rect, to_mm
 from solver.request import Request
 from solver.streams import Stream
@@ -47,7 +47,8 @@ def plan_home(request: Request, catalogs: Catalogs, walls: HouseWalls) -> Planne
     Raises:
         RequestError: the programme cannot be read, or what does not go with it is asked for.
     """
-    sized, plot = catalogs.for_walls(walls.more), _plot(request)
+    wider = max(0, to_mm(request.robot_width) - LEAF_MM)
+    sized, plot = catalogs.widened(walls.more + wider), _plot(request)
     types = types_of(counts_of(request, sized), sized)
     home = _written(_Attempts(types, sized, plot, walls).first_sound(), plot, walls)
     return with_yard(home, Frame(plot.width, plot.depth), catalogs) if request.outdoor else home
