@@ -44,6 +44,10 @@ class DrawnShape(NamedTuple):
     width: float = 0.0
 
 
+SWUNG: Final = ("door", "opening", "passage", "window")
+"""What a leaf's arc is drawn as: some layers hold all openings."""
+
+
 class DrawnSwing(NamedTuple):
     """The arc that a door's leaf sweeps: its hinge, its two ends, its place in the file."""
 
@@ -52,11 +56,12 @@ class DrawnSwing(NamedTuple):
     where: str
 
 
-def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> list[DrawnOpening]:
+def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None], swings: Sequence[DrawnSwing]) -> list[DrawnOpening]:
     """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
 
-    A hole with a leaf in it is a door.
+    A hole with a leaf in it is a door. Where leaves swing and nothing is a window, what is drawn as a door may be one.
     """
+    is_mixed = bool(swings) and "window" not in sorts
     found: list[DrawnOpening] = []
     places = Places([])
     for told, kind in SORTS.items():
@@ -64,7 +69,7 @@ def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None]) -> li
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
             near = places.first(start, end)
             if near is None and math.dist(start, end) > 0:
-                found.append(DrawnOpening(kind, start, end, one.where, unsaid=told == "opening"))
+                found.append(DrawnOpening(kind, start, end, one.where, unsaid=told == "opening" or (told == "door" and is_mixed)))
                 places.add(start, end)
             elif near is not None and kind == "door" and found[near].kind == "passage":
                 found[near] = replace(found[near], kind="door", unsaid=False)
@@ -92,11 +97,13 @@ class Places:
         self._rows[self._count] = (*between(start, end), math.dist(start, end))
         self._count += 1
 
-    def first(self, start: Spot, end: Spot) -> int | None:
-        """Returns which is the first that is one with a line; None where none is."""
+    def first(self, start: Spot, end: Spot, alike: bool = False) -> int | None:
+        """Returns which is the first that is one with a line, or where it lies is `alike` and as long; None where none is."""
         (x, z), rows = between(start, end), self._rows[: self._count]
-        longer = np.maximum(rows[:, 2], math.dist(start, end))
-        near = np.flatnonzero(np.hypot(rows[:, 0] - x, rows[:, 1] - z) < SAME * longer)
+        length = math.dist(start, end)
+        longer = np.maximum(rows[:, 2], length)
+        away, other = np.hypot(rows[:, 0] - x, rows[:, 1] - z), np.abs(rows[:, 2] - length)
+        near = np.flatnonzero((away < MEET * longer) & (other < MEET * longer) if alike else away < SAME * longer)
         return int(near[0]) if len(near) else None
 
 

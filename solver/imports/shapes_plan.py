@@ -165,8 +165,8 @@ def _openings(
     doors = doors_of_swings(swings, faces)
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
     taken = Places([(one.start, one.end) for one in doors])
-    others = (one for one in openings_of(shapes, sorts) if taken.first(one.start, one.end) is None)
-    return [*doors, *(one for one in others if not (one.kind == "door" or one.unsaid) or leaves.first(one.start, one.end) is None)]
+    others = (one for one in openings_of(shapes, sorts, swings) if taken.first(one.start, one.end) is None)
+    return [*doors, *(one for one in others if leaves.first(one.start, one.end, one.kind == "window") is None)]
 
 
 def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) -> list[DrawnShape]:

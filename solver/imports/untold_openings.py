@@ -59,7 +59,7 @@ def _kind(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:
         return "window", "it lies in an outer wall, and no leaf is drawn"
     if outdoors == {True, False}:
         return ("door", "it leads outdoors") if one.high - one.low >= NARROW else ("window", "it is too narrow for a door")
-    return "passage", "it lies in an inner wall, and no leaf is drawn"
+    return (one.drawn.kind, "") if one.drawn.kind == "door" else ("passage", "it lies in an inner wall, and no leaf is drawn")
 
 
 def _by_width(one: Joined, rooms: Sequence[NamedRoom]) -> tuple[OpeningKind, str]:

@@ -113,7 +113,7 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
         away = np.hypot(*(middles - between(one.start, one.end)).T)
         near = np.flatnonzero(away < widths + math.dist(one.start, one.end))
         nearest = [gaps[at] for at in near[np.argsort(away[near], kind="stable")]]
-        ways = [(gap, new) for gap in nearest if gap in left and (new := _in_gap(one, gap, beside))]
+        ways = [(gap, new) for gap in nearest if (new := _in_gap(one, gap, beside))]
         if not ways and one.kind == "door" and not one.hinge:
             ways = [(gap, new) for gap in nearest if (new := _hung(one, gap))]
         if ways and ways[0][0] in left:

@@ -122,3 +122,15 @@ def test_holes_of_a_building_without_any_window_are_windows_where_their_sills_ar
     assert len(windows) > 4
     assert len(found) == (left or len(windows))
     assert guessed(answer).count("window") == (0 if left else len(windows))
+
+
+@pytest.mark.parametrize(("layer", "told"), [("Fenster", []), ("Türen", ["window"])])
+def test_doors_on_the_layer_of_windows_have_leaves_and_windows_on_that_of_doors_have_none(layer: str, told: list[str]) -> None:
+    """Of the leaf itself, which lies open in the room, nothing is left, and the leafless opening between the rooms stays a door."""
+    made = drawing(SOUTH, (2050, 2500, 2050, 3400), layer=layer, arcs=((0, 1000, 900, 0),))
+    made.modelspace().add_line((0, 1000), (900, 1000), dxfattribs={"layer": layer})
+    answer = imported(made)
+    assert sorted(one[:2] for one in kinds(answer)["Flur"]) == [("door", 0.9), ("window" if layer == "Fenster" else "door", 0.9)]
+    assert [one[:2] for one in kinds(answer)["Schlafzimmer"] if one[2] == "EXTERIOR"] == [("window", 1.4)]
+    assert guessed(answer) == told
+    assert not answer.unread

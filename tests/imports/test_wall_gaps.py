@@ -130,3 +130,18 @@ def test_gaps_between_rooms_that_are_drawn_are_passages_too() -> None:
         made.modelspace().add_lwpolyline([(x0, 300), (x1, 300), (x1, 5700), (x0, 5700)], close=True, dxfattribs={"layer": "Räume"})
         made.modelspace().add_text(name, height=150).set_placement((x0 + 500, 3000))
     assert [(one.kind, one.width) for one in doors(imported(made))] == [("passage", 0.885), ("passage", 0.76)]
+
+
+def test_a_small_window_through_a_thick_wall_is_one_window() -> None:
+    """Its outer lines lie nearly as far from one another as it is wide."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    for spots in ([(0, 0), (2000, 0), (2000, 365), (365, 365), (365, 3000), (4365, 3000), (4365, 365), (2600, 365), (2600, 0), (4730, 0),
+                   (4730, 3365), (0, 3365)],):  # fmt: skip
+        space.add_lwpolyline(spots, close=True, dxfattribs={"layer": "Wand"})
+    for y in (0, 182, 365):
+        space.add_line((2000, y), (2600, y), dxfattribs={"layer": "Fenster"})
+    space.add_line((0, 1500), (0, 2400), dxfattribs={"layer": "Türen"})
+    (room,) = imported(made).scene.rooms
+    assert sorted((one.kind, one.width) for one in room.openings) == [("door", 0.9), ("window", 0.6)]

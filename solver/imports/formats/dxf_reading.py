@@ -20,7 +20,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
-from solver.imports.shape_openings import DrawnShape, DrawnSwing
+from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnText, is_passed, plan_of_shapes, sort_within, text_at
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
@@ -37,10 +37,6 @@ SPACES: Final = frozenset({"*model_space", "$model_space"})
 MANY: Final = f"of more than {MOST_PARTS:,} entities, vertices and entries"
 DEEPEST: Final = 8
 """Blocks within blocks."""
-
-
-SWUNG: Final = ("door", "opening", "passage")
-"""What a leaf's arc is drawn as: some layers hold all openings."""
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})

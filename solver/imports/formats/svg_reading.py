@@ -29,7 +29,7 @@ from solver.imports.formats.svg_elements import (
     view_of,
 )
 from solver.imports.plain_values import a_number, one_of
-from solver.imports.shape_openings import DrawnShape, DrawnSwing
+from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import UnitTold, plan_of_shapes, sort_within, text_at
 from solver.imports.units import DOOR_WIDTHS, unit_named
 
@@ -203,7 +203,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
         sort = sort_within(element.names)
         label = _label(element, names, sort == "room") if names and sort in (None, "room") else ""
         for line in element.lines:
-            if sort in ("door", "opening") and line.swing:
+            if sort in SWUNG and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
                 continue
             is_room = sort == "room" or (sort is None and bool(label) and line.closed)
