@@ -34,7 +34,7 @@ from solver.imports.shape_openings import (
     to_lines,
 )
 from solver.imports.straighten import turn_of, turned_by
-from solver.imports.units import told_by_doors
+from solver.imports.units import GAPS, PlanUnit, assumed
 from solver.imports.wall_gaps import fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
 
@@ -75,13 +75,15 @@ MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
+HOUSE: Final = 12.0
+"""About so large, m, is a house."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
 
 
-UnitTold = Callable[[Sequence[DrawnOpening]], float | None]
+UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
 
 
 class DrawnText(NamedTuple):
@@ -129,8 +131,8 @@ def plan_of_shapes(
     solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
     openings = _openings(shapes, sorts, swings, faces)
-    length = metres(openings)
-    unit = told_by_doors(openings, length)
+    length = _length(metres, openings, [points for points, _ in outlines])
+    unit = length.metres
     openings, gaps = fitted(openings, gaps_of([points for points, _ in outlines], unit), unit)
     walls: list[DrawnWall] = []
     thick: float | None = None
@@ -151,11 +153,22 @@ def plan_of_shapes(
     told += _still_open([] if by_walls else loose, rooms, unit)
     told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes))
     return DrawnPlan(
-        tuple(rooms), tuple(openings), tuple(walls), metres=length, drawn="inner" if thick else "unsaid",
+        tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
+
+
+def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
+    """Returns the length of the unit as it is told, else by doors, else by the gaps in walls of a house of usual size."""
+    unit = told(openings)
+    if unit.metres is None and not (unit := assumed(openings)).metres and walls:
+        x0, z0, x1, z1 = bounds_of_points([spot for points in walls for spot in points])
+        usual = HOUSE / (max(x1 - x0, z1 - z0) or 1.0)
+        gaps = [gap for gap in fitted(openings, gaps_of(walls, usual), usual)[1] if gap.in_line]
+        unit = assumed([DrawnOpening("passage", gap.start, gap.end, "") for gap in gaps], GAPS)
+    return unit
 
 
 def _openings(

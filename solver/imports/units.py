@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from statistics import median
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.errors import FieldError
 from solver.geometry import doubled_area
@@ -18,6 +18,17 @@ POSSIBLE_DOORS: Final = (0.1, 10.0)
 """Where the median is not even between these, m, the file says a unit in which it is not drawn."""
 LIKELY_ROOM: Final = (1.5, 8.0)
 """Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
+LIKELY_DOOR: Final = 0.9
+"""So wide, m, are most doors, where no unit makes them so."""
+DOORS: Final = "doors' median width"
+GAPS: Final = "the median gap in walls"
+
+
+class PlanUnit(NamedTuple):
+    """The length of a plan's unit, m, None where nothing tells; what told it, where the file does not say it itself."""
+
+    metres: float | None
+    words: str = ""
 
 
 def unit_named(word: str | None) -> float | None:
@@ -48,51 +59,60 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
     said = unit_named(asked)
     if said is not None:
         return said
-    doors = [math.dist(one.start, one.end) for one in plan.openings if one.kind == "door"]
-    if plan.metres is not None:
-        return _corrected(plan.metres, plan.unit_words, median(doors) if doors else None, notes)
-    if doors:
-        found, told, size = _within(median(doors), DOOR_WIDTHS), "doors' median width", median(doors)
-    else:
-        sides = [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
-        size = median(sides) if sides else 0.0
-        found, told = _within(size, LIKELY_ROOM), "rooms' median side"
-    if len(found) != 1:
-        raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
-    notes.guess("plan", "unit", found[0], f"the file does not say its unit; {told} is {size * UNITS[found[0]]:.2f} m in {found[0]}")
-    return UNITS[found[0]]
-
-
-def _corrected(metres: float, words: str, door: float | None, notes: PlanNotes) -> float:
-    """Returns the length of the unit that a file says, m; where no door is so wide, of the one in which doors are as wide as doors."""
-    other = None if door is None or _may_be(door * metres) else _one_within(door)
-    if other is not None and door is not None:
-        said = f"the file says a unit of {metres:.5g} m, but doors' median width would be {door * metres:.3g} m"
-        notes.guess("plan", "unit", other, f"{said}; it is {door * UNITS[other]:.2f} m in {other}")
-        return UNITS[other]
-    if words:
-        notes.guess("plan", "unit", f"{metres:.5g}", words)
+    metres, words = told_by_doors(plan.openings, plan.metres)
+    if metres is None:
+        metres, words = _by_rooms(plan)
+    if words or plan.unit_words:
+        taken = next((name for name, length in UNITS.items() if length == metres), f"{metres:.5g}")
+        notes.guess("plan", "unit", taken, words or plan.unit_words)
     return metres
 
 
-def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> float | None:
-    """Returns the length of the unit, m: what is said, but where no door is so wide the one in which doors are as wide as doors."""
-    doors = [math.dist(one.start, one.end) for one in openings if one.kind == "door"]
-    if not doors or (said is not None and _may_be(median(doors) * said)):
-        return said
-    found = _one_within(median(doors))
-    return said if found is None else UNITS[found]
+def _by_rooms(plan: DrawnPlan) -> tuple[float, str]:
+    """Returns the unit in which rooms are as large as rooms, where there are no doors to tell.
+
+    Raises:
+        FieldError: there is none, or more; or doors tell none.
+    """
+    doors, sides = _doors(plan.openings), [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
+    size, told = (median(doors), DOORS) if doors else (median(sides) if sides else 0.0, "rooms' median side")
+    found = [] if doors else _within(size, LIKELY_ROOM)
+    if len(found) != 1:
+        raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
+    return UNITS[found[0]], _told(found[0], size, told)
 
 
-def _may_be(door: float) -> bool:
-    """Tells whether doors' median width may be so many metres."""
-    return POSSIBLE_DOORS[0] <= door <= POSSIBLE_DOORS[1]
+def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> PlanUnit:
+    """Returns the unit that is said, m; but where no door is so wide, or none is said, the one in which doors are as wide as doors."""
+    doors = _doors(openings)
+    if not doors or (said is not None and POSSIBLE_DOORS[0] <= median(doors) * said <= POSSIBLE_DOORS[1]):
+        return PlanUnit(said)
+    found = _within(median(doors), DOOR_WIDTHS)
+    if len(found) != 1:
+        return PlanUnit(said)
+    (name,), metres, size = found, UNITS[found[0]], median(doors)
+    if said is None:
+        return PlanUnit(metres, _told(name, size, DOORS))
+    return PlanUnit(
+        metres, f"the file says a unit of {said:.5g} m, but {DOORS} would be {size * said:.3g} m; it is {size * metres:.2f} m in {name}"
+    )
 
 
-def _one_within(door: float) -> str | None:
-    """Returns the one unit in which a door is as wide as doors, None where there is none or more."""
-    found = _within(door, DOOR_WIDTHS)
-    return found[0] if len(found) == 1 else None
+def assumed(openings: Sequence[DrawnOpening], told: str = DOORS) -> PlanUnit:
+    """Returns the length in which the median opening is as wide as most doors, for drawings in a length of their own, such as pixels."""
+    doors = [math.dist(one.start, one.end) for one in openings if one.kind in ("door", "passage")]
+    if not doors or not median(doors):
+        return PlanUnit(None)
+    words = f"the file does not say how long its unit is; {told} is taken as {LIKELY_DOOR:.2f} m, `unit` says another length"
+    return PlanUnit(LIKELY_DOOR / median(doors), words)
+
+
+def _doors(openings: Sequence[DrawnOpening]) -> list[float]:
+    return [math.dist(one.start, one.end) for one in openings if one.kind == "door"]
+
+
+def _told(name: str, size: float, told: str) -> str:
+    return f"the file does not say its unit; {told} is {size * UNITS[name]:.2f} m in {name}"
 
 
 def _within(size: float, limits: tuple[float, float]) -> list[str]:

@@ -59,7 +59,7 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     walls = [one for one in plan.walls if one.thickness > 0 and math.dist(one.start, one.end) > 0]
     if plan.rooms or not walls:
         return plan
-    unit = metres or told_by_doors(plan.openings, plan.metres)
+    unit = metres or told_by_doors(plan.openings, plan.metres).metres
     rooms: list[DrawnRoom] = []
     unread, openings = list(plan.unread), list(plan.openings)
     for level in sorted({one.level for one in walls}):

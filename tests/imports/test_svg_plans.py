@@ -10,7 +10,6 @@ import pytest
 
 from catalogs import load_catalogs
 from compose_homes import import_plan
-from solver.errors import FieldError
 from solver.imported import PlanImport
 from tests.imports.plans import box, collection, opening, read, rooms_of
 
@@ -51,9 +50,24 @@ def test_a_sheet_may_say_its_scale(said: str) -> None:
     assert sizes_of(answer) == sizes_of(drawn(TWO_ROOMS, unit="0.05"))
 
 
-def test_a_unit_that_nothing_tells_is_asked_for() -> None:
-    with pytest.raises(FieldError, match="doors' median width is 18"):
-        drawn(TWO_ROOMS)
+@pytest.mark.parametrize("scale", [1.0, 1.9, 3.3])
+def test_of_pixels_of_any_length_the_doors_tell_how_long_they_are(scale: float) -> None:
+    """Doors are 18, 34 and 59 pixels wide: no inches or feet, whatever they come out at."""
+    answer = drawn(f"<g transform='scale({scale})'>{TWO_ROOMS}</g>")
+    assert sizes_of(answer) == sizes_of(drawn(TWO_ROOMS, unit="0.05"))
+    (told,) = [guess for guess in answer.guesses if guess["what"] == "unit"]
+    assert "doors' median width is taken as 0.90 m" in str(told["message"])
+    assert float(str(told["taken"])) == pytest.approx(0.05 / scale, rel=1e-4)
+
+
+def test_where_no_door_is_drawn_the_gaps_in_walls_tell_how_long_pixels_are() -> None:
+    """Walls 0.3 m thick around 9 x 6 m, one of 0.1 m between two rooms with a gap of 0.9 m; a window 1.2 m wide."""
+    walls = "M0 0 H60 V6 H6 V114 H174 V6 H84 V0 H180 V120 H0 Z M100 6 H102 V50 H100 Z M100 68 H102 V114 H100 Z"
+    names = "<text x='40' y='60'>Kitchen</text><text x='140' y='60'>Bedroom</text>"
+    answer = drawn(f"<path id='walls' d='{walls}'/><rect class='window' x='60' width='24' height='6'/>{names}")
+    assert [(room.type, room.width) for room in answer.scene.rooms] == [("kitchen", 4.8), ("bedroom", 3.7)]
+    (told,) = [guess for guess in answer.guesses if guess["what"] == "unit"]
+    assert (told["taken"], "the median gap in walls is taken as 0.90 m" in str(told["message"])) == ("0.05", True)
 
 
 def test_the_root_may_say_the_unit_and_elements_what_they_are() -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
-from typing import Final, Literal, NamedTuple
+from typing import Final, Literal
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import RoomNames, room_names_of
@@ -31,22 +31,17 @@ from solver.imports.formats.svg_elements import (
 from solver.imports.plain_values import a_number, one_of
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import UnitTold, plan_of_shapes, sort_within, text_at
-from solver.imports.units import DOOR_WIDTHS, unit_named
+from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
 SCALES: Final = (1, 20, 50, 100, 200, 500)
 """Of plans on paper, where the file does not say: a scale is told by how wide doors come out."""
+METRIC: Final = (1.0, 0.01, 0.001)
+"""Units that drawings for screens are in, m."""
 NAMES: Final = ("label", "data-name", "id", "class")
 """Attributes that call a shape something."""
 START: Final = 4_000
 """Bytes at a file's beginning in which its root is looked for."""
-
-
-class _Unit(NamedTuple):
-    """The length of the file's unit, m, None where nothing tells; what told it, where the file does not say it in a word."""
-
-    metres: float | None
-    words: str = ""
 
 
 def is_svg(content: bytes) -> bool:
@@ -70,11 +65,11 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
     stated = [element for element in elements if "data-room" in element.said and element.lines]
     names = None if stated and openings else room_names_of(catalogs or load_catalogs())
-    plan = _shapes_plan(elements, names, lambda found: metres or _unit_of(said, found).metres)
+    plan = _shapes_plan(elements, names, lambda found: PlanUnit(metres) if metres else _unit_of(said, found))
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
+    unit = _unit_of(said, openings) if openings or stated else PlanUnit(plan.metres, plan.unit_words)
     openings = openings or list(plan.openings)
-    unit = _unit_of(said, openings)
     thickness = _attribute(said, "data-wall-thickness", "svg")
     drawn: DrawnAlong = "inner" if one_of(said, "data-drawn", ("", "lines", "inner"), "svg") == "inner" else "lines"
     level = int(_attribute(said, "data-level", "svg") or 0)
@@ -103,23 +98,30 @@ def _attribute(said: Mapping[str, str], key: str, where: str) -> float | None:
     return a_number({key: value}, key, where, None)
 
 
-def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> _Unit:
-    """Returns the unit: what `data-unit` says; else paper's millimetres times the scale that makes doors doors."""
+def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> PlanUnit:
+    """Returns the unit: what `data-unit` says; else paper's millimetres times the scale that makes doors doors; else what doors tell."""
     if said.get("data-unit"):
-        return _Unit(unit_named(said["data-unit"]))
+        return told_by_doors(openings, unit_named(said["data-unit"]))
     found, view = LENGTH.fullmatch(said.get("width", "")), view_of(said)
     if not found or found[2] not in PIXELS or found[2] in ("", "px"):
-        return _Unit(None)
+        return _of_pixels(openings)
     paper = PIXELS[found[2]] / PIXELS["mm"] / 1000 * float(found[1]) / (view[2] if view else float(found[1]) * PIXELS[found[2]])
     scale = _attribute({**said, "data-scale": said["data-scale"].removeprefix("1:")} if "data-scale" in said else said, "data-scale", "svg")
+    if scale:
+        return PlanUnit(paper * scale)
     doors = [math.dist(one.start, one.end) * paper for one in openings if one.kind == "door"]
-    if scale or not doors:
-        return _Unit(paper * scale if scale else None)
-    told = [one for one in SCALES if DOOR_WIDTHS[0] <= median(doors) * one <= DOOR_WIDTHS[1]]
-    words = (
-        f"the drawing is {found[1]} {found[2]} wide; at 1:{told[0]} its doors' median is {median(doors) * told[0]:.2f} m" if told else ""
+    told = [one for one in SCALES if doors and DOOR_WIDTHS[0] <= median(doors) * one <= DOOR_WIDTHS[1]]
+    if len(told) != 1:
+        return _of_pixels(openings)
+    return PlanUnit(
+        paper * told[0], f"the drawing is {found[1]} {found[2]} wide; at 1:{told[0]} its doors' median is {median(doors) * told[0]:.2f} m"
     )
-    return _Unit(paper * told[0] if len(told) == 1 else None, words)
+
+
+def _of_pixels(openings: Sequence[DrawnOpening]) -> PlanUnit:
+    """Returns the unit in which doors are as wide as doors; where they would be inches or feet, it is so by chance."""
+    told = told_by_doors(openings, None)
+    return told if told.metres in METRIC else assumed(openings)
 
 
 def _outer(element: SvgElement) -> list[float | None]:
