@@ -33,6 +33,7 @@ from solver.imports.shape_openings import (
     openings_of,
     to_lines,
 )
+from solver.imports.storeys_beside import storey_called, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed
 from solver.imports.wall_gaps import fitted, gaps_of
@@ -98,7 +99,7 @@ class DrawnText(NamedTuple):
 def text_at(words: str, spot: Spot, names: RoomNames) -> DrawnText:
     """Returns a text as it is drawn at a point, looked up among the names of rooms."""
     lines = (line.strip() for line in words.splitlines())
-    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line))
+    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line) or storey_called(line) is not None)
     meaning = names.meaning(said) if said and names.is_plain(said) else None
     return DrawnText(said, *spot, meaning.key if meaning else "")
 
@@ -152,12 +153,13 @@ def plan_of_shapes(
     rooms += [replace(room, label=_label(room.points, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
     told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes))
-    return DrawnPlan(
+    plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
+    return with_storeys_apart(plan, [(one.words, (one.x, one.z)) for one in texts if not one.means], unit)
 
 
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:

@@ -77,7 +77,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     solid = tuple(outer_walls([room for room, _ in drawn_rooms], [_outer(element) for _, element in drawn_rooms], thickness or 0.0))
     return DrawnPlan(
         tuple(rooms), tuple(openings), () if stated else plan.walls, pieces,
-        (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
+        plan.levels or (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
         metres=unit.metres, drawn=drawn if stated or "data-drawn" in said else plan.drawn,
         wall_thickness=plan.wall_thickness if thickness is None else thickness, unread=() if stated else plan.unread,
         unit_words=unit.words, solid=solid or (() if stated else plan.solid), faces=() if stated else plan.faces,

@@ -1,0 +1,106 @@
+"""Storeys that one drawing draws beside one another: groups of rooms that lie apart are levels, in the order of their titles.
+
+Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Final, NamedTuple
+
+from solver.geometry import bounds_of_points
+from solver.imported import Unread
+from solver.imports.drawn import DrawnLevel, DrawnPlan, Spot
+
+APART: Final = 1.0
+"""Groups of rooms of different storeys lie farther from one another, m."""
+LEAST_ROOMS: Final = 3
+"""A group of fewer rooms is none: a shed belongs to the nearest."""
+TITLES: Final = (
+    ("basement", "cellar", "keller", "untergesch", "souterrain", "sous-sol", "sótano", "sotano", "kjeller", "källare", "подвал", "地下"),
+    ("ground", "erdgesch", "parterre", "rez-de", "rez de", "rdc", "planta baja", "piano terra", "begane", "parter", "térreo", "terreo"),
+    ("first", "1st", "upper", "obergesch", "1. og", "1er", "1ère", "étage", "etage", "planta alta", "primer", "primo",
+     "verdieping", "piętro"),
+    ("second", "2nd", "2. og", "2e ", "2ème", "segund", "secondo"),
+    ("attic", "loft", "dachgesch", "comble", "ático", "buhardilla", "mansard", "zolder", "poddasz"),
+)  # fmt: skip
+"""Words of titles of storeys, from the lowest on; of one that says none there is none."""
+Box = tuple[float, float, float, float]
+
+
+class DrawnGroup(NamedTuple):
+    """Rooms that lie together, by their places in the plan, and the box around them."""
+
+    box: Box
+    rooms: frozenset[int]
+
+
+def with_storeys_apart(plan: DrawnPlan, texts: Sequence[tuple[str, Spot]], metres: float | None) -> DrawnPlan:
+    """Returns a plan of one level whose rooms lie in several groups with each on a level of its own; any other as it is.
+
+    `texts` are words and where they stand, `metres` is the length of the unit.
+    """
+    groups = _groups(
+        [DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(plan.rooms)], APART / (metres or 1.0)
+    )
+    storeys = [group for group in groups if len(group.rooms) >= LEAST_ROOMS]
+    if len(storeys) < 2:
+        return plan
+    titles = [next(_titles(storey, storeys, texts), (0, "")) for storey in storeys]
+    is_titled = len({rank for rank, words in titles if words}) == len(storeys)
+    order = sorted(range(len(storeys)), key=lambda at: titles[at] if is_titled else (storeys[at].box[0], -storeys[at].box[3]))
+    boxes = [storeys[at].box for at in order]
+    names = [titles[at][1] for at in order]
+
+    def level(spot: Spot) -> int:
+        return min(range(len(boxes)), key=lambda at: _away(boxes[at], (*spot, *spot)))
+
+    told = Unread("rooms", f"lie in {len(storeys)} groups apart from one another, which are taken as storeys drawn side by side")
+    return replace(
+        plan,
+        rooms=tuple(replace(one, level=level(_middle(one.points))) for one in plan.rooms),
+        openings=tuple(replace(one, level=level(one.start)) for one in plan.openings),
+        walls=tuple(replace(one, level=level(one.start)) for one in plan.walls),
+        pieces=tuple(replace(one, level=level((one.x, one.z))) for one in plan.pieces),
+        levels=tuple(DrawnLevel(number, name) for number, name in enumerate(names)),
+        unread=(*plan.unread, told),
+    )
+
+
+def storey_called(words: str) -> int | None:
+    """Returns which storey a title tells, from the lowest on; None where it tells none."""
+    return next((rank for rank, known in enumerate(TITLES) if any(word in words.lower() for word in known)), None)
+
+
+def _groups(groups: Sequence[DrawnGroup], apart: float) -> list[DrawnGroup]:
+    """Returns groups, those one whose boxes lie no farther apart."""
+    found: list[DrawnGroup] = []
+    for box, rooms in groups:
+        near = [one for one in found if _away(one.box, box) <= apart]
+        corners = [spot for x0, z0, x1, z1 in (box, *(one.box for one in near)) for spot in ((x0, z0), (x1, z1))]
+        found = [
+            *(one for one in found if one not in near),
+            DrawnGroup(bounds_of_points(corners), rooms.union(*(one.rooms for one in near))),
+        ]
+    return found if len(found) == len(groups) else _groups(found, apart)
+
+
+def _titles(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[tuple[str, Spot]]) -> Iterator[tuple[int, str]]:
+    """Yields which storey each text says that is nearest to a group, and its words; the nearest first."""
+    near = [
+        (_away(storey.box, (*spot, *spot)), words)
+        for words, spot in texts
+        if min(storeys, key=lambda one: _away(one.box, (*spot, *spot))) is storey
+    ]
+    yield from ((rank, words) for _, words in sorted(near) if (rank := storey_called(words)) is not None)
+
+
+def _away(a: Box, b: Box) -> float:
+    """Returns how far two boxes are from one another along x or z, whichever is more."""
+    return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3], 0.0)
+
+
+def _middle(points: Sequence[Spot]) -> Spot:
+    x0, z0, x1, z1 = bounds_of_points(points)
+    return (x0 + x1) / 2, (z0 + z1) / 2

@@ -1,0 +1,61 @@
+"""Storeys drawn side by side in one drawing: each is a level of its own, by its title, else from left to right."""
+
+from __future__ import annotations
+
+import pytest
+
+from solver.errors import FieldError
+from solver.imported import PlanImport
+from tests.imports.plans import read
+
+UPPER = ("Bedroom", "Bathroom", "Office")
+GROUND = ("Kitchen", "Living room", "Hall")
+
+
+def storey(names: tuple[str, ...], x: float, title: str = "") -> str:
+    """Rooms of 4 x 3 m in a row, doors between them and one to come in by, a title below."""
+    made = f"<text x='{x + 2}' y='6'>{title}</text>"
+    for at, name in enumerate(names):
+        west = x + 4 * at
+        made += f"<rect class='room' x='{west}' width='4' height='3'/><text x='{west + 1}' y='1'>{name}</text>"
+        made += f"<line class='door' x1='{west}' y1='1' x2='{west}' y2='1.9'/>"
+    return made
+
+
+def drawn(body: str, **settings: object) -> PlanImport:
+    return read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='m'>{body}</svg>".encode(), "plan.svg", **settings)
+
+
+def names(answer: PlanImport) -> tuple[str, ...]:
+    return tuple(str(room.extra["name"]) for room in sorted(answer.scene.rooms, key=lambda room: room.x))
+
+
+@pytest.mark.parametrize(
+    ("left", "right"), [("First floor", "Ground floor"), ("Obergeschoss", "GRUNDRISS ERDGESCHOSS"), ("2. OG", "Étage")]
+)
+def test_titles_tell_which_storey_is_which(left: str, right: str) -> None:
+    both = storey(UPPER, 0, left) + storey(GROUND, 15, right)
+    answer = drawn(both)
+    assert names(answer) == GROUND
+    assert [len(room.openings) for room in answer.scene.rooms] == [2, 2, 1]
+    reasons = [str(one["reason"]) for one in answer.unread]
+    assert reasons[0].startswith("lie in 2 groups apart from one another, which are taken as storeys")
+    assert reasons[1:] == ["3 rooms: level 0 is taken, `level` takes another"]
+    assert [one["place"] for one in answer.unread] == ["rooms", f"level 1 ({left})"]
+    above = drawn(both, level=1)
+    assert names(above) == UPPER
+    assert min(room.x for room in above.scene.rooms) == 0.0
+    with pytest.raises(FieldError, match="2 has no rooms"):
+        drawn(both, level=2)
+
+
+@pytest.mark.parametrize("titles", [("", ""), ("Ground floor", ""), ("Ground floor", "Erdgeschoss")])
+def test_without_titles_of_their_own_the_left_storey_is_the_lowest(titles: tuple[str, str]) -> None:
+    assert names(drawn(storey(UPPER, 0, titles[0]) + storey(GROUND, 15, titles[1]))) == UPPER
+
+
+@pytest.mark.parametrize(("second", "x"), [(("Garage", "Workshop"), 15), (GROUND, 12.9)])
+def test_a_shed_and_what_lies_within_a_metre_are_on_the_same_storey(second: tuple[str, ...], x: float) -> None:
+    answer = drawn(storey(UPPER, 0) + storey(second, x))
+    assert len(answer.scene.rooms) == 3 + len(second)
+    assert not answer.unread
