@@ -5,6 +5,8 @@ import { blend, frame, PRESETS, windowOf, type Vector, type Window } from "../sr
 
 const box = (wide: number, deep: number): Vector[] => [0, wide].flatMap((x) => [0, 1].flatMap((y) => [0, deep].map((z): Vector => [x, y, z])));
 const CORNERS = box(20, 15);
+/** The switch of views of a page. */
+const VIEWS = { offsetLeft: 12, offsetWidth: 370 };
 
 function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}, points = CORNERS): Vector3[] {
   const { eye, target, fov } = frame(points, PRESETS[preset], { aspect, ...covered });
@@ -13,6 +15,13 @@ function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window
   camera.lookAt(new Vector3(...target));
   camera.updateMatrixWorld();
   return points.map((corner) => new Vector3(...corner).project(camera));
+}
+
+/** Whether something of a box is seen where the switch of views is: points all over its sides and within it are looked at; `about`: or so near to it [px]. */
+function isBehind(corners: readonly Vector3[], width: number, height: number, about = 0): boolean {
+  const shares = Array.from({ length: 41 }, (_, step) => step / 40);
+  const between = corners.flatMap((one) => corners.flatMap((other) => shares.map((share) => one.clone().lerp(other, share))));
+  return between.some(({ x, y }) => ((1 + x) / 2) * width < VIEWS.offsetLeft + VIEWS.offsetWidth + about && ((1 + y) / 2) * height < 48 + about);
 }
 
 describe("a preset", () => {
@@ -32,7 +41,7 @@ describe("a preset", () => {
       [1016, 665, box(30, 9), true, false],
     ] as const;
     for (const [width, height, points, north, west] of cases) {
-      const { aspect, ...covered } = windowOf({ width, height });
+      const { aspect, ...covered } = windowOf({ width, height }, VIEWS);
       const at = seen("plan", aspect, covered, points).map(({ x, y }) => [((1 + x) / 2) * width, ((1 - y) / 2) * height] as const);
       const [xs, ys] = [at.map(([x]) => x), at.map(([, y]) => y)];
       const free = [Math.min(...ys) - 52, Math.min(...xs), height - 60 - Math.max(...ys), width - Math.max(...xs)]; // under the toolbar, over the view's buttons
@@ -58,16 +67,27 @@ describe("a preset", () => {
 
   it("shows nothing on a phone's canvas under the toolbar and the switch of views", () => {
     const [width, height] = [390, 505];
-    const { aspect, ...covered } = windowOf({ width, height });
+    const { aspect, ...covered } = windowOf({ width, height }, VIEWS);
     const ys = seen("corner", aspect, covered).map(({ y }) => ((1 - y) / 2) * height);
     expect(Math.min(...ys)).toBeGreaterThan(52);
     expect(Math.max(...ys)).toBeLessThan(height - 60);
-    expect(windowOf({ width: 1176, height: 845 }).beneath).toBe(0);
-    expect(windowOf({ width, height }, false).beneath, "in a frame elsewhere, which has none").toBe(0);
+  });
+
+  it("shows nothing under the switch of views in the corner of a wider canvas, and is as near as without one where nothing would be", () => {
+    const homes = [box(20, 15), box(10, 12), box(30, 9), box(9, 30)];
+    const lower = homes.flatMap((home) => [[760, 713], [700, 500], [640, 354], [1016, 767], [1400, 900]].filter(([width = 1, height = 1]) => {
+      const [{ aspect, ...window }, bare] = [windowOf({ width, height }, VIEWS), windowOf({ width, height }, null)];
+      const [at, plain] = [seen("corner", aspect, window, home), seen("corner", aspect, bare, home)];
+      expect(isBehind(at, width, height), `${width}`).toBe(false);
+      if (!isBehind(plain, width, height, 20)) expect(at, `${width}`).toEqual(plain);
+      return isBehind(plain, width, height);
+    }));
+    expect(lower.length).toBeGreaterThan(2);
+    expect(lower.length).toBeLessThan(18);
   });
 
   it("fills a phone's canvas with the plan's rooms, without the sheet round them", () => {
-    const { aspect, ...covered } = windowOf({ width: 390, height: 505 });
+    const { aspect, ...covered } = windowOf({ width: 390, height: 505 }, VIEWS);
     const at = seen("plan", aspect, covered);
     expect(Math.max(...at.map(({ x }) => Math.abs(x)))).toBeGreaterThan(0.9);
     expect(Math.max(...at.flatMap(({ x, y }) => [Math.abs(x), Math.abs(y)]))).toBeLessThan(1);

@@ -40,16 +40,17 @@ export interface Framing {
   readonly fov: number;
 }
 
-/** The canvas: its width over its height, and the shares of its height that something lies over at the top and at the foot; how high it is [CSS pixels]. */
+/** The canvas: its width over its height, and the share of its height that something lies over at the top; how high it is [CSS pixels]. */
 export interface Window {
   readonly aspect: number;
   readonly covered?: number;
-  readonly beneath?: number;
+  /** How far the switch of views reaches from the lower left corner: its shares of the width and of the height. */
+  readonly switched?: readonly [across: number, up: number] | null;
   readonly height?: number;
   readonly isNarrow?: boolean;
 }
 
-/** So much of the canvas lies under its toolbar, and of a narrow one under the switch of views, which lies across its foot [CSS pixels]. */
+/** So much of the canvas lies under its toolbar, and as high is the switch of views at its foot [CSS pixels]. */
 const TOOLBAR = 52;
 const SWITCH = 60;
 const NARROW = 560;
@@ -62,11 +63,11 @@ const HANDLE = 26;
 /** No more than this share of the canvas is left round a sheet on any side. */
 const MOST_ROUND = 0.34;
 
-/** What a canvas of a size [CSS pixels] leaves free; `hasSwitch`: of views, at its foot. */
-export function windowOf({ width, height }: { readonly width: number; readonly height: number }, hasSwitch = true): Window {
+/** What a canvas of a size leaves free; `views`: their switch, null where there is none [CSS pixels]. */
+export function windowOf({ width, height }: { readonly width: number; readonly height: number }, views: { readonly offsetLeft: number; readonly offsetWidth: number } | null): Window {
   const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
-  const isNarrow = width < NARROW;
-  return { aspect: width / height, covered: share(TOOLBAR), beneath: isNarrow && hasSwitch ? share(SWITCH) : 0, height, isNarrow };
+  const switched = views && ([(views.offsetLeft + views.offsetWidth) / width, share(SWITCH)] as const);
+  return { aspect: width / height, covered: share(TOOLBAR), switched, height, isNarrow: width < NARROW };
 }
 
 const MARGIN = 1.06;
@@ -121,11 +122,29 @@ function fitted(points: readonly Vector[], from: Vector, { fov }: Preset, aspect
   return { framing: { eye, target: plus(eye, back, -distance), fov }, distance };
 }
 
+/** The steps in which a line is turned that parts the points from a corner of the view. */
+const TURNS = Array.from({ length: 33 }, (_, step) => step / 32);
+
+/** Whether what lies between the points is seen beside, or above, what reaches so far from the lower left corner. */
+function isClear(points: readonly Vector[], from: Vector, { eye, fov }: Framing, aspect: number, [across, up]: readonly [number, number]): boolean {
+  const axes = axesOf(from);
+  const slope = Math.tan((fov * Math.PI) / 360);
+  const seen = points.map((point) => {
+    const at = plus(point, eye, -1);
+    const half = -2 * slope * dot(at, axes.back);
+    return [dot(at, axes.right) / (half * aspect) + 0.5 - across, dot(at, axes.up) / half + 0.5 - up] as const;
+  });
+  return TURNS.some((turn) => seen.every(([x, y]) => turn * x + (1 - turn) * y >= 0));
+}
+
 /** As near as a preset comes from a direction: a sheet with its lengths round it, else with those of two sides, where they can be read, else the rooms alone. */
-function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, beneath = 0, height = 0, isNarrow = false }: Window): Fitted {
+function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect, covered = 0, switched = null, height = 0, isNarrow = false }: Window): Fitted {
   const fit = (free: Free): Fitted => fitted(points, from, preset, aspect, free);
-  const plain: Free = { wider: MARGIN, top: covered, foot: beneath, west: 0, east: 0 };
-  if (!preset.isSheet || height === 0 || isNarrow) return fit(plain);
+  if (!preset.isSheet || height === 0 || isNarrow) {
+    const plain: Free = { wider: MARGIN, top: covered, foot: 0, west: 0, east: 0 };
+    const whole = fit(plain);
+    return !switched || isClear(points, from, whole.framing, aspect, switched) ? whole : fit({ ...plain, foot: switched[1] });
+  }
   const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
   const round = (aboveAndBelow: boolean, atSides: boolean): Fitted => {
     const [north, south] = aboveAndBelow ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];

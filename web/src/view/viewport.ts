@@ -164,7 +164,7 @@ export class Viewport {
 
   /** Looks at the house in one of the presets, flying there unless told to jump. */
   look(preset: PresetName, jump = false): void {
-    const goal = frame(this.#outline, PRESETS[preset], windowOf(this.#size, document.querySelector(".views") !== null));
+    const goal = frame(this.#outline, PRESETS[preset], windowOf(this.#size, document.querySelector<HTMLElement>(".views")));
     this.#preset = preset;
     this.#fly(goal, jump);
   }
