@@ -15,6 +15,11 @@ from tests.browser.visit import Visit
 
 GROUND = "() => getComputedStyle(document.documentElement).backgroundColor"
 PLAIN = "?width=7&depth=5&seed=4"
+PLACES = """() => [...document.querySelectorAll('.controls, .controls details:not([hidden]), .stage, .reading')].map(one => {
+    const {x, y, width, height} = one.getBoundingClientRect();
+    return [one.id, x, y, width, one.matches('details') && !one.open ? height : null];
+})"""
+"""Where the panels and the groups in them are; of groups that are open not how high."""
 
 
 @pytest.fixture
@@ -84,6 +89,21 @@ def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:
     assert (studio["program"], studio["seed"]) == ("studio", 3)
     assert "program=studio" in page.url
     assert fresh.console == []
+
+
+@pytest.mark.parametrize("width", [1280, 1600])
+def test_nothing_moves_when_the_code_of_the_page_arrives(fresh: Visit, width: int) -> None:
+    page = fresh.page
+    page.set_viewport_size({"width": width, "height": 800})
+    page.route("**/*.js", lambda route: route.abort())
+    page.goto(fresh.address)
+    before = page.evaluate(PLACES)
+    page.unroute_all()
+    fresh.open()
+    after = page.evaluate(PLACES)
+    beneath = [one[0] for one in after].index("room")  # in which the code fills in what is chosen
+    assert after[: beneath + 1] == before[: beneath + 1]
+    assert folded(page) == [False, width < 1500]
 
 
 def test_panels_and_colours_stay_as_they_were_left(fresh: Visit) -> None:
