@@ -88,3 +88,42 @@ def test_its_numbers_are_explained_and_it_leaves_the_middle_of_the_house_free(vi
     last = panel.locator(".ways li").last.evaluate(BOX)
     assert last["bottom"] <= words["bottom"] + 1, "the last way can be read wholly"
     assert around["left"] > (stage["left"] + stage["right"]) / 2
+
+
+def test_what_lies_on_a_piece_of_another_size_is_laid_on_it_anew(visit: Visit) -> None:
+    """Of a way that puts another size of pieces that things lie on: nothing on them meets or hangs over, and no rule is broken."""
+    page = visit.page
+    made = visit.open("?seed=3&program=one_bed&decorate=true&people=false")["scene"]
+    sizes = {piece["id"]: (piece["width"], piece["depth"]) for room in made["rooms"] for piece in room["furniture"]}
+    loaded = {thing["parent"] for room in made["rooms"] for thing in room["decorations"] if thing["mounted_on_wall"] is None}
+    sofa = next(piece for piece in sorted(loaded - {None}) if piece.endswith("/sofa_1"))
+    ways = asked(visit, sofa)["ways"]
+    taken = next(
+        way for way in ways if any(one["id"] in loaded and (one["width"], one["depth"]) != sizes[one["id"]] for one in way["moves"])
+    )
+    page.locator("#why .ways button").nth([way for way in ways if way["cost"] is not None].index(taken)).click()
+    visit.settle()
+    shown = page.evaluate("compose.scene")
+    assert shown != made
+    expect(page.locator("#status .verdict.has-issues")).to_have_count(0)
+    for room in shown["rooms"]:
+        for piece in room["furniture"]:
+            if (piece["width"], piece["depth"]) == sizes[piece["id"]]:
+                continue
+            rects = [rect_of(thing) for thing in room["decorations"] if thing["parent"] == piece["id"] and thing["mounted_on_wall"] is None]
+            x0, z0, x1, z1 = rect_of(piece)[:4]
+            assert all(x0 <= one[0] and z0 <= one[1] and one[2] <= x1 and one[3] <= z1 for one in rects), piece["id"]
+            assert piece["id"] not in loaded or rects, piece["id"]
+            assert not any(meet(one, other) for number, one in enumerate(rects) for other in rects[:number]), piece["id"]
+
+
+def rect_of(body: Document) -> tuple[float, ...]:
+    """A body's edges from west, north and below to east, south and above, m, a millimetre within; it stands at a right angle."""
+    wide, deep = (body["width"], body["depth"]) if body["rotation"] % 180 == 0 else (body["depth"], body["width"])
+    half_x, half_z = wide / 2 - 0.001, deep / 2 - 0.001
+    return (body["x"] - half_x, body["z"] - half_z, body["x"] + half_x, body["z"] + half_z, body["y"], body["y"] + body["height"])
+
+
+def meet(one: tuple[float, ...], other: tuple[float, ...]) -> bool:
+    """Whether two bodies are in one another."""
+    return all(one[low] < other[high] and other[low] < one[high] for low, high in ((0, 2), (1, 3), (4, 5)))

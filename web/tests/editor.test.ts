@@ -267,7 +267,7 @@ describe("single edits", () => {
 
   it("of what is locked, and of nothing else, are refused with why and an unlocking, which asks for no move", async () => {
     const { editor, call, calls, home, said } = bench();
-    const acts = new Acts(home, editor);
+    const acts = new Acts(home, editor, (one) => Promise.resolve(one));
     home.choose(["den/held"]);
     for (const act of [() => acts.nudge(0.05, 0), () => acts.turn(90), () => acts.remove()]) {
       act();
@@ -291,7 +291,7 @@ describe("single edits", () => {
   it("of several, one of which is locked, change the others and say nothing", async () => {
     const { editor, call, home, said } = bench();
     home.choose(["den/held", ONE]);
-    new Acts(home, editor).nudge(0.05, 0);
+    new Acts(home, editor, (one) => Promise.resolve(one)).nudge(0.05, 0);
     await turn();
     expect(call(0).request.moved).toEqual([ONE]);
     expect(said.refused.filter((refusal) => refusal !== null)).toEqual([]);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Decoration, Scene } from "../src/contract";
 import { footprint } from "../src/edit/gaps";
-import { aligned, changedThing, clipped, pasted, shifted, stoodSo, transferred, withoutThing, type Alignment } from "../src/edit/many_edits";
+import { aligned, changedThing, clipped, laidAs, pasted, resizedIn, shifted, stoodSo, transferred, withoutThing, type Alignment } from "../src/edit/many_edits";
 import { drawing } from "./random_requests";
 import { piece, room, scene } from "./rooms";
 
@@ -140,5 +140,19 @@ describe("another way to stand", () => {
       expect(at("den/tv_1")).toMatchObject({ x: 3.1, z: 3, y: 0.7 });
       expect(at("den/art_1")).toMatchObject({ z: 0.07, y: 1.5 });
     }
+  });
+
+  it("has on pieces of another size what lies on them elsewhere, under names of its own, and on the others what it had", () => {
+    const way = { id: "den/table_1", kind: "table", x: 3, y: 0, z: 3, rotation: 0, width: 0.8, depth: 0.9, height: 0.75, on: null };
+    const [before, there] = [house(), stoodSo(house(), [way], [])];
+    expect([resizedIn(before, there), resizedIn(before, stoodSo(before, [{ ...way, width: 1.6, height: there.rooms[0]?.furniture[3]?.height ?? 0 }], []))]).toEqual([["den/table_1"], []]);
+    const bowl = thing("den/bowl_1", { name: "bowl", parent: "den/table_1", x: 3, z: 3, y: 0.75 });
+    const laid = [thing("den/art_1", { name: "art", parent: "den/table_1", x: 3.1, z: 3, y: 0.75 }), thing("den/apple_1", { name: "apple", parent: "den/art_1", x: 3.1, z: 3, y: 0.8 }), bowl, thing("den/clock_1", { mounted_on_wall: "east" })];
+    const other = { ...there, rooms: there.rooms.map((one) => (one.id === "den" ? { ...one, decorations: laid } : one)) };
+    const after = laidAs(there, other, ["den/table_1"]);
+    expect(after.rooms[0]?.decorations.map(({ id, parent, x }) => [id, parent, x])).toEqual([
+      ["den/art_1", null, there.rooms[0]?.decorations[2]?.x], ["den/art_2", "den/table_1", 3.1], ["den/apple_1", "den/art_2", 3.1], ["den/bowl_1", "den/table_1", 3],
+    ]);
+    expect({ ...after, rooms: after.rooms.map((one) => ({ ...one, decorations: [] })) }).toEqual({ ...there, rooms: there.rooms.map((one) => ({ ...one, decorations: [] })) });
   });
 });

@@ -2,7 +2,7 @@
 import type { Decoration, Furniture, OtherWay, Room, Scene } from "../contract";
 import type { Home } from "../state/home";
 import type { Editor } from "./editor";
-import { aligned, changedPiece, changedThing, clipped, pasted, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
+import { aligned, changedPiece, changedThing, clipped, laidAs, pasted, resizedIn, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
 import { say } from "../words/language";
 import { without } from "./scene_edits";
 import type { Draft } from "./wishes";
@@ -14,7 +14,8 @@ const BESIDE = 0.1;
 export class Acts {
   #clips: readonly Clip[] = [];
 
-  constructor(readonly home: Home, readonly editor: Editor) {}
+  /** `decorated` asks for a scene with other decorations. */
+  constructor(readonly home: Home, readonly editor: Editor, readonly decorated: (scene: Scene) => Promise<Scene>) {}
 
   /** A decoration and its room. */
   thing(id: string | null, scene: Scene | null = this.home.scene): { readonly room: Room; readonly thing: Decoration } | null {
@@ -129,10 +130,14 @@ export class Acts {
     });
   }
 
-  /** Stands a piece in another way, the others as they would stand with it. */
+  /** Stands a piece in another way, the others as they would stand with it; those of another size have laid on them what the service would. */
   stand(id: string, way: OtherWay, room: string): void {
-    const ids = way.moves.map((move) => move.id);
-    this.editor.change((scene) => ({ scene: stoodSo(scene, way.moves, way.left_out), id, room, moved: ids }));
+    this.editor.change(async (before) => {
+      const there = stoodSo(before, way.moves, way.left_out);
+      const resized = resizedIn(before, there);
+      const scene = resized.length > 0 ? laidAs(there, await this.decorated(there), resized) : there;
+      return { scene, id, room, moved: way.moves.map((move) => move.id) };
+    });
   }
 
   /** Puts a decoration somewhere else [m in its room], on something or on nothing. */

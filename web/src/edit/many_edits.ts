@@ -158,3 +158,28 @@ export function stoodSo(scene: Scene, moves: OtherWay["moves"], gone: readonly s
   const placed = new Set(moves.map(({ id }) => id));
   return moves.reduce((before, move) => changedPiece(before, move.id, move, placed), carried);
 }
+
+/** The pieces that things lie on and that have another size in another scene of the house. */
+export function resizedIn(before: Scene, after: Scene): string[] {
+  const was = new Map(before.rooms.flatMap(({ furniture }) => furniture.map((piece) => [piece.id, piece])));
+  const isResized = (piece: Furniture): boolean => (["width", "depth", "height"] as const).some((side) => (was.get(piece.id) ?? piece)[side] !== piece[side]);
+  return after.rooms.flatMap(({ furniture, decorations }) => furniture.filter((piece) => isResized(piece) && decorations.some(({ parent }) => parent === piece.id)).map(({ id }) => id));
+}
+
+/** A scene in which pieces have on them what they have in another scene of the house. */
+export function laidAs(scene: Scene, other: Scene, ids: readonly string[]): Scene {
+  const lying = (of: Scene): ReadonlySet<string> => new Set(ids.flatMap((id) => [...carriedBy(of, id)]));
+  const [gone, come] = [lying(scene), lying(other)];
+  const names = new Map<string, string>();
+  const bare = { ...scene, rooms: scene.rooms.map((room) => ({ ...room, decorations: room.decorations.filter(({ id }) => !gone.has(id)) })) };
+  const own = (room: Room, thing: Decoration): Decoration => {
+    const id = freshId(bare, `${room.id}/${thing.name}`, new Set(names.values()));
+    names.set(thing.id, id);
+    return { ...thing, id };
+  };
+  const rooms = bare.rooms.map((room) => {
+    const things = (other.rooms.find(({ id }) => id === room.id)?.decorations ?? []).filter(({ id }) => come.has(id)).map((thing) => own(room, thing));
+    return { ...room, decorations: [...room.decorations, ...things.map((thing) => ({ ...thing, parent: names.get(thing.parent ?? "") ?? thing.parent ?? null }))] };
+  });
+  return { ...bare, rooms };
+}

@@ -4,7 +4,7 @@ import { CoreThread } from "../core/core_thread";
 import { LocalDrag } from "../core/local_drag";
 import { bodiesOf, isOver, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
-import { catalog, coreUrl, drag, explain, fix, floor } from "../service";
+import { catalog, coreUrl, drag, explain, fix, floor, restyle } from "../service";
 import type { Stage } from "../stage";
 import { timed } from "../timing";
 import type { Home, Showing } from "../state/home";
@@ -71,7 +71,7 @@ export class Workbench {
       answered: (id, scene) => this.#frameGoal(id, scene),
       settled: () => this.#settled(),
     }, (scene, id) => this.#frames(scene, id));
-    this.#acts = new Acts(home, this.editor);
+    this.#acts = new Acts(home, this.editor, async (scene) => (await restyle(scene, { decorate: true }, NEVER)).scene);
     this.#thing = new ThingDrag(home, stage, this.#acts);
     const hosts = { gaps: within("gaps"), piece: within("piece") as HTMLDetailsElement, tape: within("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
