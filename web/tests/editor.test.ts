@@ -175,6 +175,22 @@ describe("single edits", () => {
     expect([home.find(OTHER), said.busy.at(-1), said.failed]).toEqual([null, false, []]);
   });
 
+  it("of a house that is gone are waited for by none of the next", async () => {
+    const { editor, call, at, home, said } = bench();
+    editor.nudge(ONE, 0.5, 0);
+    await turn();
+    home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");
+    editor.forget();
+    expect([editor.busy, said.busy.at(-1), editor.lift(ONE)]).toEqual([false, false, true]);
+    editor.cancel();
+    editor.nudge(OTHER, 0.5, 0);
+    await turn();
+    await call(0).answer();
+    expect([editor.busy, said.busy.at(-1), at(ONE)]).toEqual([true, true, [1, 1]]);
+    await call(1).answer();
+    expect([editor.busy, said.busy.at(-1), at(OTHER)]).toEqual([false, false, [3.5, 2]]);
+  });
+
   it("wait for other changes in their turn, and those for them", async () => {
     const { editor, calls, call } = bench();
     const done: string[] = [];

@@ -162,11 +162,14 @@ export class Editor {
     this.words.refused(null);
   }
 
-  /** Another house is shown: what was under way is about none of it. */
+  /** Another house is shown: what was under way is about none of it, and nothing waits for it. */
   forget(): void {
     this.#houses += 1;
+    this.#edits = 0;
+    this.#queue = Promise.resolve();
     this.#live.stop();
     if (this.#held) this.#end();
+    this.words.busy(false);
     this.words.refused(null);
   }
 
@@ -322,6 +325,7 @@ export class Editor {
     this.#edits += 1;
     this.words.busy(true);
     const done = this.#queue.then(() => (house === this.#houses ? change() : undefined)).finally(() => {
+      if (house !== this.#houses) return;
       this.#edits -= 1;
       if (this.#edits === 0) this.words.busy(false);
     });
