@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from playwright.sync_api import Page, Route, expect
 
+from tests.browser.test_diagnose import errors, spoiled
 from tests.browser.visit import SMALL, Document, Visit, furniture_of, intercept
 
 
@@ -124,3 +125,41 @@ def test_a_conflict_goes_with_the_home_it_spoke_of(visit: Visit) -> None:
     visit.page.get_by_label("Room", exact=True).select_option(other["id"])
     visit.after(visit.page.get_by_role("button", name="Re-roll this room").click)
     expect(visit.page.locator("#conflict")).to_be_hidden()
+
+
+def test_what_the_diagnosis_fixes_comes_after_an_edit_under_way(visit: Visit) -> None:
+    answer, page = spoiled(visit), visit.page
+    wrong = {issue["room"] for issue in answer["issues"]}
+    piece = next(one for one in furniture_of(answer) if one.split("/")[0] not in wrong)
+    visit.line_of(piece).click()
+    waiting = held(page, "fix", lambda: page.keyboard.press("k"))
+    page.keyboard.press("d")
+    page.get_by_role("dialog", name="Diagnosis").get_by_role("button", name="Fix", exact=True).click()
+    expect(page.locator("#diagnose_said")).to_have_text("Fixing…")
+    waiting.continue_()
+    expect(page.locator("#diagnose_said")).not_to_have_text("Fixing…")
+    visit.settle()
+    assert shown(visit)[piece]["locked"]
+    expect(page.locator("#diagnose_fix")).to_be_disabled()  # nothing is wrong any more
+    assert errors(answer["issues"]) != []
+
+
+def test_a_file_that_is_being_written_is_said_and_not_written_twice(visit: Visit) -> None:
+    page = visit.page
+    visit.open(SMALL.format(3))
+    files: list[str] = []
+    page.on("download", lambda download: files.append(download.suggested_filename))
+    for name, call, file in (("Save JSON", "export/json", "compose-3.json"), ("Plan as SVG", "export/svg", "compose-3-plan.svg")):
+        button, asked = page.get_by_role("button", name=name), len(visit.requests)
+        waiting = held(page, call, button.click)
+        expect(page.locator("#stage")).to_have_attribute("aria-busy", "true")
+        expect(page.get_by_role("progressbar", name=f"Writing {file}")).to_contain_text(f"Writing {file}")
+        button.click()
+        page.locator("#random").click()  # another home does not take the file back
+        page.wait_for_function("seed => compose.scene.seed !== seed", arg=3)
+        waiting.continue_()
+        visit.settle()
+        assert [one for one in visit.requests[asked:] if one.endswith(call)] == [f"{visit.address}{call}"]
+        assert files.pop() == file
+        visit.open(SMALL.format(3))
+    assert files == []

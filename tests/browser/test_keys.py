@@ -72,7 +72,7 @@ def test_arrows_move_the_chosen_piece_and_keys_in_fields_are_text(visit: Visit) 
     stage.focus()
     with page.expect_request(lambda request: request.url.endswith("/fix")):
         page.keyboard.press("ArrowRight")
-    expect(stage).not_to_have_attribute("data-editing", "true")
+    expect(stage).not_to_have_attribute("aria-busy", "true")
     assert pressed(visit) == pytest.approx(before, abs=1e-6)
     for field in ("#seed", "#find"):
         page.locator(field).focus()

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import expect
 
+from tests.browser.test_in_turn import held
 from tests.browser.visit import SMALL, Visit
 
 HOSTILE = '<img src=x onerror="document.title=1">'
@@ -89,5 +90,25 @@ def test_what_somebody_else_changed_is_not_overwritten(visit: Visit, panel: Any)
     assert visit.page.request.get(path).json()["name"] == "Theirs"
     panel.get_by_label("Search saved homes").fill("t")
     panel.get_by_role("button", name="Remove Theirs").click()
+    assert visit.page.request.get(path).ok, "it is asked once more"
+    panel.get_by_role("button", name="Really remove? Theirs").click()
     expect(panel.get_by_role("status")).to_have_text("Removed “Theirs”.")
     assert visit.page.request.get(path).status == 404
+
+
+def test_the_home_that_was_asked_for_last_is_shown_and_its_changes_are_its_own(visit: Visit, panel: Any) -> None:
+    save(panel, "Kept")
+    home = panel.locator("li").get_attribute("data-saved")
+    visit.after(visit.page.locator("#random").click)
+    update, name = panel.get_by_role("button", name="Save changes"), panel.get_by_label("Name to save as")
+    expect(update).to_be_hidden()
+    expect(name).to_have_value("")  # it was the other's
+    waiting = held(visit.page, f"homes/{home}", panel.get_by_role("button", name="Open Kept").click)
+    expect(visit.page.locator("#stage")).to_have_attribute("aria-busy", "true")
+    made = visit.after(visit.page.locator("#random").click)["scene"]
+    waiting.continue_()
+    visit.settle()
+    assert visit.page.evaluate("compose.scene") == made
+    expect(update).to_be_hidden()
+    panel.get_by_role("button", name="Save this home").click()
+    expect(panel.get_by_role("status")).to_have_text(f"Saved “seed {made['seed']}”.")

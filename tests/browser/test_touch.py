@@ -75,7 +75,7 @@ def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
     page.wait_for_function("([id, x]) => compose.places[id][0] !== x", arg=[held, place])
     assert visit.state()["eye"] == pytest.approx(nearer[0], abs=0.01)
     touch.lift((at["x"] + 40, at["y"]))
-    expect(page.locator("#stage")).to_have_attribute("data-editing", "false")
+    expect(page.locator("#stage")).to_have_attribute("aria-busy", "false")
     presses_nothing_small(page)
 
 

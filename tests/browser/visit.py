@@ -16,8 +16,8 @@ ANSWER_MS = 240_000
 """A guard against a page that never answers: far beyond a busy machine, below the time after which pytest shows where a test hangs."""
 POLL_MS = 40
 FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
-IN_WORK = "#stage[data-editing=true], .plan-sheet[aria-busy=true]:not([hidden])"
-"""What the page shows while an edit is carried out, or the plan is drawn again."""
+IN_WORK = ".plan-sheet[aria-busy=true]:not([hidden])"
+"""What the page shows while the plan is drawn again."""
 MARK_LEFT = "() => { globalThis.left = compose.scene; }"
 MOVED = "before => JSON.stringify([compose.state.eye, compose.state.target]) !== JSON.stringify(before)"
 TURNED = """([eye, target, least]) => {

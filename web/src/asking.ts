@@ -1,32 +1,55 @@
-/** One question to the service at a time: its progress, its refusal, and trying it again. */
+/** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
 import { isAbort, useKey } from "./service";
 import { Notice } from "./panel/notice";
+
+/** Does something beside the question, once at a time. */
+export type Beside = (what: string, act: () => Promise<void>) => Promise<void>;
 
 export class Asking {
   /** Called with what went wrong, null once a question went well. */
   onEnd: (reason: unknown) => void = () => undefined;
   readonly notice: Notice;
   #pending = new AbortController();
+  #end = (): void => undefined;
+  /** What was refused last beside the question. */
+  #refused: string | null = null;
 
   constructor(host: HTMLElement, readonly progress: Progress) {
     this.notice = new Notice(host, useKey);
   }
 
-  /** Asks; a newer question withdraws an older one. What is shown of the answer hides the notice. */
+  /** Asks one question at a time: a newer one withdraws an older one. What is shown of the answer hides the notice. */
   async run(what: string, ask: (signal: AbortSignal) => Promise<void>): Promise<void> {
     this.#pending.abort();
+    this.#end();
     const { signal } = (this.#pending = new AbortController());
-    this.progress.start(what);
+    const end = (this.#end = this.progress.start(what));
     try {
       await ask(signal);
-      if (signal.aborted) return; // it ended without an answer: the newer question's progress goes on
-      this.onEnd(null);
+      if (!signal.aborted) this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason)) return;
       this.notice.show(reason, () => void this.run(what, ask));
       this.onEnd(reason);
+    } finally {
+      end();
     }
-    this.progress.stop();
   }
+
+  /** Does something beside that, such as a file; what is under way already is not begun again. */
+  readonly beside: Beside = async (what, act) => {
+    if (this.progress.has(what)) return;
+    const end = this.progress.start(what);
+    try {
+      await act();
+      if (this.#refused === what) this.notice.hide();
+    } catch (reason) {
+      if (isAbort(reason)) return;
+      this.#refused = what;
+      this.notice.show(reason, () => void this.beside(what, act));
+    } finally {
+      end();
+    }
+  };
 }

@@ -31,18 +31,14 @@ import { listenToSkips } from "./panel/skips";
 import { listenToPreferences, turnOver } from "./panel/preferences";
 import { isTyped } from "./panel/typing";
 import { Tour } from "./panel/tour";
+import { readSaved, type SavedHead } from "./saved/saved_calls";
 import { SavedPanel } from "./saved/saved_panel";
 import { Stage } from "./stage";
 import { Home, type Showing, type Shown } from "./state/home";
 import { say, speak } from "./words/language";
+import { element } from "./element";
 
 type History = "push" | "keep";
-
-function element<T extends HTMLElement>(id: string): T {
-  const found = document.getElementById(id);
-  if (!found) throw new Error(`The page lacks #${id}`);
-  return found as T;
-}
 
 class Page {
   readonly #home = new Home();
@@ -52,11 +48,11 @@ class Page {
   readonly #shortfalls = new ShortfallPanel(element("shortfalls"), element("shortfall_list"), element("shortfall_line"));
   readonly #rooms = new RoomPanel(element("room"), this.#home);
   readonly #legend = new Legend(element("legend_marks"), element("legend_rooms"));
-  readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene);
-  readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), () => this.#findLink());
   readonly #asking = new Asking(element("notice"), new Progress(element("progress"), element("stage")));
+  readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene, this.#asking.beside);
+  readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), this.#asking.beside, () => this.#findLink());
   readonly #stage = new Stage(element("stage"));
-  readonly #diagnose = new Diagnose(this.#home);
+  readonly #diagnose = new Diagnose(this.#home, (change) => this.#workbench.editor.inTurn(change));
   readonly #keys = new Keys();
   readonly #others = new OtherRooms(element("others"), {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
@@ -81,21 +77,22 @@ class Page {
     this.#keeping.onLead = (id) => this.#openKept(id, "push", (kept) => this.#keeping.homes.follow(kept));
     this.#keeping.onOpen = (id) => this.#openKept(id, "push");
     this.#saved = new SavedPanel(element<HTMLDetailsElement>("saved"), {
-      scene: () => this.#home.settled?.scene ?? null,
+      shown: () => this.#home.settled,
       picture: async () => this.#keeping.homes.current && this.#keeping.store.picture(this.#keeping.homes.current),
-    });
-    this.#saved.onOpen = (name, scene) => this.#openFile({ name, content: JSON.stringify(scene) }, "push");
-    this.#home.on("shown", (how) => { if (how === "new") this.#saved.shows(); });
+    }, this.#asking.beside);
+    this.#saved.onOpen = (id) => this.#openSaved(id);
+    this.#home.on("shown", (how) => { if (how === "new") this.#saved.holds(null); });
     this.#saved.onFailure = (reason) => this.#asking.notice.show(reason);
     this.#controls.onRestyle = (wish) => this.#restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
+    this.#controls.onBegin = (request) => this.#submit(request);
     this.#reading.onChoose = (id, adds) => this.#chooseInText(id, adds);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
     this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onFailure = (reason) => this.#asking.notice.show(reason);
-    new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), (reason) => this.#asking.notice.show(reason));
+    new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), this.#asking.beside);
     element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);
     this.#stage.onAlso = (id) => this.#home.toggleChosen(id);
@@ -105,8 +102,7 @@ class Page {
     this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
     this.#files.onPicture = (file) => this.#drawing.openPicture(file);
-    this.#files.onFailure = (reason, again) => this.#asking.notice.show(reason, again);
-    this.#files.onSaved = () => this.#asking.notice.hide();
+    this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
     this.#asking.notice.inWords = (problem) => this.#controls.inWords(problem.fields);
     this.#shortfalls.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
@@ -114,7 +110,8 @@ class Page {
     this.#home.on("selected", (id) => this.#select(id));
     this.#home.on("also", (also) => this.#stage.select(this.#home.selected, also));
     this.#workbench = new Workbench(this.#home, this.#stage, {
-      busy: (busy) => { element("stage").dataset.editing = String(busy); },
+      busy: (busy) => this.#asking.progress.turn(say("Trying the change"), busy),
+      beside: this.#asking.beside,
       failed: (reason) => this.#asking.notice.show(reason),
     });
     new Menu(element("tools"), element("said"));
@@ -125,12 +122,6 @@ class Page {
     for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#furnish());
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
-    for (const link of element("starts").querySelectorAll("a")) {
-      link.addEventListener("click", (event) => {
-        event.preventDefault();
-        this.#submit(requestFromQuery(link.search));
-      });
-    }
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => this.#restyle({ decorate: true }));
     element("reset").addEventListener("click", () => this.#submit(FIRST));
@@ -159,7 +150,7 @@ class Page {
     const { file } = entry();
     const saved = new URLSearchParams(location.search).get("home");
     const request = requestFromQuery(location.search);
-    if (!file && saved !== null) return void this.#saved.open(saved);
+    if (!file && saved !== null) return this.#openSaved(saved);
     if (!file) this.#controls.show(request);
     if (file) this.#openFile(file, "keep");
     else void this.#ask(request, "keep", carriedIn(location.hash));
@@ -295,14 +286,25 @@ class Page {
   }
 
   #openFile(file: GivenFile, history: History): void {
-    void this.#asking.run(say("Reading {file}", { file: file.name }), async (signal) => {
-      const [read] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
-      this.#entries.expect(history === "push", file);
-      this.#home.select(null);
-      this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
-      this.#imported.show(read);
-      await this.#reads;
+    void this.#asking.run(say("Reading {file}", { file: file.name }), (signal) => this.#openGiven(file, history, signal));
+  }
+
+  /** Opens a home that the service keeps: what is changed of it may be saved as its next version. */
+  #openSaved(id: string): void {
+    void this.#asking.run(say("Opening the home"), async (signal) => {
+      const { head, scene } = await readSaved(id, signal);
+      await this.#openGiven({ name: head.name, content: JSON.stringify(scene) }, "push", signal, head);
     });
+  }
+
+  async #openGiven(file: GivenFile, history: History, signal: AbortSignal, saved: SavedHead | null = null): Promise<void> {
+    const [read] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
+    this.#entries.expect(history === "push", file);
+    this.#home.select(null);
+    this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
+    this.#saved.holds(saved);
+    this.#imported.show(read);
+    await this.#reads;
   }
 
   /** Furnishes the rooms that stand empty, and says what they were taken for. */
@@ -363,13 +365,8 @@ class Page {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);
     } catch (reason) {
-      if (!isAbort(reason)) this.#asking.notice.show(reason, () => this.#readAgain());
+      if (!isAbort(reason)) this.#asking.notice.show(reason, () => { this.#asking.notice.hide(); this.#reads = this.#read(scene); });
     }
-  }
-
-  #readAgain(): void {
-    this.#asking.notice.hide();
-    if (this.#home.scene) this.#reads = this.#read(this.#home.scene);
   }
 
   /** What is chosen already is gone to: in the text arrows go from line to line, in the house they move the piece. */

@@ -24,15 +24,12 @@ import { listenToPointer } from "./view/pointer";
 import { listenToViewKeys } from "./view/view_keys";
 import { Storeys } from "./view/storeys";
 import { Viewport } from "./view/viewport";
+import { element } from "./element";
 
 /** A picture's width and height [pixels]. */
 const PICTURE = [3840, 2160] as const;
 /** Who walks opens a cupboard that is this near [m]. */
 const WITHIN_REACH = 1.8;
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
 
 export class Stage {
   /** How many rectangles of free and kept floor are drawn. */
@@ -52,7 +49,7 @@ export class Stage {
   readonly #viewport: Viewport;
   readonly #labels: Labels;
   /** Which storey is looked at. */
-  readonly storeys = new Storeys(within("storey"));
+  readonly storeys = new Storeys(element("storey"));
   readonly #looking: Looking;
   /** Told when the same home is drawn anew: another storey is looked at. */
   onRedrawn: () => void = () => undefined;
@@ -70,13 +67,13 @@ export class Stage {
 
   constructor(readonly host: HTMLElement) {
     this.#viewport = new Viewport(host);
-    this.#labels = new Labels(within("labels"), this.#viewport);
+    this.#labels = new Labels(element("labels"), this.#viewport);
     this.#looking = new Looking(this.#viewport, this.#labels, async (scene, signal) => (await floor(scene, [], signal)).rooms);
     this.#looking.onFailure = (reason) => this.onFailure(reason);
     const draw: DrawPlan = (scene, scale, signal) => planOf(this.storeys.planned(scene), scale, signal);
     this.sheet = new PlanSheet(this.#viewport, draw, (reason) => this.onFailure(reason));
     const place = document.getElementById("beside");
-    this.beside = place && new PlanBeside(place, within("camera_split"), draw, (reason) => this.onFailure(reason));
+    this.beside = place && new PlanBeside(place, element("camera_split"), draw, (reason) => this.onFailure(reason));
     if (this.beside) {
       this.beside.onSelect = (id) => { if (this.adds && id !== null) this.onAlso(id); else this.onSelect(id); };
       this.beside.onAlso = (id) => this.onAlso(id);
@@ -136,7 +133,7 @@ export class Stage {
     const sameSize = this.#house?.scene.size.width === scene.size.width && this.#house.scene.size.depth === scene.size.depth;
     const house = this.#build(scene);
     house.mark("error", issues.filter((issue) => issue.severity === "error").flatMap((issue) => issue.ids));
-    within("no_rooms").hidden = scene.rooms.length > 0;
+    element("no_rooms").hidden = scene.rooms.length > 0;
     this.#labels.show(house);
     this.#labels.showMarks(marksOf(issues));
     this.#looking.show(house, shown, !sameSize);
@@ -177,7 +174,7 @@ export class Stage {
     this.#catalog = catalog;
     this.#book = new ShapeBook(catalog);
     this.#library = new AssetLibrary(catalog.assets ?? {}, assetFile);
-    this.#library.onCount = (count) => showAssetCount(within("assets_shown"), count);
+    this.#library.onCount = (count) => showAssetCount(element("assets_shown"), count);
   }
 
   /** Draws a kind onto a small canvas, as it looks in the style of the house shown. */
@@ -218,7 +215,7 @@ export class Stage {
   /** Saves what is in view as a 4K picture; of the plan, the plan at its scale. */
   async savePicture(): Promise<void> {
     if (this.#isPlan) {
-      within("plan_png").click();
+      element("plan_png").click();
       return;
     }
     const made = await this.#viewport.picture(...PICTURE);
@@ -370,6 +367,6 @@ export class Stage {
   }
 
   #turnCompass(): void {
-    within("compass").style.setProperty("--heading", `${this.#viewport.heading.toFixed(3)}rad`);
+    element("compass").style.setProperty("--heading", `${this.#viewport.heading.toFixed(3)}rad`);
   }
 }

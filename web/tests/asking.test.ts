@@ -1,21 +1,87 @@
 // @vitest-environment happy-dom
-import { expect, it } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Asking } from "../src/asking";
-import type { Progress } from "../src/panel/progress";
+import { Progress } from "../src/panel/progress";
 
-it("leaves the progress to the newer question, however the older one ends", async () => {
-  document.body.innerHTML = '<div><b class="notice-title"></b><i class="notice-detail"></i><form class="notice-key"><input></form><button class="notice-again"></button></div>';
-  const told: string[] = [];
-  const progress = { start: (what: string) => told.push(what), stop: () => told.push("stop") } as unknown as Progress;
-  const asking = new Asking(document.querySelector("div") as HTMLElement, progress);
-  let endFirst = (): void => undefined;
-  let endSecond = (): void => undefined;
-  const first = asking.run("first", () => new Promise((resolve) => { endFirst = resolve; }));
-  const second = asking.run("second", () => new Promise((resolve) => { endSecond = resolve; }));
-  endFirst();
-  await first;
-  expect(told).toEqual(["first", "second"]);
-  endSecond();
-  await second;
-  expect(told).toEqual(["first", "second", "stop"]);
+/** The page's places, and something that ends when it is told to. */
+function page() {
+  document.body.innerHTML = '<main></main><div id="bar"><span></span></div>'
+    + '<div id="notice"><b class="notice-title"></b><i class="notice-detail"></i><form class="notice-key"><input></form><button class="notice-again"></button></div>';
+  const [stage, bar, notice] = ["main", "#bar", "#notice"].map((one) => document.querySelector<HTMLElement>(one) as HTMLElement) as [HTMLElement, HTMLElement, HTMLElement];
+  const progress = new Progress(bar, stage);
+  const seen = (): readonly (string | null)[] => [stage.getAttribute("aria-busy"), bar.getAttribute("aria-label"), bar.hidden ? null : bar.textContent];
+  return { asking: new Asking(notice, progress), progress, notice, seen };
+}
+
+function held() {
+  let [end, fail]: [() => void, (reason: unknown) => void] = [() => undefined, () => undefined];
+  let times = 0;
+  const act = (): Promise<void> => new Promise((resolve, reject) => { [end, fail, times] = [resolve, reject, times + 1]; });
+  return { act, end: () => end(), fail: (reason: unknown) => fail(reason), times: () => times };
+}
+
+describe("what is under way", () => {
+  beforeEach(() => { vi.useFakeTimers(); });
+  afterEach(() => { vi.useRealTimers(); });
+
+  it("is the newer question, however the older one ends", async () => {
+    const { asking, seen } = page();
+    const [first, second] = [held(), held()];
+    const one = asking.run("first", first.act);
+    const other = asking.run("second", second.act);
+    expect(seen()).toEqual(["true", "second", null]);
+    first.end();
+    await one;
+    expect(seen()).toEqual(["true", "second", null]);
+    vi.advanceTimersByTime(2000);
+    expect(seen()).toEqual(["true", "second", "second… 2 s"]);
+    second.end();
+    await other;
+    expect(seen()).toEqual(["false", "second", null]);
+  });
+
+  it("is a file beside a question, written once however often it is asked for, and neither ends the other", async () => {
+    const { asking, seen } = page();
+    const [question, file] = [held(), held()];
+    const written = asking.beside("file", file.act);
+    await asking.beside("file", file.act);
+    expect(file.times()).toBe(1);
+    const answered = asking.run("question", question.act);
+    expect(seen().slice(0, 2)).toEqual(["true", "file"]);
+    file.end();
+    await written;
+    expect(seen().slice(0, 2)).toEqual(["true", "question"]);
+    question.end();
+    await answered;
+    expect(seen()[0]).toBe("false");
+    void asking.beside("file", file.act);
+    expect(file.times()).toBe(2);
+  });
+
+  it("is said to have failed, is tried again where that is wished, and takes back what was said of itself alone", async () => {
+    const { asking, notice } = page();
+    const [file, other] = [held(), held()];
+    notice.hidden = true;
+    const written = asking.beside("file", file.act);
+    file.fail(new Error("gone"));
+    await written;
+    expect([notice.hidden, notice.querySelector<HTMLElement>(".notice-again")?.hidden]).toEqual([false, false]);
+    const beside = asking.beside("other", other.act);
+    other.end();
+    await beside;
+    expect(notice.hidden, "not what the other said").toBe(false);
+    notice.querySelector<HTMLElement>(".notice-again")?.click();
+    expect(file.times()).toBe(2);
+    file.end();
+    await vi.advanceTimersByTimeAsync(0);
+    expect(notice.hidden).toBe(true);
+  });
+
+  it("tells itself of edits, whatever is told twice", () => {
+    const { progress, seen } = page();
+    for (const isOn of [true, true, false]) {
+      progress.turn("edit", isOn);
+      expect(seen()[0]).toBe(String(isOn));
+    }
+  });
 });

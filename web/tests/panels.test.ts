@@ -116,7 +116,7 @@ describe("the link", () => {
     const copied: string[] = [];
     vi.stubGlobal("navigator", { clipboard: { writeText: (text: string) => (copied.push(text), Promise.resolve()) } });
     const found: (Found | null)[] = [{ link: "whole", isWhole: true, length: 5 }, { link: "plain", isWhole: false, length: 12345 }, null];
-    const link = new Link(button, said, saving, () => { const one = found.shift(); return one ? Promise.resolve(one) : Promise.reject(new Error("lost")); });
+    const link = new Link(button, said, saving, (_, act) => act(), () => { const one = found.shift(); return one ? Promise.resolve(one) : Promise.reject(new Error("lost")); });
     const words = async (): Promise<string | null> => (button.click(), await new Promise((done) => setTimeout(done)), said.textContent);
     expect(button.disabled).toBe(true);
     link.opens("?seed=5");

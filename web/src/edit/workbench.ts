@@ -1,4 +1,5 @@
 /** Editing wired to the canvas, the keys and the panels. */
+import type { Beside } from "../asking";
 import type { Catalog, OtherWay, Scene } from "../contract";
 import { CoreThread } from "../core/core_thread";
 import { LocalDrag } from "../core/local_drag";
@@ -21,6 +22,8 @@ import { Slide, spotOf } from "./slide";
 import { ThingDrag } from "./thing_drag";
 import { Toolbar, type Tool } from "./toolbar";
 import { WhyPanel } from "./why_panel";
+import { element } from "../element";
+import { say } from "../words/language";
 
 /** How far an arrow key moves a piece, and with Shift [m]. */
 const STEP = 0.05;
@@ -33,17 +36,14 @@ const REPEATED: ReadonlySet<string> = new Set(["arrowup", "arrowleft", "arrowdow
 export interface WorkbenchWords {
   busy(busy: boolean): void;
   failed(reason: unknown): void;
-}
-
-function within(id: string): HTMLElement {
-  return document.getElementById(id) as HTMLElement;
+  readonly beside: Beside;
 }
 
 export class Workbench {
   readonly editor: Editor;
   readonly #hand: Hand;
   readonly #slide = new Slide((id, spot) => this.stage.house?.place(id, spot));
-  readonly #conflicts = new ConflictPanel(within("conflict"));
+  readonly #conflicts = new ConflictPanel(element("conflict"));
   readonly #toolbar: Toolbar;
   readonly #floor: FloorZones;
   readonly #why: WhyPanel;
@@ -51,7 +51,7 @@ export class Workbench {
   readonly #numbers: Numbers;
   readonly #thing: ThingDrag;
   readonly #adding: Adding;
-  readonly #floorSwitch = within("show_floor") as HTMLInputElement;
+  readonly #floorSwitch = element("show_floor") as HTMLInputElement;
   /** The house last drawn: from its places bodies slide to those of the next. */
   #drawn: House | null = null;
   #sliding = false;
@@ -73,15 +73,15 @@ export class Workbench {
     }, (scene, id) => this.#frames(scene, id));
     this.#acts = new Acts(home, this.editor, async (scene) => (await restyle(scene, { decorate: true }, NEVER)).scene);
     this.#thing = new ThingDrag(home, stage, this.#acts);
-    const hosts = { gaps: within("gaps"), piece: within("piece") as HTMLDetailsElement, tape: within("tape") };
+    const hosts = { gaps: element("gaps"), piece: element("piece") as HTMLDetailsElement, tape: element("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
-    this.#adding = new Adding(home, stage, this.editor, { palette: within("palette"), places: within("places") }, {
+    this.#adding = new Adding(home, stage, this.editor, { palette: element("palette"), places: element("places") }, {
       room: () => this.#roomChosen(),
       inView: () => this.#roomInView(),
       failed: (reason) => words.failed(reason),
     });
     this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
-    this.#why = new WhyPanel(within("why"), explain, (reason) => words.failed(reason));
+    this.#why = new WhyPanel(element("why"), explain, (reason) => words.failed(reason));
     this.#why.onChoose = (id) => home.select(id);
     this.#why.onShow = (answer) => {
       this.#numbers.explain(answer);
@@ -90,7 +90,7 @@ export class Workbench {
     this.#why.onPreview = (way) => this.#previewWay(way);
     this.#why.onTake = (way, room) => { if (home.selected !== null) this.#acts.stand(home.selected, way, room); };
     this.#floorSwitch.addEventListener("change", () => this.#showFloor());
-    this.#toolbar = new Toolbar(within("tools"), this.#tools());
+    this.#toolbar = new Toolbar(element("tools"), this.#tools());
     this.#hand = this.#grasping();
     this.#conflicts.onTake = (refusal, repair) => this.editor.take(refusal, repair);
     home.on("shown", (how) => this.#shown(how));
@@ -319,7 +319,7 @@ export class Workbench {
   /** Says why the chosen piece stands where it does. */
   #explain(): void {
     const [scene, id] = [this.home.scene, this.home.selected];
-    if (scene && id !== null && this.home.find(id)) void this.#why.show(scene, id);
+    if (scene && id !== null && this.home.find(id)) void this.words.beside(say("Finding out why"), () => this.#why.show(scene, id));
   }
 
   /** The room that is chosen, or that of what is chosen. */

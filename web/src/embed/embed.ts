@@ -7,17 +7,14 @@ import { Stage } from "../stage";
 import { refusalWords } from "../panel/field_words";
 import { say, sayDocument } from "../words/language";
 import { framedIn, pageOf, VIEWS, type Framed } from "./embed_address";
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
+import { element } from "../element";
 
 /** As the service would say it, which has no views. */
 const NO_VIEW = new ServiceProblem("A field is wrong", "", { fields: [{ field: "view", problem: "is not known", allowed: VIEWS.join(", ") }] });
 
 class Frame {
-  readonly #stage = new Stage(within("stage"));
-  readonly #said = within("embed_said");
+  readonly #stage = new Stage(element("stage"));
+  readonly #said = element("embed_said");
   readonly #known = this.#learn();
   #pending = new AbortController();
 
@@ -38,7 +35,7 @@ class Frame {
     this.#pending.abort();
     const { signal } = (this.#pending = new AbortController());
     const framed = framedIn(location.hash);
-    within<HTMLAnchorElement>("whole").href = pageOf(framed);
+    element<HTMLAnchorElement>("whole").href = pageOf(framed);
     this.#stage.host.ariaBusy = "true";
     try {
       if (framed.view === null) throw NO_VIEW;

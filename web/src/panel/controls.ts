@@ -1,6 +1,6 @@
 /** The form: reads and shows a request, and says beside a field what the service says of it. */
 import type { Look } from "../service";
-import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, SWITCHES, withoutGaps } from "../address";
+import { anotherSeed, DEFAULTS, numberOrText, NUMBERS, OF_PLAIN_PLANS, requestFromQuery, SWITCHES, withoutGaps } from "../address";
 import type { Catalog, FieldProblem, HouseRequest, Typed } from "../contract";
 import { besideField, fieldOf, formWords } from "./field_words";
 import { asNumber } from "./number_text";
@@ -11,6 +11,8 @@ import { tellPlainly } from "../words/telling";
 
 export class Controls {
   onGenerate: (request: HouseRequest) => void = () => undefined;
+  /** Called with a home to begin with, which the form does not show yet. */
+  onBegin: (request: HouseRequest) => void = () => undefined;
   /** Called with a style, or whether to decorate, for the home that is shown. */
   onRestyle: (wish: Look) => void = () => undefined;
   readonly #programme: Programme;
@@ -30,6 +32,12 @@ export class Controls {
     this.#input("style").addEventListener("change", () => this.#chooseStyle());
     this.#input("decorate").addEventListener("change", () => this.onRestyle({ decorate: this.#input("decorate").checked }));
     this.#find("#asked").addEventListener("change", () => this.#takeAsked());
+    for (const link of form.querySelectorAll<HTMLAnchorElement>("#starts a")) {
+      link.addEventListener("click", (event) => {
+        event.preventDefault();
+        this.onBegin(requestFromQuery(link.search));
+      });
+    }
     for (const slider of form.querySelectorAll<HTMLInputElement>("input[data-for]")) this.#tie(slider);
   }
 

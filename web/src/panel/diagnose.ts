@@ -8,30 +8,27 @@ import { LineList } from "./line_list";
 import { reportLines } from "./report_lines";
 import { say } from "../words/language";
 import { refusalWords } from "./field_words";
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
+import { element } from "../element";
 
 export class Diagnose {
   /** Called with the id of the body whose line was chosen; the dialog has made way. */
   onChoose: (id: string) => void = () => undefined;
-  readonly #dialog = within<HTMLDialogElement>("diagnose_dialog");
-  readonly #said = within("diagnose_said");
-  readonly #fix = within<HTMLButtonElement>("diagnose_fix");
-  readonly #remove = within<HTMLButtonElement>("diagnose_remove");
-  readonly #whole = within<HTMLDetailsElement>("report_whole");
+  readonly #dialog = element<HTMLDialogElement>("diagnose_dialog");
+  readonly #said = element("diagnose_said");
+  readonly #fix = element<HTMLButtonElement>("diagnose_fix");
+  readonly #remove = element<HTMLButtonElement>("diagnose_remove");
+  readonly #whole = element<HTMLDetailsElement>("report_whole");
   readonly #list: LineList;
   #text = "";
   #asked = new AbortController();
   #repair = new AbortController();
 
-  constructor(readonly home: Home) {
-    this.#list = new LineList(within("report"));
+  constructor(readonly home: Home, readonly inTurn: (change: () => Promise<void>) => Promise<void>) {
+    this.#list = new LineList(element("report"));
     this.#list.onChoose = (id) => this.#choose(id);
-    within("diagnose").addEventListener("click", () => this.open());
-    within("diagnose_copy").addEventListener("click", () => void this.#copy());
-    within("diagnose_close").addEventListener("click", () => this.#dialog.close());
+    element("diagnose").addEventListener("click", () => this.open());
+    element("diagnose_copy").addEventListener("click", () => void this.#copy());
+    element("diagnose_close").addEventListener("click", () => this.#dialog.close());
     this.#fix.addEventListener("click", () => void this.#mend("report"));
     this.#remove.addEventListener("click", () => void this.#mend("remove"));
     // Told late: by then the dialog may have been opened again.
@@ -62,7 +59,7 @@ export class Diagnose {
     try {
       const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
       this.#text = told.text;
-      showFindings(within("diagnose_found"), issues, scene, (id) => this.#choose(id));
+      showFindings(element("diagnose_found"), issues, scene, (id) => this.#choose(id));
       this.#list.show(reportLines(told).map(({ text, kind, id }) => ({ text, id, className: `report-line report-${kind}` })));
       this.#offerFix(issues);
       this.#dialog.setAttribute("aria-busy", "false");
@@ -75,22 +72,23 @@ export class Diagnose {
     this.#fix.disabled = !issues.some(({ severity }) => severity === "error");
   }
 
-  /** Repairs what is shown, as one step that can be undone. */
+  /** Repairs what is shown, as one step that can be undone, in turn with the edits. */
   async #mend(onConflict: NonNullable<FixRequest["on_conflict"]>): Promise<void> {
-    const scene = this.home.scene;
-    if (!scene) return;
     this.#repair.abort();
     const { signal } = (this.#repair = new AbortController());
     this.#say([say("Fixing…")]);
     this.#fix.disabled = true;
     try {
-      const answer = await fix({ scene, on_conflict: onConflict }, signal);
-      if (this.home.scene !== scene) return;
-      const { issues, conflicts, timing_ms: timing } = answer;
-      if (answer.moves.length + answer.removed.length > 0) this.home.show({ scene: answer.scene, issues, conflicts, timing }, "step");
-      else void this.#diagnose();
-      this.#say(fixWords(answer));
-      this.#remove.hidden = onConflict === "remove" || !issues.some(({ severity }) => severity === "error");
+      await this.inTurn(async () => {
+        const scene = this.home.settled?.scene;
+        if (!scene || signal.aborted) return;
+        const answer = await fix({ scene, on_conflict: onConflict }, signal);
+        const { issues, conflicts, timing_ms: timing } = answer;
+        if (answer.moves.length + answer.removed.length > 0) this.home.show({ scene: answer.scene, issues, conflicts, timing }, "step");
+        else void this.#diagnose();
+        this.#say(fixWords(answer));
+        this.#remove.hidden = onConflict === "remove" || !issues.some(({ severity }) => severity === "error");
+      });
     } catch (reason) {
       this.#explain(reason);
       this.#fix.disabled = false;

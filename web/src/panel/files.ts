@@ -1,6 +1,8 @@
 /** Files: the scene shown is saved whole, a scene or plan dropped or chosen is read by the service. */
+import type { Beside } from "../asking";
 import type { Scene } from "../contract";
 import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
+import { say } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
 /** What a browser shows as a picture; a drawing, as of DXF, is called an image too. */
@@ -23,19 +25,18 @@ export class Files {
   onOpen: (file: GivenFile) => void = () => undefined;
   /** Called with a picture, such as a plan's scan: it holds no plan that is read, but may be drawn over. */
   onPicture: (file: File) => void = () => undefined;
-  /** Called with what went wrong, and how to do it again where that can help. */
-  onFailure: (reason: unknown, again: (() => void) | null) => void = () => undefined;
-  onSaved: () => void = () => undefined;
+  /** Called with what went wrong. */
+  onFailure: (reason: unknown) => void = () => undefined;
   readonly #chooser: HTMLInputElement;
   readonly #formats: HTMLSelectElement;
 
-  constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null) {
+  constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null, readonly beside: Beside) {
     this.#chooser = host.querySelector("#file") as HTMLInputElement;
     for (const format of ["json", "yaml"] as const) {
-      host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#download(format));
+      host.querySelector(`#download_${format}`)?.addEventListener("click", () => this.#download(format));
     }
     this.#formats = host.querySelector("#export_format") as HTMLSelectElement;
-    host.querySelector("#export")?.addEventListener("click", () => void this.#export());
+    host.querySelector("#export")?.addEventListener("click", () => this.#export());
     void this.#offerFormats();
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
     this.#chooser.addEventListener("change", () => this.#chosen());
@@ -44,16 +45,12 @@ export class Files {
     window.addEventListener("drop", (event) => this.#dropped(event));
   }
 
-  async #download(format: FileFormat): Promise<void> {
+  #download(format: FileFormat): void {
     const scene = this.scene();
     if (!scene) return;
-    const again = (): void => void this.#download(format);
-    try {
+    void this.beside(say("Writing {file}", { file: fileName(scene, format) }), async () => {
       save(new Blob([await exported(scene, format, new AbortController().signal)]), fileName(scene, format));
-      this.onSaved();
-    } catch (reason) {
-      this.onFailure(reason, again);
-    }
+    });
   }
 
   /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
@@ -63,16 +60,13 @@ export class Files {
     this.#formats.closest(".export")?.toggleAttribute("hidden", formats.length === 0);
   }
 
-  async #export(): Promise<void> {
-    const scene = this.scene();
-    if (!scene || !this.#formats.value) return;
-    try {
-      const { name, content } = await exportedFile(scene, this.#formats.value, new AbortController().signal);
+  #export(): void {
+    const [scene, format] = [this.scene(), this.#formats.value];
+    if (!scene || !format) return;
+    void this.beside(say("Writing {file}", { file: format }), async () => {
+      const { name, content } = await exportedFile(scene, format, new AbortController().signal);
       save(content, name);
-      this.onSaved();
-    } catch (reason) {
-      this.onFailure(reason, () => void this.#export());
-    }
+    });
   }
 
   #chosen(): void {
@@ -101,7 +95,7 @@ export class Files {
     try {
       this.onOpen({ name: file.name, content: await file.arrayBuffer() });
     } catch (reason) {
-      this.onFailure(reason, null);
+      this.onFailure(reason);
     }
   }
 }

@@ -1,10 +1,7 @@
 /** The keys, told in a dialog. */
 import { KEY_LIST } from "./key_list";
 import { say, type Words } from "../words/language";
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
+import { element } from "../element";
 
 function made<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, ...children: (Node | string)[]): HTMLElementTagNameMap[Tag] {
   const element = document.createElement(tag);
@@ -19,12 +16,12 @@ function lineOf([keys, does]: readonly [string, Words]): HTMLElement {
 }
 
 export class Keys {
-  readonly #dialog = within<HTMLDialogElement>("keys_dialog");
+  readonly #dialog = element<HTMLDialogElement>("keys_dialog");
 
   constructor() {
-    within("keys_list").replaceChildren(...KEY_LIST.map(([heading, lines]) => made("section", made("h3", say(heading)), made("dl", ...lines.map(lineOf)))));
-    within("keys").addEventListener("click", () => this.open());
-    within("keys_close").addEventListener("click", () => this.#dialog.close());
+    element("keys_list").replaceChildren(...KEY_LIST.map(([heading, lines]) => made("section", made("h3", say(heading)), made("dl", ...lines.map(lineOf)))));
+    element("keys").addEventListener("click", () => this.open());
+    element("keys_close").addEventListener("click", () => this.#dialog.close());
     // Keys pressed in the dialog are no shortcuts of the page behind it.
     this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
   }

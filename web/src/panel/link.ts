@@ -1,4 +1,5 @@
 /** The link to what is shown, copied; and what it cannot hold. */
+import type { Beside } from "../asking";
 import { frameLine } from "../embed/embed_address";
 import { LONGEST_LINK, type Found } from "../memory/carrying";
 import { say } from "../words/language";
@@ -43,11 +44,11 @@ export class Link {
   readonly framing = document.getElementById("copy_frame") as HTMLButtonElement | null;
 
   /** `find` makes the link to a home that was changed; `saving` saves it as a file. */
-  constructor(readonly button: HTMLButtonElement, readonly said: HTMLElement, readonly saving: HTMLButtonElement, readonly find: () => Promise<Found>) {
+  constructor(readonly button: HTMLButtonElement, readonly said: HTMLElement, readonly saving: HTMLButtonElement, beside: Beside, readonly find: () => Promise<Found>) {
     button.disabled = true;
     if (this.framing) this.framing.disabled = true;
-    this.framing?.addEventListener("click", () => void this.#copyFrame());
-    button.addEventListener("click", () => void this.#copy());
+    this.framing?.addEventListener("click", () => void beside(say("Making the frame"), () => this.#copyFrame()));
+    button.addEventListener("click", () => void beside(say("Making the link"), () => this.#copy()));
   }
 
   /** The query that makes what is shown; null for a scene that was drawn or read from a file, which no query makes. */

@@ -3,8 +3,13 @@
 /** When the bar comes, and when the words do [ms]. */
 const [BAR_AFTER_MS, WORDS_AFTER_MS] = [150, 1000];
 
+interface Work {
+  readonly what: string;
+  readonly since: number;
+}
+
 export class Progress {
-  #since: number | null = null;
+  #works: readonly Work[] = [];
   #ticking = 0;
   #waiting = 0;
   readonly #words: HTMLElement;
@@ -14,21 +19,36 @@ export class Progress {
     this.#hide(); // until now the page itself was under way
   }
 
-  start(what: string): void {
-    this.stop();
-    this.#since = performance.now();
-    this.#waiting = window.setTimeout(() => { this.host.hidden = false; }, BAR_AFTER_MS);
-    this.host.setAttribute("aria-label", what);
-    this.busy.setAttribute("aria-busy", "true");
-    this.#ticking = window.setInterval(() => this.#say(what), WORDS_AFTER_MS);
+  /** Whether something called so is under way. */
+  has(what: string): boolean {
+    return this.#works.some((work) => work.what === what);
   }
 
-  stop(): void {
+  /** Shows that something is under way, of several the first, until what is returned is called. */
+  start(what: string): () => void {
+    const work: Work = { what, since: performance.now() };
+    this.#set([...this.#works, work]);
+    return () => { this.#set(this.#works.filter((one) => one !== work)); };
+  }
+
+  /** Shows that something is under way, or no longer, which tells so itself. */
+  turn(what: string, isOn: boolean): void {
+    const others = this.#works.filter((work) => work.what !== what);
+    this.#set(!isOn ? others : this.has(what) ? this.#works : [...others, { what, since: performance.now() }]);
+  }
+
+  #set(works: readonly Work[]): void {
+    const [was, is] = [this.#works[0], works[0]];
+    this.#works = works;
+    if (was === is) return;
     clearTimeout(this.#waiting);
     clearInterval(this.#ticking);
-    this.#since = null;
-    this.#hide();
-    this.busy.setAttribute("aria-busy", "false");
+    this.busy.setAttribute("aria-busy", String(is !== undefined));
+    if (!is) return this.#hide();
+    this.#words.textContent = "";
+    this.host.setAttribute("aria-label", is.what);
+    this.#waiting = window.setTimeout(() => { this.host.hidden = false; }, BAR_AFTER_MS);
+    this.#ticking = window.setInterval(() => { this.#say(is); }, WORDS_AFTER_MS);
   }
 
   #hide(): void {
@@ -36,7 +56,7 @@ export class Progress {
     this.host.hidden = true;
   }
 
-  #say(what: string): void {
-    if (this.#since !== null) this.#words.textContent = `${what}… ${Math.round((performance.now() - this.#since) / 1000)} s`;
+  #say({ what, since }: Work): void {
+    this.#words.textContent = `${what}… ${Math.round((performance.now() - since) / 1000)} s`;
   }
 }

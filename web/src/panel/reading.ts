@@ -5,10 +5,7 @@ import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
 import { bringIntoView } from "./scroll_within";
 import { say } from "../words/language";
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
+import { element } from "../element";
 
 /** How many lines begin above a height under the first one [CSS pixels]. */
 function lineAt(lines: readonly HTMLElement[], height: number): number {
@@ -36,8 +33,8 @@ export class Reading {
   /** Called with the id of the body to flag, or not any longer. */
   onFlag: (id: string) => void = () => undefined;
   readonly #list: LineList;
-  readonly #flag = within<HTMLButtonElement>("flag");
-  readonly #find = within<HTMLInputElement>("find");
+  readonly #flag = element<HTMLButtonElement>("flag");
+  readonly #find = element<HTMLInputElement>("find");
   #selected: string | null = null;
   #flagged: ReadonlySet<string> = new Set();
   #found: HTMLButtonElement[] = [];
@@ -57,7 +54,7 @@ export class Reading {
     this.#flag.addEventListener("click", () => this.flagSelected());
     this.#find.addEventListener("input", () => this.#search());
     this.#find.addEventListener("keydown", (event) => this.#findKey(event));
-    within("reading_toggle").addEventListener("click", () => this.#fold());
+    element("reading_toggle").addEventListener("click", () => this.#fold());
   }
 
   show(answer: ViewAnswer): void {
@@ -152,7 +149,7 @@ export class Reading {
     this.#found = wanted === "" ? [] : this.#list.buttons.filter(holds);
     for (const button of this.#found) button.classList.add("found");
     if (this.#found[0]) bringIntoView(this.host, this.#found[0]);
-    within("find_words").textContent = wanted === "" ? "" : say("{count} found", { count: this.#found.length });
+    element("find_words").textContent = wanted === "" ? "" : say("{count} found", { count: this.#found.length });
   }
 
   /** Enter goes from one piece found to the next; keys typed here are no shortcuts. */
@@ -170,10 +167,10 @@ export class Reading {
 
   /** On a narrow screen the text can be folded away. */
   #fold(): void {
-    const toggle = within("reading_toggle");
+    const toggle = element("reading_toggle");
     const open = toggle.getAttribute("aria-expanded") !== "true";
     toggle.setAttribute("aria-expanded", String(open));
-    within("reading").classList.toggle("folded", !open);
+    element("reading").classList.toggle("folded", !open);
     if (open) this.select(this.#selected);
   }
 }

@@ -1,8 +1,11 @@
 /** The plan to take along: as SVG, as a picture, on paper; to scale, in the service's own drawing. */
+import type { Beside } from "../asking";
 import type { Scene } from "../contract";
 import { save } from "../panel/files";
 import { planOf } from "../service";
+import { say } from "../words/language";
 import { printSheet } from "./printing";
+import { element } from "../element";
 
 /** Sheets of paper upright, as a drawing has them with its frame [mm]. */
 const PAPERS: readonly (readonly [string, number, number])[] = [["a4", 210, 297], ["a3", 297, 420], ["a2", 420, 594], ["a1", 594, 841], ["a0", 841, 1189]];
@@ -23,45 +26,38 @@ export function paperFor({ width, height }: { width: number; height: number }): 
   return width > height ? `${name}-wide` : name;
 }
 
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
-
 export class PlanFiles {
-  readonly #scale = within<HTMLSelectElement>("plan_scale");
+  readonly #scale = element<HTMLSelectElement>("plan_scale");
 
-  constructor(readonly scene: () => Scene | null, readonly failed: (reason: unknown) => void) {
-    const acts = { plan_svg: (text: string) => this.#svg(text), plan_png: (text: string) => this.#png(text), print_plan: (text: string) => this.#print(text) };
-    for (const [id, act] of Object.entries(acts)) within(id).addEventListener("click", () => void this.#with(act));
+  constructor(readonly scene: () => Scene | null, readonly beside: Beside) {
+    const files = { plan_svg: "svg", plan_png: "png" } as const;
+    for (const [id, format] of Object.entries(files)) element(id).addEventListener("click", () => this.#write(format));
+    element("print_plan").addEventListener("click", () => this.#print());
     document.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  async #with(act: (text: string) => void | Promise<void>): Promise<void> {
+  #with(what: string, act: (text: string) => void | Promise<void>): void {
     const scene = this.scene();
     if (!scene) return;
-    try {
-      await act(await planOf(scene, Number(this.#scale.value) || null, new AbortController().signal));
-    } catch (reason) {
-      this.failed(reason);
-    }
+    void this.beside(what, async () => act(await planOf(scene, Number(this.#scale.value) || null, new AbortController().signal)));
   }
 
   /** The browser's own key for printing prints the plan: the page itself has no sheet. */
   #key(event: KeyboardEvent): void {
     if (event.key.toLowerCase() !== "p" || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
     event.preventDefault();
-    if (!event.repeat) void this.#with((text) => this.#print(text));
+    if (!event.repeat) this.#print();
   }
 
-  get #name(): string {
-    return `compose-${this.scene()?.seed ?? "plan"}-plan`;
+  #write(format: "svg" | "png"): void {
+    const file = `compose-${this.scene()?.seed ?? "plan"}-plan.${format}`;
+    this.#with(say("Writing {file}", { file }), async (text) => {
+      const content = format === "svg" ? new Blob([text], { type: "image/svg+xml" }) : await this.#png(text);
+      if (content) save(content, file);
+    });
   }
 
-  #svg(text: string): void {
-    save(new Blob([text], { type: "image/svg+xml" }), `${this.#name}.svg`);
-  }
-
-  async #png(text: string): Promise<void> {
+  async #png(text: string): Promise<Blob | null> {
     const { width, height } = sizeOf(text);
     const dots = Math.min(DOTS_PER_MM, MOST_DOTS / Math.max(width, height));
     const address = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
@@ -71,17 +67,18 @@ export class PlanFiles {
       await picture.decode();
       const canvas = Object.assign(document.createElement("canvas"), { width: Math.round(width * dots), height: Math.round(height * dots) });
       canvas.getContext("2d")?.drawImage(picture, 0, 0, canvas.width, canvas.height);
-      const content = await new Promise<Blob | null>((done) => { canvas.toBlob(done, "image/png"); });
-      if (content) save(content, `${this.#name}.png`);
+      return await new Promise<Blob | null>((done) => { canvas.toBlob(done, "image/png"); });
     } finally {
       URL.revokeObjectURL(address);
     }
   }
 
   /** Prints the plan alone, in its own millimetres; the browser makes a PDF of it where that is wished. */
-  async #print(text: string): Promise<void> {
-    const sheet = within<HTMLImageElement>("plan_print");
-    sheet.dataset.paper = paperFor(sizeOf(text));
-    await printSheet(text, sheet);
+  #print(): void {
+    this.#with(say("Drawing the plan"), async (text) => {
+      const sheet = element<HTMLImageElement>("plan_print");
+      sheet.dataset.paper = paperFor(sizeOf(text));
+      await printSheet(text, sheet);
+    });
   }
 }

@@ -43,7 +43,8 @@ export class Comparison {
       this.#first = head;
       return;
     }
-    const [one, other] = await Promise.all([readSaved(this.#first.id), readSaved(head.id)]);
+    const { signal } = new AbortController();
+    const [one, other] = await Promise.all([readSaved(this.#first.id, signal), readSaved(head.id, signal)]);
     this.#first = null;
     const table = document.createElement("table");
     const facts = [factsOf(one), factsOf(other)] as const;

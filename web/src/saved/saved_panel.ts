@@ -1,19 +1,29 @@
 /** The homes that the service keeps: saved, found, opened, renamed, tagged, removed, and two of them side by side. All names are texts. */
-import type { Scene } from "../contract";
+import type { Beside } from "../asking";
+import { titleOf } from "../memory/kept_homes";
 import { copy } from "../panel/link";
-import { ServiceProblem } from "../service";
-import { changeSaved, listSaved, pictureSaved, readSaved, removeSaved, saveNew, savedPicture, type SavedHead, type SavedTexts } from "./saved_calls";
+import { isAbort, ServiceProblem } from "../service";
+import type { Shown } from "../state/home";
+import { changeSaved, listSaved, pictureSaved, removeSaved, saveNew, savedPicture, type SavedHead, type SavedTexts } from "./saved_calls";
 import { Comparison } from "./saved_comparison";
 import { say, type Words } from "../words/language";
 
 export interface SavedSource {
-  scene(): Scene | null;
+  shown(): Shown | null;
   picture(): Promise<string | null>;
 }
 
 function button(words: string, act: () => void): HTMLButtonElement {
   const made = Object.assign(document.createElement("button"), { type: "button", textContent: words });
   made.addEventListener("click", act);
+  return made;
+}
+
+/** A button that asks once more, until it loses the focus, before it acts. */
+function sureButton(words: string, sure: string, of: string, act: () => void): HTMLButtonElement {
+  const say = (told: string): void => { made.textContent = told; made.setAttribute("aria-label", `${told} ${of}`); };
+  const made = button(words, () => { if (made.textContent === sure) act(); else say(sure); });
+  made.addEventListener("blur", () => { say(words); });
   return made;
 }
 
@@ -29,71 +39,55 @@ export function tagsIn(text: string): string[] {
 }
 
 export class SavedPanel {
-  /** Called with a home that is to be shown. */
-  onOpen: (name: string, scene: Scene) => void = () => undefined;
-  /** Called with what went wrong. */
+  /** Called with the id of a home that is to be shown. */
+  onOpen: (id: string) => void = () => undefined;
+  /** Called with why homes are not listed. */
   onFailure: (reason: unknown) => void = () => undefined;
   readonly #name = field(say("Name to save as"));
   readonly #tags = field(say("Tags, with commas between"));
   readonly #search = field(say("Search saved homes"));
-  readonly #update = button(say("Save changes"), () => void this.#try(() => this.#saveChanges()));
+  readonly #update = button(say("Save changes"), () => this.#try(say("Saving the home"), () => this.#saveChanges()));
   readonly #said = Object.assign(document.createElement("p"), { className: "hint", role: "status" });
   readonly #list = Object.assign(document.createElement("ul"), { className: "saved-list" });
-  readonly #more = button(say("More"), () => void this.#try(() => this.#show(true)));
+  readonly #more = button(say("More"), () => this.#look(true));
   readonly #comparison = new Comparison();
   #heads: SavedHead[] = [];
   #after: string | null = null;
   #opened: SavedHead | null = null;
   #asked = new AbortController();
   #pictures: string[] = [];
-  #isOpening = false;
 
-  constructor(readonly host: HTMLDetailsElement, readonly source: SavedSource) {
-    const save = button(say("Save this home"), () => void this.#try(() => this.#save()));
+  constructor(readonly host: HTMLDetailsElement, readonly source: SavedSource, readonly beside: Beside) {
+    const save = button(say("Save this home"), () => this.#try(say("Saving the home"), () => this.#save()));
     for (const one of [save, this.#update, this.#more]) one.classList.add("wide");
     const buttons = document.createElement("div");
     buttons.className = "buttons";
     buttons.append(save, this.#update);
     host.append(this.#name, this.#tags, buttons, this.#said, this.#search, this.#list, this.#more);
     this.#update.hidden = this.#more.hidden = true;
-    host.addEventListener("toggle", () => { if (host.open) void this.#try(() => this.#show(false)); });
-    this.#search.addEventListener("input", () => void this.#try(() => this.#show(false)));
+    host.addEventListener("toggle", () => { if (host.open) this.#look(false); });
+    this.#search.addEventListener("input", () => this.#look(false));
   }
 
-  /** Opens a home by its id, as a link names it. */
-  open(id: string): Promise<void> {
-    return this.#try(async () => {
-      const { head, scene } = await readSaved(id);
-      this.#hold(head);
-      this.#isOpening = true;
-      this.onOpen(head.name, scene);
-    });
-  }
-
-  /** Another home is shown: changes are no longer those of the one that was opened, unless it is just being opened. */
-  shows(): void {
-    if (!this.#isOpening) this.#hold(null);
-    this.#isOpening = false;
-  }
-
-  #hold(head: SavedHead | null): void {
+  /** A home is shown: this one of those that are kept, null for any other, whose changes are none of the one before. */
+  holds(head: SavedHead | null): void {
+    if (head === null && this.#opened === null) return; // what was typed is for what is shown next
     this.#opened = head;
     this.#update.hidden = head === null;
-    if (!head) return;
-    this.#update.textContent = say("Save changes to “{home}”", { home: head.name });
-    this.#name.value = head.name;
-    this.#tags.value = head.tags.join(", ");
+    this.#update.textContent = say("Save changes to “{home}”", { home: head?.name ?? "" });
+    this.#name.value = head?.name ?? "";
+    this.#tags.value = head?.tags.join(", ") ?? "";
   }
 
   async #save(): Promise<void> {
-    const scene = this.source.scene();
-    if (!scene) return;
-    const head = await saveNew({ ...this.#texts(), scene });
+    const shown = this.source.shown();
+    if (!shown) return;
+    const head = await saveNew({ name: titleOf(shown), ...this.#texts(), scene: shown.scene });
     await this.#saved(head, "Saved “{home}”.");
   }
 
   async #saveChanges(): Promise<void> {
-    const [scene, before] = [this.source.scene(), this.#opened];
+    const [scene, before] = [this.source.shown()?.scene, this.#opened];
     if (!scene || !before) return;
     await this.#saved(await changeSaved(before.id, before.revision, { ...this.#texts(), scene }), "Saved the changes of “{home}”.");
   }
@@ -104,7 +98,7 @@ export class SavedPanel {
   }
 
   async #saved(head: SavedHead, did: Words): Promise<void> {
-    this.#hold(head);
+    this.holds(head);
     const picture = await this.source.picture();
     if (picture) await pictureSaved(head.id, picture);
     await this.#show(false);
@@ -112,15 +106,22 @@ export class SavedPanel {
   }
 
   /** Does something; a home that somebody else has changed is said here, all else where refusals are shown. */
-  async #try(act: () => Promise<void>): Promise<void> {
+  #try(what: string, act: () => Promise<void>): void {
+    void this.beside(what, async () => {
+      this.#said.textContent = "";
+      try {
+        await act();
+      } catch (reason) {
+        if (!(reason instanceof ServiceProblem && reason.status === 412)) throw reason;
+        this.#said.textContent = say("Somebody has changed this home since you opened it: open it again, or save yours as another.");
+      }
+    });
+  }
+
+  /** Lists the homes as they are now; each time anew, so that the last search is the one that is shown. */
+  #look(isMore: boolean): void {
     this.#said.textContent = "";
-    try {
-      await act();
-    } catch (reason) {
-      if (reason instanceof DOMException && reason.name === "AbortError") return;
-      if (!(reason instanceof ServiceProblem && reason.status === 412)) return this.onFailure(reason);
-      this.#said.textContent = say("Somebody has changed this home since you opened it: open it again, or save yours as another.");
-    }
+    this.#show(isMore).catch((reason: unknown) => { if (!isAbort(reason)) this.onFailure(reason); });
   }
 
   async #show(isMore: boolean): Promise<void> {
@@ -146,12 +147,12 @@ export class SavedPanel {
     words.append(title, Object.assign(document.createElement("small"), { textContent: more }));
     const acts = document.createElement("div");
     acts.append(
-      button(say("Open"), () => void this.open(head.id)),
-      button(say("Copy link"), () => void this.#try(() => this.#copyLink(head))),
+      button(say("Open"), () => this.onOpen(head.id)),
+      button(say("Copy link"), () => void this.#copyLink(head)),
       button(say("Rename"), () => this.#edit(item, head, "name")),
       button(say("Tag"), () => this.#edit(item, head, "tags")),
-      button(say("Compare"), () => void this.#try(() => this.#comparison.add(head))),
-      button(say("Remove"), () => void this.#try(() => this.#remove(head))),
+      button(say("Compare"), () => this.#try(say("Comparing homes"), () => this.#comparison.add(head))),
+      sureButton(say("Remove"), say("Really remove?"), head.name, () => this.#try(say("Removing {home}", { home: head.name }), () => this.#remove(head))),
     );
     for (const one of acts.querySelectorAll("button")) one.setAttribute("aria-label", `${one.textContent} ${head.name}`);
     item.append(image, words, acts);
@@ -163,8 +164,8 @@ export class SavedPanel {
     const typed = field(what === "name" ? say("New name of {home}", { home: head.name }) : say("Tags of {home}", { home: head.name }));
     typed.value = what === "name" ? head.name : head.tags.join(", ");
     typed.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") void this.#try(() => this.#show(false));
-      if (event.key === "Enter") void this.#try(() => this.#change(head, what === "name" ? { name: typed.value.trim() } : { tags: tagsIn(typed.value) }));
+      if (event.key === "Escape") this.#look(false);
+      if (event.key === "Enter") this.#try(say("Saving the home"), () => this.#change(head, what === "name" ? { name: typed.value.trim() } : { tags: tagsIn(typed.value) }));
     });
     item.querySelector("div")?.replaceWith(typed);
     typed.select();
@@ -177,13 +178,13 @@ export class SavedPanel {
 
   async #change(head: SavedHead, texts: SavedTexts): Promise<void> {
     const changed = await changeSaved(head.id, head.revision, texts);
-    if (this.#opened?.id === head.id) this.#hold(changed);
+    if (this.#opened?.id === head.id) this.holds(changed);
     await this.#show(false);
   }
 
   async #remove(head: SavedHead): Promise<void> {
     await removeSaved(head.id, head.revision);
-    if (this.#opened?.id === head.id) this.#hold(null);
+    if (this.#opened?.id === head.id) this.holds(null);
     await this.#show(false);
     this.#said.textContent = say("Removed “{home}”.", { home: head.name });
   }

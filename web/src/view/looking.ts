@@ -14,10 +14,7 @@ import { firstPose, turnedToSight } from "./walk";
 import { WalkFloor } from "./walk_floor";
 import { WalkMode } from "./walk_mode";
 import { say, sayNumber } from "../words/language";
-
-function within<T extends HTMLElement>(id: string): T {
-  return document.getElementById(id) as T;
-}
+import { element } from "../element";
 
 type Way = PresetName | "walk";
 
@@ -28,15 +25,15 @@ export type AskWalk = (scene: Scene, signal: AbortSignal) => Promise<readonly Ro
 
 export class Looking {
   readonly #walk: WalkMode;
-  readonly #cut = within<HTMLInputElement>("cut");
-  readonly #lowers = within<HTMLInputElement>("lower_walls");
-  readonly #hour = within<HTMLInputElement>("hour");
+  readonly #cut = element<HTMLInputElement>("cut");
+  readonly #lowers = element<HTMLInputElement>("lower_walls");
+  readonly #hour = element<HTMLInputElement>("hour");
   /** The sides that walls were last lowered on, as bits. */
   #before = 0;
-  readonly #names = within<HTMLInputElement>("all_labels");
-  readonly #things = within<HTMLInputElement>("decoration_labels");
+  readonly #names = element<HTMLInputElement>("all_labels");
+  readonly #things = element<HTMLInputElement>("decoration_labels");
   /** Over the canvas: on a narrow screen the other buttons are far below it. */
-  readonly #leave = within<HTMLButtonElement>("walk_leave");
+  readonly #leave = element<HTMLButtonElement>("walk_leave");
   /** Told whether the plan is looked at. */
   onPlan: (isPlan: boolean) => void = () => undefined;
   /** Told why the floor is not known: one then walks through everything. */
@@ -50,7 +47,7 @@ export class Looking {
   #pending = new AbortController();
 
   constructor(readonly viewport: Viewport, readonly labels: Labels, readonly askFloor: AskWalk) {
-    this.#map = new Minimap(within("minimap"));
+    this.#map = new Minimap(element("minimap"));
     this.#map.onPlace = (x, z) => { this.goTo(x, z); };
     viewport.onFrame(() => { this.#map.follow(this.#walk.pose); this.#followView(); });
     this.#walk = new WalkMode(viewport);
@@ -64,7 +61,7 @@ export class Looking {
       this.cutWalls();
     });
     for (const names of [this.#names, this.#things]) names.addEventListener("change", () => this.#nameAll());
-    for (const way of Object.keys(BUTTONS) as Way[]) within(BUTTONS[way]).addEventListener("click", () => this.look(way));
+    for (const way of Object.keys(BUTTONS) as Way[]) element(BUTTONS[way]).addEventListener("click", () => this.look(way));
     this.#leave.addEventListener("click", () => this.look("corner"));
     labels.onNamed = (named) => this.#tellNamed(named);
     this.#cutWords();
@@ -94,8 +91,8 @@ export class Looking {
     this.viewport.host.dataset.view = way;
     if (way === "walk") this.#enter();
     else this.#leaveFor(way, jump);
-    for (const [name, id] of Object.entries(BUTTONS)) within(id).setAttribute("aria-pressed", String(name === way));
-    within("walk_hint").hidden = way !== "walk";
+    for (const [name, id] of Object.entries(BUTTONS)) element(id).setAttribute("aria-pressed", String(name === way));
+    element("walk_hint").hidden = way !== "walk";
     this.#offerLeaving(this.#walk.pose !== null);
   }
 
@@ -195,11 +192,11 @@ export class Looking {
       this.viewport.castShadows();
     }
     const minutes = Math.round(Number(this.#hour.value) * 60);
-    within("hour_words").textContent = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}`;
+    element("hour_words").textContent = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}`;
   }
 
   #cutWords(): void {
-    within("cut_words").textContent = `${sayNumber(Number(this.#cut.value), 1)} m`;
+    element("cut_words").textContent = `${sayNumber(Number(this.#cut.value), 1)} m`;
   }
 
   /** Names the furniture, or with decorations all, or neither again. */
@@ -215,7 +212,7 @@ export class Looking {
 
   #tellNamed(named: { shown: number; of: number } | null): void {
     const words = named && named.shown < named.of ? say("{shown} of {of} fit", named) : "";
-    const told = within("labels_words");
+    const told = element("labels_words");
     if (told.textContent !== words) told.textContent = words;
   }
 }
