@@ -238,7 +238,7 @@ describe("single edits", () => {
 
   it("that leave out what was never put in ask nothing", async () => {
     const { editor, calls, call, said, home } = bench();
-    placing(editor).add("den", CRATE);
+    placing(editor).add(["den"], CRATE);
     await turn();
     await call(0).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [] }]);
     await call(1).answer((sent) => sent, [{ ids: ["den/crate_1"], message: "short", repairs: [{ action: "leave_out", id: "den/crate_1" }] }]);

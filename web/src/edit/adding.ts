@@ -65,8 +65,11 @@ export class Adding {
     });
     this.#places = new Places(hosts.places, editor, (scene, room, kind, id) => placesFor(scene, room, kind, id, PLACES));
     this.#palette.onChoose = (kind) => this.#choose(kind);
-    home.on("shown", (how) => { this.#places.shown(home.scene); if (how !== "live") this.#restyled(); });
-    home.on("selected", (id) => { if (id !== null) this.#places.shown(home.scene); });
+    home.on("shown", (how) => {
+      if (how === "live") return;
+      this.#places.shown(home.scene);
+      this.#restyled();
+    });
   }
 
   /** Opens or closes the palette; asked for first, it is filled. */
@@ -96,16 +99,19 @@ export class Adding {
   }
 
   #choose(kind: FurnitureKind): void {
-    const room = this.say.room() ?? this.#roomFor(kind) ?? this.home.scene?.rooms[0]?.id;
+    const chosen = this.say.room();
+    const [first, ...others] = chosen === undefined ? this.#roomsFor(kind) : [chosen];
     this.#palette.open(false);
-    if (room !== undefined) this.#places.add(room, inStyle(kind, this.home.scene, this.#catalog, room));
+    if (first !== undefined) this.#places.add([first, ...others], inStyle(kind, this.home.scene, this.#catalog, first));
   }
 
-  /** Where nothing is chosen: the room in view, unless the catalog has such a kind in rooms of other types alone. */
-  #roomFor(kind: FurnitureKind): string | undefined {
+  /** Where nothing is chosen: the rooms of the types that the catalog has such a kind in, that in view first; where there are none, the one in view. */
+  #roomsFor(kind: FurnitureKind): readonly string[] {
     const [seen, scene] = [this.say.inView(), this.home.scene];
     const suited = scene ? roomsFor(kind, this.stage.storeys.planned(scene), this.#catalog?.rooms) : [];
-    return suited.includes(seen ?? "") ? seen : (suited[0] ?? seen);
+    const any = seen ?? scene?.rooms[0]?.id;
+    if (suited.length === 0) return any === undefined ? [] : [any];
+    return suited.sort((one, other) => Number(other === seen) - Number(one === seen));
   }
 
   /** A new piece on the floor under a point of the window; null where there is none. */

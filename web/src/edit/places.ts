@@ -16,6 +16,8 @@ interface Offer {
   readonly room: string;
   readonly pieces: readonly Furniture[];
   at: number;
+  /** Whether it belongs there, and does not only find room. */
+  readonly belongs: boolean;
 }
 
 export class Places {
@@ -23,16 +25,23 @@ export class Places {
 
   constructor(readonly host: HTMLElement, readonly editor: Editor, readonly ask: AskPlaces) {}
 
-  /** Puts a piece where it belongs, else where it can stand: beside what stands there if it can, else what stands there gives way. */
-  add(room: string, kind: FurnitureKind): void {
+  /** Puts a piece where it belongs, in the first of rooms with such a place; else where it can stand in the first: beside what stands there if it can, else what stands there gives way. */
+  add(rooms: readonly [string, ...string[]], kind: FurnitureKind): void {
     this.hide();
     this.editor.change(async (before) => {
-      const pieces = await this.ask(before, room, kind, freshId(before, `${room}/${kind.name}`));
+      const offer = await this.#found(before, rooms, kind);
       if (this.editor.home.settled?.scene !== before) return null;
-      if (pieces.length === 0) return { ...added(before, room, kind), room, locked: standingIn(before, room) };
-      this.#offer = { room, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0 };
+      this.#offer = offer ?? { room: rooms[0], pieces: [added(before, rooms[0], kind).piece], at: 0, belongs: false };
       return this.#taken(this.#offer, before);
     });
+  }
+
+  async #found(scene: Scene, rooms: readonly string[], kind: FurnitureKind): Promise<Offer | null> {
+    for (const room of rooms) {
+      const pieces = await this.ask(scene, room, kind, freshId(scene, `${room}/${kind.name}`));
+      if (pieces.length > 0) return { room, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0, belongs: true };
+    }
+    return null;
   }
 
   /** Another of the places, the next or the one before. */
@@ -47,7 +56,6 @@ export class Places {
   #taken({ room, pieces, at }: Offer, scene: Scene): Draft | null {
     const piece = pieces[at];
     if (!piece) return null;
-    this.#show();
     const without = (one: Room): Furniture[] => one.furniture.filter(({ id }) => id !== piece.id);
     const rooms = scene.rooms.map((one) => (one.id === room ? { ...one, furniture: [...without(one), piece] } : one));
     return { scene: { ...scene, rooms }, id: piece.id, room, locked: standingIn(scene, room).filter((id) => id !== piece.id), chosen: [piece.id] };
@@ -55,13 +63,13 @@ export class Places {
 
   #show(): void {
     const offer = this.#offer;
-    this.host.hidden = !offer || offer.pieces.length < 2;
+    this.host.hidden = !offer || (offer.belongs && offer.pieces.length < 2);
     if (!offer || this.host.hidden) return;
     const words = document.createElement("span");
-    words.textContent = say("Place {at} of {of}", { at: offer.at + 1, of: offer.pieces.length });
+    words.textContent = offer.belongs ? say("Place {at} of {of}", { at: offer.at + 1, of: offer.pieces.length }) : say("No place where it belongs is free: it stands where there is room.");
     words.setAttribute("role", "status");
-    const buttons = [button("◀", say("The place before"), () => this.flip(-1)), button("▶", say("Another place"), () => this.flip(1)), button("✕", say("Keep it here"), () => this.hide())];
-    replaceKeepingFocus(this.host, [words, ...buttons]);
+    const ways = offer.belongs ? [button("◀", say("The place before"), () => this.flip(-1)), button("▶", say("Another place"), () => this.flip(1))] : [];
+    replaceKeepingFocus(this.host, [words, ...ways, button("✕", say("Keep it here"), () => this.hide())]);
   }
 
   /** Another thing was done: the places are no longer offered. Tells whether any were. */
@@ -72,10 +80,11 @@ export class Places {
     return was;
   }
 
-  /** What is shown has changed, to this scene: the offer is over, unless it was taken just now. */
+  /** What is shown has changed, to this scene: the offer is over, unless it was taken. */
   shown(scene: Scene | null): void {
     const piece = this.#offer?.pieces[this.#offer.at];
-    if (this.#offer && !scene?.rooms.some((room) => room.furniture.some(({ id }) => id === piece?.id))) this.hide();
+    if (scene?.rooms.some((room) => room.furniture.some(({ id }) => id === piece?.id))) this.#show();
+    else this.hide();
   }
 }
 

@@ -134,7 +134,7 @@ export function locked(scene: Scene, id: string, isLocked: boolean): Scene {
 }
 
 /** A new piece in the middle of a room; its id is the room's and the kind's, with the next free number. */
-export function added(scene: Scene, roomId: string, kind: FurnitureKind): { readonly scene: Scene; readonly id: string } {
+export function added(scene: Scene, roomId: string, kind: FurnitureKind): { readonly scene: Scene; readonly id: string; readonly piece: Furniture } {
   const room = scene.rooms.find((one) => one.id === roomId);
   if (!room) throw new Error(`No room is called ${roomId}`);
   const id = freshId(scene, `${roomId}/${kind.name}`);
@@ -143,7 +143,7 @@ export function added(scene: Scene, roomId: string, kind: FurnitureKind): { read
     id, name: kind.name, kind: kind.key, category: kind.category, x: centre(room.width / 2, width), y: 0, z: centre(room.depth / 2, depth),
     rotation: 0, width, depth, height, color: kind.color, wall: null, under: null, on: null, locked: false, ...(kind.asset ? { asset: kind.asset } : {}),
   };
-  return { id, scene: mapRoom(scene, roomId, (old) => ({ ...old, furniture: [...old.furniture, piece] })) };
+  return { id, piece, scene: mapRoom(scene, roomId, (old) => ({ ...old, furniture: [...old.furniture, piece] })) };
 }
 
 /** An id that no body has, and that is none of some others. */
