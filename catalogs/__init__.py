@@ -4,8 +4,6 @@ Comes in: YAML files of this folder. Goes out: `load_catalogs()`, checked and fr
 and line is wrong. May import: nothing of ours. Not here: what the data leads to (solver).
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING
 

@@ -4,8 +4,6 @@ Ours are read anew whenever a file of this folder is another one. Only types of 
 cannot be had, or is damaged, is none.
 """
 
-from __future__ import annotations
-
 import io
 import os
 import pickle

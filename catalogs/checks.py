@@ -1,7 +1,5 @@
 """What must hold between the catalogs' entries; the shape of each entry is the schema's business."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise

@@ -4,8 +4,6 @@ Axes are the body's own, x to its right, y up, z to its front; a turn is positiv
 edge of its panel's outer face, so that nothing of it goes behind the panel or beside it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 from math import atan2, cos, radians, sin

@@ -1,7 +1,5 @@
 """What carries things inside a shape: the boards of a carcass between what stands on them, and the bottoms of drawers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import pairwise

@@ -3,8 +3,6 @@
 And what it carries things on: its tops, the boards of its carcass and the bottoms of its drawers; for judging and repairing alike.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Final, NamedTuple

@@ -3,8 +3,6 @@
 That is what the JSON Schema says of the key: for refusals of documents, too, as catalogs import nothing of ours.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from typing import Any, Final

@@ -1,7 +1,5 @@
 """Reading: YAML files -> plain documents -> checked, frozen `Catalogs`; every fault with its file, key and line."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 Not here: what keys mean (docs/relations.md).
 """
 
-from __future__ import annotations
-
 from typing import Final
 
 from catalogs.schema import RelationSpec

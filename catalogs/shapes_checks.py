@@ -3,8 +3,6 @@
 That is with mirror images, the boards of hollow parts, what moves with which front, and the trays of drawers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from math import pi
 from typing import Any, Final, NamedTuple

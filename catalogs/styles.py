@@ -1,7 +1,5 @@
 """The type of a style: palettes, floor and wall materials, and the decorations it is fond of."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

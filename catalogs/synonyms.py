@@ -1,7 +1,5 @@
 """What a foreign name means: the kind, or the room type, of the catalogs that another program, data set or language calls so."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches

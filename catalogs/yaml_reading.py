@@ -3,8 +3,6 @@
 PyYAML parses; what its events mean is settled here as they come: depth, repeated keys, aliases. Its nodes take three times as long.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from itertools import takewhile

@@ -3,8 +3,6 @@
 It needs httpx2: pip install compose-homes[client].
 """
 
-from __future__ import annotations
-
 import asyncio
 import json
 import time

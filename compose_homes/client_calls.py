@@ -8,8 +8,6 @@
 Options are the keys of docs/api.md, by their names there.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

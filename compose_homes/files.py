@@ -1,7 +1,5 @@
 """Scenes in files and texts: JSON, YAML or a .glb that was exported, by the file's name, else by how it begins."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path, PurePath

@@ -1,7 +1,5 @@
 """Who is let in: keys where there are any, how often each may ask, and how much work each may have a day."""
 
-from __future__ import annotations
-
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Mapping

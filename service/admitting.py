@@ -1,7 +1,5 @@
 """Who is let in, as the settings say."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from urllib.parse import urlsplit
 

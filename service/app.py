@@ -3,8 +3,6 @@
 FastAPI describes what a call takes and answers; a worker reads the body, and does it.
 """
 
-from __future__ import annotations
-
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from copy import deepcopy

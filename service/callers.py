@@ -1,7 +1,5 @@
 """Who may ask: requests whose framing, host or origin tell of an attack on the service, or on those who use it, are refused."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping
 from typing import Final
 from urllib.parse import urlsplit

@@ -1,7 +1,5 @@
 """The command line: what there is to say, and no more; `commands` does the work and is not imported before there is any."""
 
-from __future__ import annotations
-
 import os
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction

@@ -1,7 +1,5 @@
 """What each call takes and answers: declared once, for the reader, the OpenAPI document, refusals and the page's types."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, ClassVar

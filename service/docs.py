@@ -1,7 +1,5 @@
 """/docs: the OpenAPI document as one plain page, without a script and without anything from elsewhere."""
 
-from __future__ import annotations
-
 import json
 from base64 import b64encode
 from hashlib import sha256

@@ -1,7 +1,5 @@
 """Around every answer: security headers, and a problem document where the service itself fails."""
 
-from __future__ import annotations
-
 import logging
 from typing import Final
 

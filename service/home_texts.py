@@ -1,7 +1,5 @@
 """Homes between what is sent and what is kept: read, packed, and written again. The first runs in a worker."""
 
-from __future__ import annotations
-
 import json
 import zlib
 from collections.abc import Mapping

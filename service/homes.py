@@ -1,7 +1,5 @@
 """The calls about homes that are kept, in threads that wait for the store."""
 
-from __future__ import annotations
-
 import re
 import zlib
 from functools import partial

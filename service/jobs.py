@@ -3,8 +3,6 @@
 What was done is kept call by call: a job goes on where it was ended.
 """
 
-from __future__ import annotations
-
 import json
 import logging
 import secrets

@@ -1,7 +1,5 @@
 """What the calls about homes that are kept, and about long work, take and answer: declared once, as in `contract`."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Annotated, Final
 

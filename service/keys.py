@@ -1,7 +1,5 @@
 """The keys of those who may ask: read from a text, compared in constant time, kept as digests alone."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from hashlib import sha256

@@ -4,8 +4,6 @@ A folder holds a file a house, each whole or not there, and `made_from.json`, wh
 on where it was ended.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass

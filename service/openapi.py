@@ -3,8 +3,6 @@
 And calls that it describes and does not make: it reads their types, for seconds, when the document is asked for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import fields
 from functools import lru_cache

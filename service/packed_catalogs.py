@@ -3,8 +3,6 @@
 Imports none of the calls, which a process that makes homes never makes.
 """
 
-from __future__ import annotations
-
 import gc
 import pickle
 from functools import lru_cache

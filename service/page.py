@@ -1,7 +1,5 @@
 """The built page, `static/index.html`, the page of frames, `static/embed.html`, and the files they load."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final

@@ -3,8 +3,6 @@
 Few jobs are under way at a time, so that memory does not grow with their number. What a killed process was at is done again.
 """
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import signal

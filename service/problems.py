@@ -3,8 +3,6 @@
 The one table that maps errors to HTTP is `STATUS`.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from http import HTTPStatus

@@ -1,7 +1,5 @@
 """How far long work is, for the person who waits for it: a bar on a terminal, elsewhere a line now and then."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Runs the application under uvicorn."""
 
-from __future__ import annotations
-
 import gc
 import math
 import socket

@@ -4,8 +4,6 @@ A setting has one name in all three: `request_seconds` in a file, `--request-sec
 environment. Options go before the environment, that before the file, that before the defaults.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields

@@ -1,7 +1,5 @@
 """The standard streams of a command, also where whoever started it has closed some of them."""
 
-from __future__ import annotations
-
 import os
 import sys
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """A survey: many houses made in some processes, and the statistics of what they show, in the order of the seeds."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any

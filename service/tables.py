@@ -1,7 +1,5 @@
 """What statistics say, as tables that read well in a terminal and are Markdown at once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 

@@ -1,7 +1,5 @@
 """HTTP's side of documents: content types, the limit on bodies, JSON or YAML by what the caller accepts."""
 
-from __future__ import annotations
-
 import asyncio
 from typing import Final
 from urllib.parse import quote

@@ -1,7 +1,5 @@
 """One call from bytes to answer, in a process of its own: what comes in and what goes out can be sent between processes."""
 
-from __future__ import annotations
-
 import sys
 from collections import Counter
 from dataclasses import dataclass

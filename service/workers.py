@@ -6,8 +6,6 @@ and what is quickly done never waits behind what is not: each lane keeps its own
 The service's loop speaks to its processes itself: a thread for each call would be two more hand-overs between it and the caller who waits.
 """
 
-from __future__ import annotations
-
 import asyncio
 import multiprocessing
 import os

@@ -4,8 +4,6 @@ Comes in: a Request, a Scene, or a Room and a list of pieces. Goes out: Generate
 May import: catalogs. Not here: HTTP and files' names.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import TYPE_CHECKING
 

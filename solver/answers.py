@@ -1,7 +1,5 @@
 """The words and keys of answers: scenes with what breaks a rule, how far what was moved, repairs of a conflict, what ended the search."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final, Literal

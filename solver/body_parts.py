@@ -1,7 +1,5 @@
 """The parts that a body is made of, in metres, in the body's own frame."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Final, NamedTuple
 

@@ -4,8 +4,6 @@ A proof speaks of one placement: each room's part holds a mark of it (`of`), and
 equal requests give equal bytes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from hashlib import sha256

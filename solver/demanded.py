@@ -3,8 +3,6 @@
 Searches, which can end early, count theirs in placement.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from contextlib import contextmanager

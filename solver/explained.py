@@ -1,7 +1,5 @@
 """What an explanation of a piece's place says."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Annotated
 

@@ -3,8 +3,6 @@
 Not here: how they are written (exports).
 """
 
-from __future__ import annotations
-
 from typing import Final, Literal, NamedTuple, get_args
 
 Freedom = Literal["none", "light", "standing"]

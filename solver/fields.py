@@ -5,8 +5,6 @@ From them come the reading, the JSON Schema, the words of refusals and the page'
 pydantic reads the types; it is imported when something is read, so that having them costs nothing.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import MISSING, fields
 from functools import cache

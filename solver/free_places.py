@@ -4,8 +4,6 @@ The free places of a box are what is left of a rectangle after the obstacles, gr
 has both coordinates among the wish's own and the edges of those, so that these are all that need to be tried.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import chain

@@ -1,7 +1,5 @@
 """An arrangement written into its room: ids, names, colours, metres."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace

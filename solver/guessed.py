@@ -1,7 +1,5 @@
 """What was guessed of somebody's own plan: the types of its rooms, its main entrance. Declares documents."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final

@@ -1,7 +1,5 @@
 """The answer of an import: the scene of a foreign plan, and everything about it that is not as the file says."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final

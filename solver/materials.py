@@ -3,8 +3,6 @@
 Not here: the colours of furniture (furnished) and of decorations (decorations).
 """
 
-from __future__ import annotations
-
 from catalogs import Catalogs
 from catalogs.styles import Style
 from solver.errors import RequestError

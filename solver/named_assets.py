@@ -4,8 +4,6 @@ A body's box never changes: an asset is stretched into it, by at most 15 % a sid
 that height. Of what fits, those are drawn from that are least distorted. Furniture of one kind and size in a room is one set.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The kinds of a scene's bodies, written into it: chosen here, once, for whoever draws or exports it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import TypeVar

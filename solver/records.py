@@ -1,7 +1,5 @@
 """Records that are like other ones, and fields of records that are made when somebody first asks for them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, Final, TypeVar, cast
 

@@ -1,7 +1,5 @@
 """What is asked of generate: the request, with its units and defaults."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar, Final

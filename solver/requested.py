@@ -3,8 +3,6 @@
 Not here: candidates (furnish), reading documents (service).
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial

@@ -7,8 +7,6 @@ millimetres, so a centre may end in 0.0005. Each field's type states what a read
 it does not know.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Final

@@ -1,7 +1,5 @@
 """Questions about everything in a scene at once: how much there is, under which ids, what moved."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from itertools import islice

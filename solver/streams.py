@@ -4,8 +4,6 @@ SplitMix64 (Steele, Lea, Flood, OOPSLA 2014) started from a BLAKE2b digest of th
 the platform, the process or the order in which streams are made.
 """
 
-from __future__ import annotations
-
 from collections.abc import MutableSequence, Sequence
 from hashlib import blake2b
 from typing import TypeVar

@@ -3,8 +3,6 @@
 Names of the catalogs stay; so does what nobody understands.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

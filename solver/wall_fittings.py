@@ -1,7 +1,5 @@
 """What is fitted to openings in walls, for the exports and the rules alike: frames, sill boards, panes, door leaves."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from heapq import heappop, heappush

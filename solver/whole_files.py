@@ -1,7 +1,5 @@
 """Files that are whole or not there: written under another name, then renamed."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

@@ -4,8 +4,6 @@ Guessed are kinds (by words of the file's path and, among those, by size), the u
 are never guessed where several fit, or none.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The types of own assets: what `assets.yaml` says of one, and what is known of it once its file is measured."""
 
-from __future__ import annotations
-
 import re
 from typing import Annotated, Final, Literal
 

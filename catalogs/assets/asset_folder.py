@@ -1,7 +1,5 @@
 """A folder of own assets -> catalogs that know them. Every fault says which file, key and line."""
 
-from __future__ import annotations
-
 from os import PathLike
 from pathlib import Path
 from typing import Any, Final, Literal

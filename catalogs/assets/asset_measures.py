@@ -1,7 +1,5 @@
 """An entry of `assets.yaml` and its file -> the asset: its size in metres, as it is said, or measured where one unit alone fits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Final, NamedTuple

@@ -1,7 +1,5 @@
 """A dataset made from end to end: claimed, its shards made by processes or by a cluster, counted and described."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import partial
 from time import process_time

@@ -1,7 +1,5 @@
 """The card of a dataset: README.md with the front matter that hubs of datasets read, figures, plots, and how to make it again."""
 
-from __future__ import annotations
-
 import json
 import shlex
 from collections import Counter

@@ -1,7 +1,5 @@
 """A dataset read back. Is it as it was made? Digests of files and scenes, schemas, counts; homes made again and validated."""
 
-from __future__ import annotations
-
 import json
 import tarfile
 from collections import Counter

@@ -1,7 +1,5 @@
 """What `compose dataset` does: makes a dataset, one of its homes again, or checks it."""
 
-from __future__ import annotations
-
 from argparse import Namespace
 from collections.abc import Mapping
 from importlib.util import find_spec

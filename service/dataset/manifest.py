@@ -1,7 +1,5 @@
 """The manifest of a dataset, dataset.json: what its homes were made from, which seeds there are, and what all of them amount to."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence

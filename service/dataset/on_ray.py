@@ -3,8 +3,6 @@
 Ray's store holds the function and small records, never a scene. What a lost node was at is done again.
 """
 
-from __future__ import annotations
-
 import ctypes
 import logging
 import signal

@@ -3,8 +3,6 @@
 A home's rows and files depend on the plan and its seed alone, so that it makes no difference who makes the shard, or how often.
 """
 
-from __future__ import annotations
-
 import io
 import json
 import os

@@ -3,8 +3,6 @@
 How the tables came to be as they are now stands in `migrations`, and a test holds one against the other.
 """
 
-from __future__ import annotations
-
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext

@@ -1,7 +1,5 @@
 """Homes in a store: every question names an owner, and finds that one's homes alone."""
 
-from __future__ import annotations
-
 import secrets
 import time
 from collections.abc import Callable, Mapping, Sequence

@@ -1,7 +1,5 @@
 """Long work in a store: asked for, taken by a runner, carried on after a crash, and its results."""
 
-from __future__ import annotations
-
 import secrets
 import time
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Tables as the core reads them: rows of numbers, one table after the other; names are indices."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from struct import Struct
 from typing import ClassVar, TypeVar

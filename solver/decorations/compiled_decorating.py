@@ -3,8 +3,6 @@
 The rows are those of solver/core/decorate/decorating.hpp, in the same order.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

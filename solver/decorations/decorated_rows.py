@@ -1,7 +1,5 @@
 """Rooms to be decorated as the core reads them, and what it answers (solver/core/decorate/room.hpp)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from struct import Struct, pack

@@ -1,7 +1,5 @@
 """decorated_rooms(): the rooms of a house. The work is the core's: solver/core/decorate."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Final, NamedTuple
 

@@ -1,7 +1,5 @@
 """What the rooms of a house are decorated with."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 

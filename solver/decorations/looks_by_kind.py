@@ -3,8 +3,6 @@
 Not here: colours (compiled_decorating).
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Final
 

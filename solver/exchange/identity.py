@@ -3,8 +3,6 @@
 What is made up depends on the document alone, so the same document gets the same ids.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar, cast

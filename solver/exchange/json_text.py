@@ -1,7 +1,5 @@
 """JSON text <-> documents."""
 
-from __future__ import annotations
-
 import json
 from typing import Any, Final
 

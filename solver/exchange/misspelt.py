@@ -1,7 +1,5 @@
 """Keys of a scene that it keeps without knowing them, and are nearly ones that it knows: slips of the pen. They are told, and kept."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import fields
 from difflib import get_close_matches

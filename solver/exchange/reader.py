@@ -3,8 +3,6 @@
 Not here: text (text.py), rules between bodies (validate).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
 from difflib import get_close_matches

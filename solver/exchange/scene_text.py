@@ -3,8 +3,6 @@
 The fields' types say how values are written, as in writer.py.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from itertools import accumulate, chain, pairwise

@@ -3,8 +3,6 @@
 A .glb that was exported is read too, not its shapes but the scene inside; it is not written here.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath

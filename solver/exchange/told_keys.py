@@ -3,8 +3,6 @@
 Not here: what refusals say too (`Says`).
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from inspect import cleandoc

@@ -1,7 +1,5 @@
 """Objects -> documents of plain values, in the key order of docs/scene.md."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from functools import lru_cache

@@ -3,8 +3,6 @@
 PyYAML's own writer takes ten times as long as this one.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """An own asset's file, read whole; how its shapes come into a body's box; who is to be named for all assets that are used."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from pathlib import Path

@@ -4,8 +4,6 @@ Points stand around the middle of the footprint at the underside, in the scene's
 of one material.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import Any, Final, NamedTuple

@@ -3,8 +3,6 @@
 Here z is up, as simulators have it: a point (x, y, z) of the scene is (x, -z, y), extents (w, h, d) are (w, d, h), turns keep their value.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterator, Sequence
 from functools import lru_cache

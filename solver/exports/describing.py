@@ -1,7 +1,5 @@
 """A scene described for export: each body, wall, opening, leaf and floor once, in house coordinates."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from math import prod

@@ -1,7 +1,5 @@
 """Where door leaves hang, how they turn and what they are made of."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass

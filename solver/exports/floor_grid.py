@@ -3,8 +3,6 @@
 Row 0 lies in the north, column 0 in the west. Lengths in m, in the house.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from typing import Final, NamedTuple

@@ -3,8 +3,6 @@
 Its frame: x east, y north, z up, m; turns keep their value. A part's (x, y, z) is (x, -z, y) here.
 """
 
-from __future__ import annotations
-
 import hashlib
 import math
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """What all bodies of a kind share: what they are called, weigh and are made of; kept from one house to the next."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import lru_cache

@@ -6,8 +6,6 @@ Frame: the scene's own, right-handed, x east, y up, z south, in house coordinate
 seen from above, 0 facing south (+z). Each format converts it once, in its module.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field

@@ -5,8 +5,6 @@ What lies in drawers goes with them in formats in which it does not move by itse
 z is up, as in colliders: a hinge's frame is that of what it hangs on, moved to the hinge.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from math import radians

@@ -3,8 +3,6 @@
 Own assets: one a material, with its picture beside it. And forms that URDF and SDF have no element for, of size 1: cones, ovals, balls.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Final, NamedTuple
 

@@ -1,7 +1,5 @@
 """What things are painted with: the catalogs' material slots with a style's changes, in a body's own colour where they have none."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import Final

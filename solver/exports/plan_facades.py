@@ -1,7 +1,5 @@
 """Dimensions outside a plan: for each side of the house a chain over its openings, one over its rooms, and the whole."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Rooms on a plan: their clear floor between walls, and where their names, areas and clear sizes are best written."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise

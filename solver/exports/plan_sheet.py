@@ -1,7 +1,5 @@
 """The sheet that a plan is drawn on, as SVG in millimetres of the house: paper, scale, dimension lines, names, frame, title block."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """A storey as a plan shows it: what stands in it, seen from above, its walls, and where its names and dimensions are written."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

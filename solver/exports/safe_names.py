@@ -1,7 +1,5 @@
 """Names that a format can hold, each given once."""
 
-from __future__ import annotations
-
 import re
 
 

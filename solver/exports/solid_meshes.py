@@ -3,8 +3,6 @@
 Soft edges and round ends keep their size in metres, whatever box they are written for; facets of a round form are 22.5 degrees.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import product

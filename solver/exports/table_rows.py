@@ -4,8 +4,6 @@ service/dataset/shards.py says what the rows hold, in the same order. Poses are 
 degrees about +y, 0 facing south. Things can stand on surfaces, on boards inside and on the bottoms of drawers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from math import cos, radians, sin

@@ -3,8 +3,6 @@
 Own assets are layers of their own, z up, which bodies refer to: meshes, materials, pictures beside them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import lru_cache
 from math import radians

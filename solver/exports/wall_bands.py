@@ -4,8 +4,6 @@ What lies between two rooms' faces is one wall, an outer wall has its own thickn
 inside its line. Two rooms whose lines lie apart have a wall that is thicker by as much.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence

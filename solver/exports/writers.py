@@ -1,7 +1,5 @@
 """A house written in a format, and how its files travel as one."""
 
-from __future__ import annotations
-
 import io
 import struct
 import zipfile

@@ -1,7 +1,5 @@
 """Text as XML takes it: what stands for markup written otherwise, and what no XML file may hold left out."""
 
-from __future__ import annotations
-
 import re
 from functools import lru_cache
 from typing import Final

@@ -3,8 +3,6 @@
 Not here: where in the wall a door stands (openings.py).
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heappop, heappush

@@ -3,8 +3,6 @@
 No randomness: the plan's rooms are varied enough.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence

@@ -3,8 +3,6 @@
 Cells stand at corners of the house only, so that front and back have daylight.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from heapq import heappop, heappush
 from math import sqrt

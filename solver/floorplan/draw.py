@@ -1,7 +1,5 @@
 """draw(): the whole stage, top to bottom."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -3,8 +3,6 @@
 All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from math import log
 from typing import Final, NamedTuple

@@ -1,7 +1,5 @@
 """A given outline: its corners are checked, and it is cut into the fewest rectangles, none narrower than a room may be."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Final, Literal, NamedTuple
 

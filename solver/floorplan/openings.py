@@ -3,8 +3,6 @@
 The work itself is in solver/core/openings/.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from struct import Struct
 from typing import Final, NamedTuple

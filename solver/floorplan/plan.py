@@ -1,7 +1,5 @@
 """The finished floor plan: rooms as the scene has them, and a door moved along its wall afterwards."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final

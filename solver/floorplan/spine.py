@@ -4,8 +4,6 @@ A cut keeps its two crossed sides in both children and its own side in one; a cu
 a side hallway, a cell or an alcove. Not here: what is built in a column that stays on one hallway (columns.py).
 """
 
-from __future__ import annotations
-
 from typing import Final
 
 from solver.floorplan.bsp import ASPECT, ENDS, MAX_ROOMS, OTHER, ROUND_MM, Plot, halves, span

@@ -1,7 +1,5 @@
 """What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

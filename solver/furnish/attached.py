@@ -3,8 +3,6 @@
 A box is a rectangle of where the piece's centre may lie, from the other's centre, in the other's frame: right +x, front +z.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf

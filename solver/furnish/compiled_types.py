@@ -3,8 +3,6 @@
 The rows are those of solver/core/furnish/room_type.hpp, in the same order.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property

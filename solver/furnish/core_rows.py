@@ -1,7 +1,5 @@
 """Rooms as the core reads them, and pieces from the rows it answers with (solver/core/furnish/furnish.cpp)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from struct import Struct
 from typing import Any, Final, NamedTuple

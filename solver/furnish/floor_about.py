@@ -1,7 +1,5 @@
 """The floor about a kind of furniture that is better kept free: what its catalog says, and what its fronts open over."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from math import ceil, floor
 from typing import Final, NamedTuple

@@ -3,8 +3,6 @@
 What a list does say is not touched.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import ceil, sqrt

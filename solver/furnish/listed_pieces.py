@@ -5,8 +5,6 @@ holds: those to the room by a rectangle that its footprint stays in, those to an
 each way that other piece may be turned. What a candidate does not hold, it pays for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Room types of rooms under a ceiling: of what they list, the kinds that are no higher than the room."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple

@@ -3,8 +3,6 @@
 The work is the core's: solver/core/furnish.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence, Set
 
 from catalogs.relation_keys import OPENINGS

@@ -1,7 +1,5 @@
 """How a listed piece may be turned and at which wall its back may be, and where in the room it then holds which relations."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

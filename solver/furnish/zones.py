@@ -1,7 +1,5 @@
 """From a room of the scene to the space its furniture may stand in, and the zones kept free (docs/scene.md), in integer millimetres."""
 
-from __future__ import annotations
-
 import math
 from bisect import bisect_left, insort
 from collections import defaultdict

@@ -1,7 +1,5 @@
 """Doors that lead to a room whatever they say: another room lists them, or its floor lies behind them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Final
 

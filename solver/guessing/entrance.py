@@ -1,7 +1,5 @@
 """The main entrance of a home that says none: a door that leads outside, of the room that one would come in by."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Final
 

@@ -1,7 +1,5 @@
 """What tells a room's type: its floor, doors and windows, what stands in it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """How likely a home has so many rooms of each type: a cost, lower is better."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Final
 

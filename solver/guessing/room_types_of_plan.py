@@ -1,7 +1,5 @@
 """The types of a plan's rooms: by their names, else by what stands in them, else by their form; both weighed for all rooms at once."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 

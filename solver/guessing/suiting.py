@@ -3,8 +3,6 @@
 Areas, sides and what one may walk through are those of the room types; what each mark costs is said in guessing.yaml.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import log
 from typing import Final

@@ -1,7 +1,5 @@
 """The types of all rooms of a home that suit them best together: found by a search that keeps the cheapest of what it has tried."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Final
 

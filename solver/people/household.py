@@ -1,7 +1,5 @@
 """Who is in a house, and where: what the catalogs' people.yaml says, drawn by a seed."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache

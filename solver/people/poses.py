@@ -1,7 +1,5 @@
 """One pose for somebody in a room: standing, sitting, or a pet's."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What a person who stands in a room looks at: seats, screens, worktops, windows and doors."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

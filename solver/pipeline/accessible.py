@@ -1,7 +1,5 @@
 """Homes that are to be accessible: who has to come everywhere; what the certificate says of it, and of how far each front opens."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from math import ceil

@@ -1,7 +1,5 @@
 """export(): a scene -> files in the format of a simulator, an editor or a training set."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Final
 

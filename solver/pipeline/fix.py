@@ -1,7 +1,5 @@
 """fix(): an edited or foreign scene -> the same scene repaired with least movement, or the reasons why not."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -3,8 +3,6 @@
 Of the ways to turn a room the one is taken whose walls, openings and pieces read least. Not here: what is placed.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace

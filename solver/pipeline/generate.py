@@ -1,7 +1,5 @@
 """generate() and reroll(): request -> floor plan -> wanted pieces -> places -> checked scene, top to bottom."""
 
-from __future__ import annotations
-
 import secrets
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

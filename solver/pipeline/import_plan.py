@@ -1,7 +1,5 @@
 """import_plan(): a file of a foreign floor plan -> a scene, with everything that was changed, guessed or left out."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Set
 from dataclasses import replace
 from typing import Final

@@ -3,8 +3,6 @@
 A table to eat at stands once in a home: a room that asks wants a piece where no other room holds such.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 

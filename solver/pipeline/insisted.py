@@ -3,8 +3,6 @@
 Not here: whose rooms: a plan's, and those that ask what stands elsewhere (generate).
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """A house that is tried with other bodies, judged once more, and what that counts."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from solver.placement import Budget

@@ -3,8 +3,6 @@
 Each way out is tried: the validator judges the house without the body.
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -3,8 +3,6 @@
 Not here: how a room is furnished (generate).
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """place(): a room of the user's own and a list of pieces -> the best placement, or several, or the reason why not."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial

@@ -5,8 +5,6 @@ same. What relations cannot tell apart stays in the order that was sent. Where n
 says what matters most (place). Not here: which arrangement (rounds, place).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

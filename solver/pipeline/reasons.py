@@ -3,8 +3,6 @@
 Not here: how the lengths are found (placement), conflicts of sent rooms (conflicts).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

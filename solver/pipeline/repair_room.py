@@ -4,8 +4,6 @@ All pieces are placed with least movement; near the last answer while something 
 in the way are left out, the least important that help. Not here: which rooms are broken (fix), why something cannot stand (conflicts).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 

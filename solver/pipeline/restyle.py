@@ -1,7 +1,5 @@
 """restyle(): a home in another style, or with other decorations, in place."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from catalogs import Catalogs, load_catalogs

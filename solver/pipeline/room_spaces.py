@@ -1,7 +1,5 @@
 """The space that each room of a scene has, doors that the room beyond alone lists among it; and rooms as they are to be repaired."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from math import inf

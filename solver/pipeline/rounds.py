@@ -9,8 +9,6 @@ for every piece, cheapest placement first. Two differ truly where a piece stands
 stands free is clearly elsewhere.
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 

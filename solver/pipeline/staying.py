@@ -6,8 +6,6 @@ A piece that stays takes the place of the wanted piece that it could be, so that
 before the locked sofa. One that could be none is wanted besides.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 

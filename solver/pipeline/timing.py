@@ -1,7 +1,5 @@
 """Stage times, by a clock that the caller brings: the solver itself knows no time."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 Clock = Callable[[], float]

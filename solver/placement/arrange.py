@@ -4,8 +4,6 @@ Required pieces are searched best-first over prefixes; optional ones follow by i
 throughout. Limits are counts; ties go to the earlier. The work is the kernel's; here is what to ask it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -3,8 +3,6 @@
 Not here: how long the room must be.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

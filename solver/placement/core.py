@@ -3,8 +3,6 @@
 Here end the arrays.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass, replace

@@ -4,8 +4,6 @@ The placement with least movement is exact where it is walkable. Where not, walk
 it keeps free; what of that nobody needs is given back, and the least movement of them all counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf

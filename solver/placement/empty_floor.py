@@ -3,8 +3,6 @@
 Not here: least movement, and any proof.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """A room and its pieces -> the kernel's arrays, once a room."""
 
-from __future__ import annotations
-
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from itertools import chain

@@ -3,8 +3,6 @@
 Not here: which candidates are taken.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

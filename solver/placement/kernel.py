@@ -1,7 +1,5 @@
 """What is asked of the core about one room: the functions of solver/core/placement/entry.cpp."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from struct import Struct
 from typing import Final, NamedTuple

@@ -5,8 +5,6 @@ unless a name says otherwise, floats are metres and costs; everything is C-conti
 in solver/core/placement/room.hpp and engine.hpp: a row is a struct, a column one of its fields.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cached_property
 from math import prod

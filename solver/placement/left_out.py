@@ -3,8 +3,6 @@
 Not here: by how much a room is too short (lengths).
 """
 
-from __future__ import annotations
-
 from collections.abc import Container, Mapping, Sequence
 
 from solver.geometry import WALL_BEHIND, Rect

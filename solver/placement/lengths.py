@@ -6,8 +6,6 @@ The room is made longer at its east or south end; what hangs on that wall goes a
 can stand, those of one chain of touching things from wall to wall have no millimetre left: that chain is the reason.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 

@@ -4,8 +4,6 @@ Large neighbourhood search (Shaw, 1998): what is freed is searched over all its 
 found bounds what is sought next.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

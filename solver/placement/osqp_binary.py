@@ -3,8 +3,6 @@
 The extension is that of the pinned version of `osqp`; what its interface does before it calls it is done here.
 """
 
-from __future__ import annotations
-
 import sys
 from collections import deque
 from collections.abc import Callable, Mapping

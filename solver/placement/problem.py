@@ -4,8 +4,6 @@ Along each axis apart: minimise the sum of the terms, subject to low <= p <= hig
 hold. Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple

@@ -4,8 +4,6 @@ OSQP begins at the search's optimum and at the multipliers that belong to it, so
 Mathematical Programming Computation 2020.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import accumulate

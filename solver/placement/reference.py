@@ -3,8 +3,6 @@
 Used by tests and `--engine reference`; never on the default path.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Work space for one room, in the memory of an instance of the core."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

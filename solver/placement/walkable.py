@@ -3,8 +3,6 @@
 Not here: least movement.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -3,8 +3,6 @@
 Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made.hpp.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

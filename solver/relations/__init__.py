@@ -4,8 +4,6 @@ Comes in: a piece that seeks its place, or a finished room. Goes out: where a re
 catalogs, the ground floor. Not here: making candidates of it (furnish), choosing among them (placement).
 """
 
-from __future__ import annotations
-
 from typing import Final
 
 from solver.relations.against_wall import AgainstWall

@@ -1,7 +1,5 @@
 """`against_wall`: its back is at a wall."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.geometry import Rect
 from solver.relations.relation import SOUGHT, Relation, Tolerance

@@ -1,7 +1,5 @@
 """`aligned_with`: its middle in line with another piece's middle."""
 
-from __future__ import annotations
-
 from solver.relations.relation import ANYWHERE, Box, Fit, Relation
 
 

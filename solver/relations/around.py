@@ -1,7 +1,5 @@
 """`around`: at one of the places around another piece, looking at it."""
 
-from __future__ import annotations
-
 from solver.relations.at_side import AtSide
 
 

@@ -3,8 +3,6 @@
 Offsets are in the other's own frame, mm, from its centre to the piece's centre: front +z, right +x.
 """
 
-from __future__ import annotations
-
 from typing import ClassVar
 
 from catalogs.schema import RelationSpec

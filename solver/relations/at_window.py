@@ -1,7 +1,5 @@
 """`at_window`: at a window, its middle on the window's middle."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect, strip
 from solver.relations.centred import about

@@ -1,7 +1,5 @@
 """`beside`: at the left or right of another piece, close to it."""
 
-from __future__ import annotations
-
 from solver.relations.at_side import AtSide
 
 

@@ -1,7 +1,5 @@
 """`centred`: in the middle of its wall, or of the room."""
 
-from __future__ import annotations
-
 import math
 
 from catalogs.schema import RelationSpec

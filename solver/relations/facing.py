@@ -1,7 +1,5 @@
 """`facing`: its front is turned to another piece or to an opening."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.geometry import FACING, OPPOSITE, WALL_BEHIND, Rect
 from solver.relations.relation import ANYWHERE, SOUGHT, Box, Fit, Relation, Standing, Tolerance

@@ -1,7 +1,5 @@
 """`far_from`: at least a distance from a piece or an opening."""
 
-from __future__ import annotations
-
 import math
 
 from catalogs.schema import RelationSpec

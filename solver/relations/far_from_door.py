@@ -1,7 +1,5 @@
 """`far_from_door`: at least a distance from every door."""
 
-from __future__ import annotations
-
 from solver.relations.far_from import FarFrom
 
 

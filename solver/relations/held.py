@@ -4,8 +4,6 @@ A relation to several holds when it holds with any of them; far_from when it hol
 room (an opening it does not have, a piece that found no place) is not held; far_from it is.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """`in_corner`: in a corner of the room."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.geometry import Rect
 from solver.relations.relation import SOUGHT, Relation, Tolerance

@@ -1,7 +1,5 @@
 """`in_front_of`: before another piece's front."""
 
-from __future__ import annotations
-
 from solver.relations.at_side import AtSide
 
 

@@ -1,7 +1,5 @@
 """`in_row`: continues a row at either end of another piece, or round the corner from it."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.relations.at_side import AtSide
 from solver.relations.relation import Box, Fit, Standing

@@ -4,8 +4,6 @@ A place is that of the piece's centre, mm, from the other's centre in the other'
 them. Kinds without a shape have no parts: nothing is known of what is free under them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """`near`: close to a piece or an opening."""
 
-from __future__ import annotations
-
 import math
 
 from catalogs.schema import RelationSpec

@@ -1,7 +1,5 @@
 """`near_door`: within a distance of a door."""
 
-from __future__ import annotations
-
 from solver.relations.near import Near
 
 

@@ -1,7 +1,5 @@
 """`on`: on another piece's surface."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.pieces import Attach, Candidate
 from solver.relations.at_side import lined_up

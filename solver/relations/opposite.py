@@ -1,7 +1,5 @@
 """`opposite`: at the wall opposite another piece, facing it."""
 
-from __future__ import annotations
-
 from catalogs.schema import RelationSpec
 from solver.geometry import OPPOSITE
 from solver.relations.relation import ANYWHERE, Box, Fit, Relation

@@ -1,7 +1,5 @@
 """`under`: at a side of another piece, looking at it and reaching under it."""
 
-from __future__ import annotations
-
 from solver.relations.at_side import AtSide
 from solver.relations.relation import HELD, Fit, LeastMost
 

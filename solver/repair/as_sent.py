@@ -1,7 +1,5 @@
 """A room as sent -> pieces to place, every one of them to be kept, as near as can be to where it was sent."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

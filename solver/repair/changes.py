@@ -1,7 +1,5 @@
 """What is done to a room: placed poses written into it, a repair applied, and what a dropped piece says of itself."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any

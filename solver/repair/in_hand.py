@@ -3,8 +3,6 @@
 While a piece is dragged nothing turns, changes its wall or leaves its table: that waits for the piece to be let go.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """People and pets that are in the way -> the nearest free places."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice

@@ -1,7 +1,5 @@
 """Near the last answer: while a piece is dragged, the others stay where they were unless elsewhere is clearly better."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -11,8 +11,6 @@ one way brings all of them back.
 What lay inside a piece, on a board or in a drawer, lies inside again. Nothing else is put there but what has no room under the ceiling.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace

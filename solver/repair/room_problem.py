@@ -1,7 +1,5 @@
 """One room of a scene, to be repaired: what was sent, where it may stand, and on what terms."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """One house -> the figures that statistics are made of."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final

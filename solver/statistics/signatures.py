@@ -1,7 +1,5 @@
 """Signatures: short words that are equal where two rooms are furnished alike, or two plans have the same graph."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from hashlib import blake2b
 

@@ -1,7 +1,5 @@
 """Many houses -> one plain document of medians, shares and counts."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from statistics import fmean, quantiles

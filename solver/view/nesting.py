@@ -1,7 +1,5 @@
 """What lies on what: a room's bodies in sections, each followed by what it carries."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 

@@ -4,8 +4,6 @@ The text is valid YAML, but it is a view: sizes are words, positions are rounded
 exchange's business.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final

@@ -4,8 +4,6 @@ A line begins with `>>` where a rule is broken and with `!!` where a person flag
 Lengths in metres to the tenth of a millimetre, so that what the rules judge can be checked from the text alone.
 """
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence

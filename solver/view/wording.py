@@ -1,7 +1,5 @@
 """How numbers, names and sizes are written for a person, each on one line."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

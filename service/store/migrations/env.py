@@ -1,7 +1,5 @@
 """What alembic runs: the steps that a store lacks, over the connection that it is handed."""
 
-from __future__ import annotations
-
 from alembic import context
 
 from service.store.database import TABLES

@@ -4,8 +4,6 @@ Its frame: x east, y north, z up, m. Bodies hang in their spaces; what they are 
 Identities are hashes of the house and the ids, the header's date is fixed: the same scene makes the same bytes.
 """
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Sequence

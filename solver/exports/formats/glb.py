@@ -3,8 +3,6 @@
 The frame is the scene's own (y up, front towards +z, m). Geometry is written once a shape, in a box of size 1, and scaled by nodes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from json.encoder import encode_basestring as quoted

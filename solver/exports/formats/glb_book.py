@@ -3,8 +3,6 @@
 What is shown of own assets is copied into it, with a tree of nodes below each body that is shown as one.
 """
 
-from __future__ import annotations
-
 import json
 import struct
 from collections.abc import Iterable, Mapping, Sequence

@@ -4,8 +4,6 @@ A GLB for the walls, floors and ceilings (the stage), one for each look and size
 under `user_defined`. Doors stand open and are plain things: hinges would need a URDF each. Garage doors are shut.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from dataclasses import replace

@@ -4,8 +4,6 @@ A folder a room, `<house>_<room>/boxes.npz`; dataset_stats.txt; house_splits.csv
 extents, translations the boxes' centres relative to the middle of the floor's bounding box, angles radians about +y, 0 facing +z.
 """
 
-from __future__ import annotations
-
 import io
 import json
 import math

@@ -4,8 +4,6 @@ The map's frame: x east, y north, z up, m; yaw in radians about +z, 0 facing eas
 Doors stand open. People and pets are left out.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Sequence

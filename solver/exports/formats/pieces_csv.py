@@ -1,7 +1,5 @@
 """CSV: a line a body, for spreadsheets and data frames, in the scene's frame (x east, y up, z south, m and degrees)."""
 
-from __future__ import annotations
-
 import csv
 import io
 from typing import Final

@@ -4,8 +4,6 @@ Its frame: x east, y north. A body is an insert of its block at its place and tu
 the house), SIZE (width, depth, height) and MASS, in m and kg.
 """
 
-from __future__ import annotations
-
 import io
 import math
 from collections.abc import Iterable, Iterator, Sequence

@@ -5,8 +5,6 @@ the symbol that it uses (`data-size`: width, depth, height), in m and kg. Rooms 
 also an invisible line along its wall with `data-opening` (its kind), so that /import reads the plan back.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from typing import Final

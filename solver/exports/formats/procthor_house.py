@@ -5,8 +5,6 @@ middle of its box, and its front is where ProcTHOR's assets have theirs, towards
 `compose`, which its reader passes over.
 """
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence

@@ -3,8 +3,6 @@
 Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z, in radians.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Final

@@ -4,8 +4,6 @@ Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Wa
 Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`; small things say `sort`: decoration.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace

@@ -4,8 +4,6 @@ A map's pixels are numbers, coloured by a palette; palette.json says what they m
 its middle is in; of several things the highest. Footprints count, not parts.
 """
 
-from __future__ import annotations
-
 import colorsys
 import io
 import json

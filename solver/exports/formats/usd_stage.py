@@ -4,8 +4,6 @@ The frame is USD's for simulators: z up, y north, front towards -y, m, kg, degre
 Isaac Lab-Arena wants an environment beside it, which names what is in the house.
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """plan_home(): the whole of it, top to bottom: programme -> rooms -> the cheapest drawing -> layout and notes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property

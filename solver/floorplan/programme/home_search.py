@@ -3,8 +3,6 @@
 The search itself is in solver/core/homes/, what each skeleton is like in solver/core/homes/drafts.hpp.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from struct import Struct, pack
 from typing import Final, NamedTuple

@@ -3,8 +3,6 @@
 Not here: where the rooms lie.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

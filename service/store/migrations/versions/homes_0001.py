@@ -1,7 +1,5 @@
 """Homes, their versions, and how much each owner has."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic import op
 

@@ -1,7 +1,5 @@
 """Long work, and what came of it."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic import op
 
