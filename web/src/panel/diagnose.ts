@@ -83,6 +83,7 @@ export class Diagnose {
         const scene = this.home.settled?.scene;
         if (!scene || signal.aborted) return;
         const answer = await fix({ scene, on_conflict: onConflict }, signal);
+        if (this.home.settled?.scene !== scene) return;
         const { issues, conflicts, timing_ms: timing } = answer;
         if (answer.moves.length + answer.removed.length > 0) this.home.show({ scene: answer.scene, issues, conflicts, timing }, "step");
         else void this.#diagnose();
