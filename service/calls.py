@@ -4,6 +4,8 @@ Each is one function, from the body that it takes to what it answers; route, rea
 imported when it does it: a command loads its own flow, and the service, whose workers do all of them, none.
 """
 
+from __future__ import annotations
+
 from base64 import b64decode, b64encode
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace

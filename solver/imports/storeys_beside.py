@@ -26,13 +26,12 @@ TITLES: Final = (
     ("attic", "loft", "dachgesch", "comble", "ático", "buhardilla", "mansard", "zolder", "poddasz"),
 )  # fmt: skip
 """Words of titles of storeys, from the lowest on; of one that says none there is none."""
-Box = tuple[float, float, float, float]
 
 
 class DrawnGroup(NamedTuple):
     """Rooms that lie together, by their places in the plan, and the box around them."""
 
-    box: Box
+    box: tuple[float, float, float, float]
     rooms: frozenset[int]
 
 
@@ -96,7 +95,7 @@ def _titles(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[t
     yield from ((rank, words) for _, words in sorted(near) if (rank := storey_called(words)) is not None)
 
 
-def _away(a: Box, b: Box) -> float:
+def _away(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
     """Returns how far two boxes are from one another along x or z, whichever is more."""
     return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3], 0.0)
 
