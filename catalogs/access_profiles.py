@@ -1,7 +1,5 @@
 """What standards of accessible homes ask for, as `access.yaml` says it."""
 
-from __future__ import annotations
-
 from math import ceil
 from typing import Annotated, Literal
 
@@ -41,7 +39,7 @@ class AccessRule(Entry):
         return room not in self.not_in and (not self.rooms or room in self.rooms)
 
     @model_validator(mode="after")
-    def _whole(self) -> AccessRule:
+    def _whole(self) -> "AccessRule":
         about = self.what in ("before", "deep", "along")
         if about != bool(self.pieces):
             raise ValueError("what asks for room before or along pieces names them, and nothing else does")

@@ -1,7 +1,5 @@
 """The types of decorations: what kinds there are, and what lies, hangs or stands where."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
@@ -125,7 +123,7 @@ class Stands(DecoratingRow):
     reach: ReachMetres = 0.8
 
     @model_validator(mode="after")
-    def _complete(self) -> Stands:
+    def _complete(self) -> "Stands":
         if (self.where in ("beside", "under")) != bool(self.of):
             raise ValueError("`of` goes with `where: beside` or `under`, and they with it")
         if self.bare and self.where != "under":

@@ -3,8 +3,6 @@
 Unknown keys are forbidden, everything is frozen. Lengths in metres, areas in m2, masses in kg, angles in degrees.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, model_validator
@@ -192,7 +190,7 @@ class Dweller(Entry):
     seats: Seats | None = None
 
     @model_validator(mode="after")
-    def _complete(self) -> Dweller:
+    def _complete(self) -> "Dweller":
         if ("sits" in self.poses) != (self.seats is not None):
             raise ValueError("`seats` goes with the pose `sits`")
         if self.otherwise and self.per == "room":
@@ -285,14 +283,14 @@ class Home(Entry):
     spare: Annotated[int, Field(ge=1, le=100)] | None = None
 
     @model_validator(mode="after")
-    def _ordered(self) -> Home:
+    def _ordered(self) -> "Home":
         if not self.area[0] <= self.area[1] <= self.area[2]:
             raise ValueError("areas must be ordered: least <= typical <= most")
         if self.width**2 > self.area[1] or self.width * self.width * self.aspect < self.area[0]:
             raise ValueError("no room of this width and aspect has such an area")
         return self
 
-    def larger_by(self, floor: float) -> Home:
+    def larger_by(self, floor: float) -> "Home":
         """Returns the same with so much more floor, m2."""
         least, typical, most = (round(area + floor, 2) for area in self.area)
         return self.model_copy(update={"area": (least, typical, most)})

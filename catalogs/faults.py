@@ -3,8 +3,6 @@
 It stands here because catalogs import nothing of ours.
 """
 
-from __future__ import annotations
-
 import errno
 from dataclasses import dataclass
 from pathlib import Path
@@ -70,6 +68,6 @@ class CatalogError(ComposeError):
         where = file + (f":{line}" if line else "") + (f": {key}" if key else "")
         super().__init__(f"{where}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
 
-    def __reduce__(self) -> tuple[type[CatalogError], tuple[str, str, int, str, str]]:
+    def __reduce__(self) -> "tuple[type[CatalogError], tuple[str, str, int, str, str]]":
         """Lets it go from one process to another: a pool raises it again."""
         return type(self), (self.file, self.key, self.line, self.problem, self.allowed)

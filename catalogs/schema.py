@@ -4,8 +4,6 @@ Lengths in metres, areas in m2, masses in kg, angles in degrees. A body's sides 
 faces south: `front` is south (+z), `back` north, `left` west (-x), `right` east (+x).
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from functools import lru_cache
 from hashlib import blake2b
@@ -171,7 +169,7 @@ class PieceSpec(Entry):
     rules: tuple[RelationSpec, ...] = ()
 
     @model_validator(mode="after")
-    def _certain(self) -> PieceSpec:
+    def _certain(self) -> "PieceSpec":
         if self.required and (self.chance < 1 or self.per_area):
             raise ValueError("a required piece takes no chance or per_area")
         return self
@@ -190,7 +188,7 @@ class Area(Entry):
     max: Annotated[float, Field(gt=0, le=10000)]
 
     @model_validator(mode="after")
-    def _ordered(self) -> Area:
+    def _ordered(self) -> "Area":
         if not self.min[0] <= self.min[1] <= self.max or not self.min[0] <= self.typical <= self.max:
             raise ValueError("areas must be ordered: min (one door) <= min (two doors) <= max, min <= typical <= max")
         return self
@@ -257,22 +255,22 @@ class Catalogs(Entry):
         """Equal catalogs have equal fingerprints, so that what is worked out from them can be kept by them."""
         return hash(self.fingerprint)
 
-    def for_access(self, name: str | None) -> Catalogs:
+    def for_access(self, name: str | None) -> "Catalogs":
         """Returns the catalogs for homes that are made for a profile, by its name; the same ones where there is none of it."""
         return _for_access(self, name) if name in self.access else self
 
-    def widened(self, more_mm: int) -> Catalogs:
+    def widened(self, more_mm: int) -> "Catalogs":
         """Returns the catalogs for homes whose rooms are planned larger by so many mm, for thicker inner walls or wider ways."""
         return _widened(self, more_mm) if more_mm else self
 
-    def of_home(self, types: Collection[str], planned: bool = True) -> Catalogs:
+    def of_home(self, types: Collection[str], planned: bool = True) -> "Catalogs":
         """Returns the catalogs of a home with rooms of these types.
 
         Pieces are not wanted `unless` it has no such room; in a planned home those that it needs `without` rooms it does not have are.
         """
         return _of_home(self, _deciding_types(self).intersection(types), planned)
 
-    def holding(self, pieces: Collection[str]) -> Catalogs:
+    def holding(self, pieces: Collection[str]) -> "Catalogs":
         """Returns the catalogs of a home that holds these pieces in rooms that do not ask: what others want `unless_elsewhere` is gone."""
         every = (piece for room in self.rooms.values() for piece in room.pieces)
         there = frozenset(name for piece in every for name in piece.unless_elsewhere if name in pieces)

@@ -4,8 +4,6 @@ Coordinates are shares of the unrotated body's box: x from left (0) to right (1)
 z from its back (0) to its front (1).
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Annotated, Any, Final, Literal
 
@@ -90,7 +88,7 @@ class ShapePart(Entry):
     moves_with: FrontName | None = Field(default=None, alias="with")
 
     @model_validator(mode="after")
-    def _opens_sensibly(self) -> ShapePart:
+    def _opens_sensibly(self) -> "ShapePart":
         if (self.name is None) != (self.opens is None):
             raise ValueError("a part that `opens` has a `name` too, and a part that does not has none")
         if self.must_open and not self.opens:
@@ -104,7 +102,7 @@ class ShapePart(Entry):
         return self
 
     @model_validator(mode="after")
-    def _sensible(self) -> ShapePart:
+    def _sensible(self) -> "ShapePart":
         if self.axis != "y" and self.form not in LONG:
             raise ValueError(f"a {self.form} has no axis")
         if self.taper != 1 and self.form != "cylinder":

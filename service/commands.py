@@ -3,8 +3,6 @@
 A command imports what it needs when it runs: `compose schema` starts without the solver.
 """
 
-from __future__ import annotations
-
 import os
 from argparse import Namespace
 from collections.abc import Callable, Mapping
@@ -64,7 +62,7 @@ def _generate(options: Namespace) -> int:
     return _judged([write(issue) for issue in made.issues])
 
 
-def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: Catalogs) -> int:
+def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: "Catalogs") -> int:
     """Makes a set of houses into a folder, one file a seed; goes on where it was ended."""
     from service.many import HouseSet, into_folder
 
@@ -284,7 +282,7 @@ COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
 }  # fmt: skip
 
 
-def _catalogs(options: Namespace) -> Catalogs:
+def _catalogs(options: Namespace) -> "Catalogs":
     """Reads our catalogs, or a folder of the user's own laid over them, and the user's assets.
 
     Raises:

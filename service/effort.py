@@ -3,8 +3,6 @@
 Not here: the counting (placement).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -59,10 +57,10 @@ def on_terms(terms: Terms) -> Iterator[list[float]]:
 class Spending:
     """The work of a call while it is made, and what is to be said of it."""
 
-    def __init__(self, effort: str, counted: CallWork) -> None:
+    def __init__(self, effort: str, counted: "CallWork") -> None:
         self._effort, self._counted = effort, counted
 
-    def limited(self) -> Limited | None:
+    def limited(self) -> "Limited | None":
         """Returns what the answer says where the limit ended a search; None where it did not."""
         if not self._counted.spent:
             return None

@@ -1,7 +1,5 @@
 """The call that makes houses: apart from the others, so that a command that makes one loads nothing else."""
 
-from __future__ import annotations
-
 import secrets
 from collections.abc import Mapping
 from dataclasses import replace
@@ -20,7 +18,7 @@ if TYPE_CHECKING:
     from catalogs import Catalogs
 
 
-def made_house(document: object, catalogs: Catalogs, engine: str = "osqp") -> Generated:
+def made_house(document: object, catalogs: "Catalogs", engine: str = "osqp") -> Generated:
     """Makes a house (`Request`), furnishes some rooms of one anew (`RerollBody`), or gives it another style (`RestyleBody`).
 
     Raises:

@@ -1,7 +1,5 @@
 """What operators see: figures for Prometheus, an access log with an id for each request."""
 
-from __future__ import annotations
-
 import json
 import logging
 import re
@@ -38,7 +36,7 @@ access_log: Final = logging.getLogger("compose.access")
 class Measures:
     """The figures of one service, of its processes and connections."""
 
-    def __init__(self, workers: Workers, connections: Connections) -> None:
+    def __init__(self, workers: "Workers", connections: "Connections") -> None:
         self.registry = CollectorRegistry()
         self._requests = Counter("compose_requests", "Requests answered.", ("path", "status"), registry=self.registry)
         words = "From the headers to the end of the answer."
@@ -72,11 +70,11 @@ class Measures:
         return generate_latest(self.registry)
 
 
-def _running(lane: Lane) -> Callable[[], float]:
+def _running(lane: "Lane") -> Callable[[], float]:
     return lambda: lane.slots.statistics().borrowed_tokens
 
 
-def _waiting(lane: Lane) -> Callable[[], float]:
+def _waiting(lane: "Lane") -> Callable[[], float]:
     return lambda: lane.slots.statistics().tasks_waiting
 
 

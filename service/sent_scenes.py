@@ -1,7 +1,5 @@
 """What commands say of a scene as it was sent, whatever it holds: kinds that nobody here knows, rooms that stay as they are."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Final
 
@@ -15,7 +13,7 @@ MOST_TOLD: Final = 6
 """So many names are told of more."""
 
 
-def told_kinds(scene: object, catalogs: Catalogs) -> None:
+def told_kinds(scene: object, catalogs: "Catalogs") -> None:
     """Says which kinds are in none of the catalogs that a scene is read with: they are taken by their names and sizes."""
     unknown = [
         kind

@@ -3,8 +3,6 @@
 And what the calls about homes and jobs share: threads that wait for it, ids and numbers in paths, the refusals of all of them.
 """
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Mapping
@@ -43,7 +41,7 @@ class ServiceStore:
         self._database: Database | None = None
         self._homes: SavedHomes | None = None
 
-    def open(self) -> SavedHomes:
+    def open(self) -> "SavedHomes":
         """Opens the store where it is not yet open, and returns what asks it for homes.
 
         Raises:
@@ -61,7 +59,7 @@ class ServiceStore:
         """Whether it goes with the service, so that nobody else has it."""
         return self._settings.store == TEMPORARY
 
-    def jobs(self) -> SavedJobs:
+    def jobs(self) -> "SavedJobs":
         """Opens the store where it is not yet open, and returns what asks it for jobs. Raises as `open`."""
         from service.store.saved_jobs import SavedJobs  # noqa: PLC0415
 
@@ -70,7 +68,7 @@ class ServiceStore:
             raise StoreAway("store", "is closed", "another try in a moment")
         return SavedJobs(self._database)
 
-    def _opened(self) -> SavedHomes:
+    def _opened(self) -> "SavedHomes":
         from service.store.database import Database  # noqa: PLC0415 - who keeps nothing loads no database
         from service.store.saved_homes import Keeping, SavedHomes  # noqa: PLC0415
 

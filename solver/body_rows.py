@@ -3,8 +3,6 @@
 A home has some five hundred bodies, and whoever judges, counts or writes it needs numbers alone.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from struct import Struct
@@ -50,7 +48,7 @@ LooksBySize = Mapping[tuple[int, int, int, int], Look]
 """How bodies look, by the number of their kind and their size, mm."""
 
 
-def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: Catalogs) -> Look:
+def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: "Catalogs") -> Look:
     """Returns how furniture of a kind looks in some size."""
     spec, (width, depth, height) = catalogs.furniture.get(kind), size_mm
     size = width / 1000, depth / 1000, height / 1000

@@ -11,8 +11,6 @@
 A bad scene (one that breaks rules) is not an error: validate() returns issues.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from typing import Final, TypeVar
 
@@ -38,7 +36,7 @@ class FieldError(ComposeError):
         self.field, self.problem, self.allowed, self.more = field, problem, allowed, more
         super().__init__(f"{field}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
 
-    def __reduce__(self) -> tuple[type[FieldError], tuple[str, str, str, tuple[tuple[str, str, str], ...]]]:
+    def __reduce__(self) -> "tuple[type[FieldError], tuple[str, str, str, tuple[tuple[str, str, str], ...]]]":
         """Lets it go from one process to another: a pool raises it again."""
         return type(self), (self.field, self.problem, self.allowed, self.more)
 

@@ -3,8 +3,6 @@
 Within reach is exact, by the core: solver/core/floor/free_floor.hpp.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -36,7 +34,7 @@ class Goal:
     need_all: bool = False
 
     @classmethod
-    def beside(cls, rect: Rect) -> Goal:
+    def beside(cls, rect: Rect) -> "Goal":
         """Returns somebody or something that may be come to from any side."""
         return cls(rect, WALLS)
 
@@ -56,7 +54,7 @@ class FreeFloor:
         self._taken: dict[tuple[float, float], bytes] = {}
 
     @classmethod
-    def of_room(cls, room: Room, space: Space, uses: Mapping[str, tuple[Sequence[str], bool]]) -> FreeFloor:
+    def of_room(cls, room: Room, space: Space, uses: Mapping[str, tuple[Sequence[str], bool]]) -> "FreeFloor":
         """Returns the floor of a furnished room without its people.
 
         `uses` are by name of piece the sides it is used from, and whether all of them have to be within reach.

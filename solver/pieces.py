@@ -6,8 +6,6 @@ what a piece may do is all here.
 Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple, Protocol
@@ -232,7 +230,7 @@ class RowNames(Protocol):
     """What the numbers stand for in the core's rows about what a room of a type wants."""
 
     @property
-    def kinds(self) -> NamedKinds:
+    def kinds(self) -> "NamedKinds":
         """The kinds of the room's type, by their numbers."""
 
     @property

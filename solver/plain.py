@@ -1,7 +1,5 @@
 """Plain values: what JSON can say, and what was wrong with one that it cannot."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Final, TypeAlias
@@ -20,7 +18,7 @@ class Wrong(Exception):
         self._way: list[str | int] = []
         super().__init__(problem)
 
-    def inside(self, step: str | int) -> Wrong:
+    def inside(self, step: str | int) -> "Wrong":
         """Notes that the value lies under this key or index of what encloses it."""
         self._way.append(step)
         return self

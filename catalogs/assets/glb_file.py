@@ -6,8 +6,6 @@ accessors, views and nodes, their lengths, what the file needs beside itself.
 Time and memory are bounded whatever the file says of itself.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import os
@@ -153,7 +151,7 @@ def bounds_of(file: GlbFile) -> GlbBounds:
         raise GlbFault(f"is not put together as glTF is: {error!s:.120}") from None
 
 
-def _measured(book: GlbBook) -> GlbBounds:
+def _measured(book: "GlbBook") -> GlbBounds:
     low, high, triangles, draws = [math.inf] * 3, [-math.inf] * 3, 0, 0
     meshes: dict[int, GlbBounds | None] = {}
     for number, place in book.meshes():
@@ -175,7 +173,7 @@ def _measured(book: GlbBook) -> GlbBounds:
     return GlbBounds((low[0], low[1], low[2]), (high[0], high[1], high[2]), triangles, draws)
 
 
-def _of_mesh(book: GlbBook, number: int) -> GlbBounds | None:
+def _of_mesh(book: "GlbBook", number: int) -> GlbBounds | None:
     """Returns the box around a mesh's triangles; None where it has none."""
     boxes, triangles = [], 0
     for primitive in _list(book.item("meshes", number), "primitives"):

@@ -4,8 +4,6 @@ And how its requests differ: {program: {studio: 1, family: 3}, area: {from: 60, 
 its own: to add a key changes nothing that others drew.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, fields
 from hashlib import sha256
@@ -79,7 +77,7 @@ class DatasetPlan:
     """
 
     folder: Path
-    requests: VariedRequest
+    requests: "VariedRequest"
     formats: tuple[str, ...]
     shard_size: int
     catalogs: Mapping[str, bytes]

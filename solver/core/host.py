@@ -4,8 +4,6 @@ An instance has a memory of its own, one arena from which the core and the host 
 or down to a mark. Instances share nothing: each may be called by one thread at a time, and calls run beside Python's other threads.
 """
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import ctypes
@@ -64,9 +62,9 @@ class _Function(NamedTuple):
 
 
 class _Loaded(NamedTuple):
-    engine: wasmtime.Engine
-    module: wasmtime.Module
-    linker: wasmtime.Linker
+    engine: "wasmtime.Engine"
+    module: "wasmtime.Module"
+    linker: "wasmtime.Linker"
     exports: dict[str, _Export]
 
 
@@ -105,7 +103,7 @@ def load_core() -> None:
 class _MemoryPiece:
     """A piece of an instance's memory as numpy takes it; the views made of it keep the instance alive."""
 
-    def __init__(self, instance: CoreInstance, address: int, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    def __init__(self, instance: "CoreInstance", address: int, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
         self.instance = instance
         self.__array_interface__ = {"version": 3, "data": (address, False), "shape": shape, "typestr": dtype.str}
 

@@ -4,8 +4,6 @@ Shapes are flat, cut below the lintels, and drawn twice, larger than the picture
 the heights.
 """
 
-from __future__ import annotations
-
 import io
 import math
 from collections.abc import Iterator, Sequence
@@ -48,7 +46,7 @@ class _Canvas(NamedTuple):
     x: float
     z: float
 
-    def pixels(self, corners: Corners) -> list[tuple[float, float]]:
+    def pixels(self, corners: "Corners") -> list[tuple[float, float]]:
         """Returns corners of the plan as the canvas counts them."""
         return [((x - self.x) * self.scale - 0.5, (z - self.z) * self.scale - 0.5) for x, z in corners]
 

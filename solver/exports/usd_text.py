@@ -1,7 +1,5 @@
 """Pieces of USD's text format (.usda): texts, numbers, transforms, solids, materials; z up, metres, each statement on a line of its own."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
@@ -181,7 +179,7 @@ def _long(form: str, axis: str, radius: float, length: float) -> str:
     )
 
 
-def triangles(surface: SolidSurface | AssetSurface, binding: str, more: str = "") -> str:
+def triangles(surface: "SolidSurface | AssetSurface", binding: str, more: str = "") -> str:
     """Returns what a mesh holds of a surface in the scene's frame; its binding, and what comes after its points."""
     points = [z_up(*point) for point in surface.points.tolist()]
     normals = [z_up(*(round(value, 4) for value in normal)) for normal in surface.normals.tolist()]

@@ -4,8 +4,6 @@ A room's wall may be shared piece by piece with several rooms, so the walls are 
 takes away what no room on either side wants drawn.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Sequence
 from itertools import pairwise
@@ -66,7 +64,7 @@ def _kind(covering: Sequence[OutlineEdge]) -> Literal["wall", "railing"] | None:
     return "railing" if all(edge.room.outdoor for edge in covering) else "wall"
 
 
-def openings_of(rooms: Sequence[Room], bands: WallBands, finder: RoomFinder) -> list[PlacedOpening]:
+def openings_of(rooms: Sequence[Room], bands: WallBands, finder: "RoomFinder") -> list[PlacedOpening]:
     """Returns every opening of a house once; of the entries under one id the one that draws the leaf, whose hinge and swing count."""
     kept: dict[str, tuple[OutlineEdge, float, Opening]] = {}
     for room, edges in zip(rooms, bands.by_room, strict=True):
@@ -98,7 +96,7 @@ def _as_rectangle(room: Room) -> Room:
     return Room(room.id, x=room.x, z=room.z, width=room.width, depth=room.depth, level=room.level)
 
 
-def _placed(edge: OutlineEdge, origin: float, opening: Opening, bands: WallBands, finder: RoomFinder) -> PlacedOpening:
+def _placed(edge: OutlineEdge, origin: float, opening: Opening, bands: WallBands, finder: "RoomFinder") -> PlacedOpening:
     centre, sill = origin + opening.position, opening.sill if opening.kind == "window" else 0.0
     start, end = on_lattice(centre - opening.width / 2), on_lattice(centre + opening.width / 2)
     outward: Literal[1, -1] = -1 if edge.inward == 1 else 1

@@ -1,7 +1,5 @@
 """Walls as panels with holes, as solid boxes round those holes, and what is fitted to them: frames, sills, panes, railings."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -44,7 +42,7 @@ class WallPlan:
         return self.storeys.get(level, Storey())
 
     @cached_property
-    def stretches(self) -> list[_Stretch]:
+    def stretches(self) -> "list[_Stretch]":
         """The runs, with how they end and what is in them."""
         return _stretches(self)
 

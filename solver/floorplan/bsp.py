@@ -5,8 +5,6 @@ Axes: "x" runs west to east, "z" north to south; a cut across an axis divides th
 Not here: access (access.py), the spine (spine.py).
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
@@ -157,10 +155,10 @@ class Plot:
         halls = self.halls
         return any(side in halls for side in ACROSS[axis]) or all(side in halls for side in ENDS[axis])
 
-    def child(self, rect: Rect, axis: str, end: int, role: str = "") -> Plot:
+    def child(self, rect: Rect, axis: str, end: int, role: str = "") -> "Plot":
         """Returns the child at one end (0: west or north) of a cut across the axis."""
         return Plot(rect, self.halls - {ENDS[axis][1 - end]}, self.path + str(end), role)
 
-    def beside_hallway(self, rect: Rect, axis: str, end: int) -> Plot:
+    def beside_hallway(self, rect: Rect, axis: str, end: int) -> "Plot":
         """Returns the child at one end of a cut whose line becomes a hallway."""
         return Plot(rect, self.halls | {ENDS[axis][1 - end]}, self.path + str(end))

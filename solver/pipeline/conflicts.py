@@ -3,8 +3,6 @@
 What would help is the cheapest changes with which the rest can stand, each of them tried. Not here: the search for a place (repair_room).
 """
 
-from __future__ import annotations
-
 from bisect import bisect
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -113,7 +111,7 @@ def _asked(repair: RoomRepair) -> tuple[RoomProblem, ...]:
     return (sent,) if sent.settings.remove or repair.room == sent.room else (replace(sent, room=repair.room), sent)
 
 
-def _without(goal: RepairGoal, others: Collection[str]) -> RepairGoal:
+def _without(goal: "RepairGoal", others: Collection[str]) -> "RepairGoal":
     """Returns what is to be made possible where some others are left out."""
     return replace(goal, problems=tuple(replace(problem, room=without(problem.room, others)) for problem in goal.problems))
 

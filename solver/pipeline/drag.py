@@ -8,8 +8,6 @@ its room differs from the one prepared in nothing but where the piece in hand, a
 sent where it was, too.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -76,7 +74,7 @@ class _Kept:
     locked: frozenset[str]
     catalogs: Catalogs
     going: frozenset[str]
-    drag: Dragging | None
+    drag: "Dragging | None"
 
     def is_of(self, scene: Scene, label: str, locked: frozenset[str], catalogs: Catalogs) -> bool:
         """Tells whether a frame belongs to this drag."""
@@ -192,14 +190,14 @@ def _spot(body: SentBody | Pose) -> tuple[float, float]:
     return body.x, body.z
 
 
-def _answered(own: Scene, label: str, drag: Dragging, previous: Mapping[str, Pose]) -> FrameAnswer:
+def _answered(own: Scene, label: str, drag: "Dragging", previous: Mapping[str, Pose]) -> "FrameAnswer":
     bodies = bodies_of(own)
     wish = next(body for body in bodies if body.id == label)
     poses = [previous.get(body.id, body) for body in bodies]
     return drag.frame(wish.x, wish.z, [value for pose in poses for value in (pose.x, pose.z)])
 
 
-def _after(scene: Scene, own: Scene, answer: FrameAnswer) -> Scene:
+def _after(scene: Scene, own: Scene, answer: "FrameAnswer") -> Scene:
     """Returns the scene with the bodies of one room where the core says; as it is where it found no place."""
     if answer.outcome == NO_ANSWER:
         return scene

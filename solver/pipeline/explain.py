@@ -3,8 +3,6 @@
 What its other ways to stand would have cost: the room is furnished once more with only that way left.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf
@@ -41,7 +39,7 @@ NEARLY_M = 0.015
 class _Furnished:
     """A room furnished once more, and what OSQP says of it."""
 
-    room: AsFurnished
+    room: "AsFurnished"
     confirmed: Confirmed
 
     @property

@@ -1,7 +1,5 @@
 """Work that a room, and a whole call, may cost; counted, never timed, so that equal requests give equal bytes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -67,7 +65,7 @@ class Budget:
         of: another one of which this is a part: what is done here is done there, too; by default the call alone.
     """
 
-    def __init__(self, left: float = ROOM_WORK, *, is_known: bool = False, of: Budget | None = None) -> None:
+    def __init__(self, left: float = ROOM_WORK, *, is_known: bool = False, of: "Budget | None" = None) -> None:
         self._left, self._of = left, of
         self._call = _call.get() if of is None else None
         self._most = inf if is_known else 0.0

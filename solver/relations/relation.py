@@ -5,8 +5,6 @@ A relation answers two questions here. `regions` and `boxes`: where does it hold
 candidates, its class in solver/core/furnish/relations says. docs/relations.md tells what each word means to those who write it.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import ClassVar, NamedTuple
@@ -95,7 +93,7 @@ class Standing:
         """Twice its centre (x, z), mm: exact."""
         return self.rect.x0 + self.rect.x1, self.rect.z0 + self.rect.z1
 
-    def offset_from(self, other: Standing) -> tuple[int, int]:
+    def offset_from(self, other: "Standing") -> tuple[int, int]:
         """Returns twice the way from the other's centre to its own, across and along in the other's frame, mm."""
         (x, z), (other_x, other_z) = self.double_centre, other.double_centre
         return rotate(x - other_x, z - other_z, -other.rotation)

@@ -3,8 +3,6 @@
 Lengths in millimetres, room-relative like everything in `solver.pieces`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -81,14 +79,14 @@ class Kind:
         """Where a person stands to use it."""
         return tuple(Stand(side) for side in self.use_sides)
 
-    def below(self, ceiling_mm: int) -> Kind:
+    def below(self, ceiling_mm: int) -> "Kind":
         """Returns the kind in a room so high: nothing that reaches above stands on it."""
         free = ((one, ceiling_mm - one.height_mm) for one in self.levels)
         levels = (one._replace(clearance_mm=most if one.clearance_mm is None else min(one.clearance_mm, most)) for one, most in free)
         return replace(self, levels=tuple(levels))
 
     @classmethod
-    def of(cls, name: str, catalogs: Catalogs, size: tuple[float, float, float] | None = None, shape: str | None = None) -> Kind:
+    def of(cls, name: str, catalogs: Catalogs, size: tuple[float, float, float] | None = None, shape: str | None = None) -> "Kind":
         """Returns a kind of the catalogs, or what the user calls by a word of their own.
 
         Args:

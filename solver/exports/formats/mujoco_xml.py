@@ -3,8 +3,6 @@
 Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turns keep their value, about +z.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -109,7 +107,7 @@ def _json(value: str | tuple[str, ...]) -> str:
     return xml_text(json.dumps(value, ensure_ascii=False, separators=(",", ":")))
 
 
-def _house(model: HouseModel, looks: MujocoLooks) -> Iterator[str]:
+def _house(model: HouseModel, looks: "MujocoLooks") -> Iterator[str]:
     """Yields the walls, what is fitted to them, and the floors, which belong to the world."""
     for solid, paint in wall_solids(model):
         yield geom(solid, "visual", looks.painted(paint)) if paint else geom(solid, "wall")
@@ -135,7 +133,7 @@ class _Bodies(NamedTuple):
     What is written adds to `apart`: names of bodies that do not touch each other.
     """
 
-    looks: MujocoLooks
+    looks: "MujocoLooks"
     names: SafeNames
     carry: Collection[str]
     held: Mapping[str, HeldThing]

@@ -8,8 +8,6 @@ the union of the floor's rectangles: nowhere strictly inside what is left of the
 corners of that alone (Lozano-Pérez and Wesley, 1979). All is calculated in quarter micrometres, in integers.
 """
 
-from __future__ import annotations
-
 import json
 import math
 from collections import defaultdict
@@ -42,7 +40,7 @@ class UsePose(NamedTuple):
 
     body: ModelBody
     level: int
-    at: LatticeSpot
+    at: "LatticeSpot"
     turn: float
 
 
@@ -161,7 +159,7 @@ def _pose(stand: UsePose) -> dict[str, float]:
     return {"x": stand.at[0] / PER_METRE, "z": stand.at[1] / PER_METRE, "turn": stand.turn}
 
 
-def _paths_of(model: HouseModel, settings: ExportSettings, side: float) -> dict[int, FreePaths]:
+def _paths_of(model: HouseModel, settings: ExportSettings, side: float) -> "dict[int, FreePaths]":
     """Returns the ways over the free floor of each storey: of its rooms, and through its doors and passages."""
     boxes: dict[int, list[tuple[float, ...]]] = defaultdict(list)
     rooms = {room.id: room for room in model.scene.rooms}

@@ -4,8 +4,6 @@ Of a house that is no rectangle it lies at the living spaces, in a court or wher
 entered from each other by passages, the others by doors off the hallway.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final, NamedTuple
@@ -42,7 +40,7 @@ class PlannedHome:
     kind: str
     notes: tuple[str, ...]
 
-    def access(self, shared: tuple[Joint, ...], catalogs: Catalogs, entrance: int) -> HomeAccess:
+    def access(self, shared: tuple[Joint, ...], catalogs: Catalogs, entrance: int) -> "HomeAccess":
         """Returns what the tree of doors is grown over."""
         nothing = AccessPlan((None,) * len(self.types), frozenset())
         return HomeAccess(self.types, shared, nothing, catalogs.rooms, self.layout.behind, entrance)
