@@ -15,7 +15,7 @@ from solver.request import NO_ACCESS, Request
 from solver.scene import Room, Scene, robot_width_of
 from solver.validator import Checked, access_of
 from solver.validator.accessibility import access_profile, turning_squares
-from solver.validator.opening import certified_fronts, travels_in
+from solver.validator.opening import certified_fronts
 
 
 def with_walker(request: Request, catalogs: Catalogs) -> Request:
@@ -96,6 +96,6 @@ def with_fronts(scene: Scene, checked: Checked, rooms: Collection[str] | None = 
     entries: dict[str, Any] = dict(document.get("rooms") or {})
     for case in checked.cases:
         name = case.room.room.id
-        if name in entries and (rooms is None or name in rooms) and (travels := travels_in(case)):
-            entries[name] = {**entries[name], "fronts": certified_fronts(travels)}
+        if name in entries and (rooms is None or name in rooms) and case.judged.opened:
+            entries[name] = {**entries[name], "fronts": certified_fronts(case)}
     return changed(scene, certificate={**document, "rooms": entries})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from solver.validator.kinds import Kinds
 from solver.validator.sent_rooms import NumberedKinds
@@ -45,8 +45,7 @@ class Told(NamedTuple):
 class RuleCase:
     """A room to be judged: the house it is in, the walk of its storey, its kinds, and the room as the core reads it.
 
-    `judged` is what the core tells of it, `others` are all rooms of the house by id. `kept` holds what a rule found and the certificate
-    says as well.
+    `judged` is what the core tells of it, `others` are all rooms of the house by id.
     """
 
     world: World
@@ -56,7 +55,6 @@ class RuleCase:
     rows: bytes
     judged: JudgedRows
     others: Mapping[str, RuleCase] = field(default_factory=dict, compare=False, repr=False)
-    kept: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @property
     def kinds(self) -> Kinds:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from struct import Struct, pack
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.entries import Use
@@ -23,13 +23,17 @@ _MOST_KNOWN: Final = 20_000
 """Keys whose rows are kept."""
 
 
+KindFront: TypeAlias = tuple[str, bool, float, bool]
+"""A front's name, whether it slides, its range (degrees, of a drawer m), and whether it must open."""
+
+
 class KindFronts(NamedTuple):
-    """The fronts of a kind: of each its name, whether it slides, its range (degrees, of a drawer m) and whether it must open.
+    """The fronts of a kind.
 
     `rows` tell the core of them, `parts` of how many parts they have the `numbers`.
     """
 
-    each: tuple[tuple[str, bool, float, bool], ...]
+    each: tuple[KindFront, ...]
     rows: bytes
     parts: int
     numbers: bytes

@@ -6,21 +6,23 @@ lies on a lid is taken off; doors are closed and are walls.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from solver.body_rows import furniture_ids
 from solver.validator.judging import Finding, RuleCase
-from solver.validator.walk import OPENED
+from solver.validator.kinds import KindFront
 
 WALL: Final = "wall"
 """What a front meets that meets a wall."""
 ENOUGH: Final = 0.5
 """A front that opens less of its way than this is blocked."""
+_OPENED: Final = Struct("<q3i4x")
+_Opened = tuple[int, int, int, int]
+"""How far a front opens as the core tells it, millionths, what it meets then, of which body it is, and which of its fronts."""
 _NOTHING: Final = -1
 _MILLIONTHS: Final = 1_000_000
-_new: Final = tuple.__new__
-"""What a named tuple's own constructor calls, in half its time: a home has a hundred fronts."""
 
 
 class FrontTravel(NamedTuple):
@@ -42,9 +44,9 @@ class FrontTravel(NamedTuple):
 
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
     """A front opens less than half of its way; where its kind says that it must open, that is an error."""
-    for one in travels_in(case):
-        if one.meets is not None and one.share < ENOUGH:
-            ids = (one.piece,) if one.meets == WALL else (one.piece, one.meets)
+    for one in (_travel(case, told) for told in _opened(case) if told[1] != _NOTHING):
+        if one.share < ENOUGH:
+            ids = (one.piece,) if one.meets == WALL else (one.piece, one.meets or "")
             yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
 
 
@@ -56,29 +58,34 @@ def _words(one: FrontTravel) -> str:
     return f"{how}: then it meets {'a wall' if one.meets == WALL else one.meets}"
 
 
+def _opened(case: RuleCase) -> Iterator[_Opened]:
+    """Yields what is told of the fronts of a judged room, in the order of its furniture."""
+    return _OPENED.iter_unpack(case.judged.opened)
+
+
+def _front(case: RuleCase, body: int, number: int) -> KindFront:
+    return case.kinds.fronts(case.room.pieces[body][0]).each[number]
+
+
+def _travel(case: RuleCase, told: _Opened) -> FrontTravel:
+    travel, meets, body, number = told
+    name, slides, reach, must_open = _front(case, body, number)
+    way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else case.name(meets))
+    return FrontTravel(case.name(body), name, slides, way, reach, by, must_open)
+
+
 def travels_in(case: RuleCase) -> list[FrontTravel]:
-    """Returns how far every front of a judged room opens; a home's certificate and its issues ask for the same."""
-    if "fronts" not in case.kept:
-        case.kept["fronts"] = _travels(case)
-    found: list[FrontTravel] = case.kept["fronts"]
-    return found
+    """Returns how far every front of a judged room opens."""
+    return [_travel(case, told) for told in _opened(case)]
 
 
-def _travels(case: RuleCase) -> list[FrontTravel]:
-    """Returns how far every front of a room opens, in the order of its furniture."""
-    place, found = case.room, list[FrontTravel]()
-    names = furniture_ids(place.room) if case.judged.opened else ()
-    for travel, meets, body, front, _ in OPENED.iter_unpack(case.judged.opened):
-        name, slides, reach, must_open = case.kinds.fronts(place.pieces[body][0]).each[front]
-        way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else place.ids[meets])
-        found.append(_new(FrontTravel, (names[body], name, slides, way, reach, by, must_open)))
-    return found
-
-
-def certified_fronts(travels: Sequence[FrontTravel]) -> dict[str, dict[str, Any]]:
-    """Returns what a certificate says of fronts, by piece and front: 1 for one that opens wholly, else the share and what it meets."""
+def certified_fronts(case: RuleCase) -> dict[str, dict[str, Any]]:
+    """Returns what a certificate says of a room's fronts, by piece and front: 1 where it opens wholly, else the share and what it meets."""
     said: dict[str, dict[str, Any]] = {}
-    for one in travels:
-        whole = one.meets is None
-        said.setdefault(one.piece, {})[one.front] = 1 if whole else {"opens": round(one.share, 3), "meets": one.meets}
+    names = furniture_ids(case.room.room) if case.judged.opened else ()
+    for told in _opened(case):
+        _, meets, body, number = told
+        stopped = None if meets == _NOTHING else _travel(case, told)
+        share = {"opens": round(stopped.share, 3), "meets": stopped.meets} if stopped else 1
+        said.setdefault(names[body], {})[_front(case, body, number)[0]] = share
     return said

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import lru_cache
 from struct import Struct
 from typing import Final, NamedTuple
 
 from solver.scene import EXTERIOR, Opening
-from solver.validator.lattice import WALL_NUMBERS, WallEdge, metres
+from solver.validator.lattice import PER_METRE, WALL_NUMBERS, WallEdge, metres
 from solver.validator.world import Hole, PlacedRoom, World
 from solver.wall_fittings import Span, door_bars, leaf_bars, leaf_offset, window_bars
 
@@ -30,16 +29,6 @@ class SentOpenings(NamedTuple):
     rows: bytes
 
 
-class _OnWall(NamedTuple):
-    """An opening on a room's wall: the entry of it that says how its leaf turns, where it is in the room's frame, where it leads, flags."""
-
-    hole: Hole
-    leaf: Hole
-    edge: WallEdge
-    to: int
-    flags: int
-
-
 def openings_on(world: World, place: PlacedRoom) -> list[Opening]:
     """Returns the openings on a room's walls, as the core numbers them: its own, and then those that only others list."""
     return [hole.opening for hole in (*place.holes, *(hole for _, hole in _beyond(world, place)))]
@@ -47,40 +36,45 @@ def openings_on(world: World, place: PlacedRoom) -> list[Opening]:
 
 def sent_openings(world: World, place: PlacedRoom) -> SentOpenings:
     """Returns the openings on a room's walls."""
-    thickness = 2 * metres(world.half_wall)
-    own, beyond = list(_own(world, place)), list(_of_others(world, place))
-    rows, fitted, count = list[bytes](), list[bytes](), 0
-    for hole, leaf, edge, to, flags in (*own, *beyond):
-        kind = hole.opening.kind
-        low = metres(hole.sill) if kind == "window" else 0.0
-        high = low + hole.opening.height
-        inwards = 1 if leaf.edge.side in ("north", "west") else -1
-        turns = leaf.opening.hinge, -inwards if leaf.opening.swing == "out" else inwards
-        boxes, bars = _fitted(leaf.opening.kind, metres(edge.end - edge.start), (low, high), turns, thickness)
-        side, *line = edge
-        number = _KINDS.get(kind, _NO_SUCH_KIND)
-        rows.append(_OPENING.pack(WALL_NUMBERS[side], *line, hole.sill, hole.top, low, high, number, to, boxes, flags))
-        fitted.append(bars)
-        count += boxes
-    return SentOpenings(len(own), len(beyond), count, b"".join([*rows, *fitted]))
-
-
-def _own(world: World, place: PlacedRoom) -> Iterator[_OnWall]:
+    rows, bars = list[bytes](), list[bytes]()
+    thickness, said = 2 * metres(world.half_wall), Opening.height
     leading = {hole.opening.id: hole for _, hole in reversed(world.leading_to.get(place.room.id, ()))}
     for hole in place.holes:
-        leaf = hole
-        if not hole.opening.render_panel:  # of two entries that draws the leaf which says so
-            other = leading.get(hole.opening.id)
+        opening, leaf = hole.opening, hole
+        if not opening.render_panel:  # of two entries that draws the leaf which says so
+            other = leading.get(opening.id)
             leaf = other if other and other.opening.render_panel else hole
-        flags = _KEEPS_FREE if hole.opening.height == Opening.height else _KEEPS_FREE | _SAYS_HEIGHT
-        yield _OnWall(hole, leaf, hole.edge, _leads_to(world, place, hole.opening.connects_to), flags)
+        bars.append(_fitted_to(hole, leaf, thickness))
+        flags = _KEEPS_FREE if opening.height == said else _KEEPS_FREE | _SAYS_HEIGHT
+        rows.append(_row(hole, hole.edge, _leads_to(world, place, opening.connects_to), flags, bars[-1]))
+    others = _beyond(world, place)
+    listed = {opening.id for opening in place.room.openings} if others else ()
+    for room, hole in others:
+        bars.append(_fitted_to(hole, hole, thickness))
+        flags = 0 if hole.opening.id in listed else _KEEPS_FREE
+        rows.append(_row(hole, hole.edge.moved(room.x - place.x, room.z - place.z), _ANYWHERE, flags, bars[-1]))
+    fitted = b"".join(bars)
+    return SentOpenings(len(place.holes), len(others), len(fitted) // _BOX.size, b"".join([*rows, fitted]))
 
 
-def _of_others(world: World, place: PlacedRoom) -> Iterator[_OnWall]:
-    listed = {opening.id for opening in place.room.openings}
-    for room, hole in _beyond(world, place):
-        edge, flags = hole.edge.moved(room.x - place.x, room.z - place.z), 0 if hole.opening.id in listed else _KEEPS_FREE
-        yield _OnWall(hole, hole, edge, _ANYWHERE, flags)
+def _row(hole: Hole, edge: WallEdge, to: int, flags: int, bars: bytes) -> bytes:
+    """Returns an opening's row: where it is in the room's frame, where it leads, how much is fitted to it."""
+    (side, line, start, end), (low, high), kind = edge, _heights(hole), _KINDS.get(hole.opening.kind, _NO_SUCH_KIND)
+    return _OPENING.pack(WALL_NUMBERS[side], line, start, end, hole.sill, hole.top, low, high, kind, to, len(bars) // _BOX.size, flags)
+
+
+def _heights(hole: Hole) -> Span:
+    """Returns from where to where an opening is cut out of its wall, m."""
+    low = hole.sill / PER_METRE if hole.opening.kind == "window" else 0.0
+    return low, low + hole.opening.height
+
+
+def _fitted_to(hole: Hole, leaf: Hole, thickness: float) -> bytes:
+    """Returns the rows of what is fitted to an opening; `leaf` is the entry of it that says how its leaf turns."""
+    turning = leaf.opening
+    inwards = 1 if leaf.edge.side in ("north", "west") else -1
+    turns = turning.hinge, -inwards if turning.swing == "out" else inwards
+    return _fitted(turning.kind, (hole.edge.end - hole.edge.start) / PER_METRE, _heights(hole), turns, thickness)
 
 
 def _beyond(world: World, place: PlacedRoom) -> list[tuple[PlacedRoom, Hole]]:
@@ -101,8 +95,8 @@ def _leads_to(world: World, place: PlacedRoom, to: str | None) -> int:
 
 
 @lru_cache(maxsize=256)
-def _fitted(kind: str, width: float, up: Span, turns: tuple[str | None, int], thickness: float) -> tuple[int, bytes]:
-    """Returns what is fitted to an opening that begins at 0, m, its leaf closed, as the core reads it: how many boxes, and their rows.
+def _fitted(kind: str, width: float, up: Span, turns: tuple[str | None, int], thickness: float) -> bytes:
+    """Returns what is fitted to an opening that begins at 0, m, its leaf closed, as the core reads it.
 
     `turns` says at which end its leaf hangs, and whether it turns across the wall to where x or z grow, +1, or -1.
     """
@@ -115,4 +109,4 @@ def _fitted(kind: str, width: float, up: Span, turns: tuple[str | None, int], th
         hinge = ("end" if turns[0] == "end" else "start") if kind == "door" else None
         middle = turns[1] * leaf_offset(thickness) if kind == "door" else 0.0
         bars = [*door_bars(along, head, thickness), *leaf_bars(along, head, middle, hinge)]
-    return len(bars), b"".join([_BOX.pack(*bar.along, *bar.up, *bar.across) for bar in bars])
+    return b"".join([_BOX.pack(*bar.along, *bar.up, *bar.across) for bar in bars])

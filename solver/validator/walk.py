@@ -28,8 +28,8 @@ _FLOOR: Final = Struct("<5q")
 _AREAS: Final = Struct("<4Q")
 _JUDGED: Final = Struct("<3q")
 _FINDING: Final = Struct("<8q")
-OPENED: Final = Struct("<q4i")
-"""How far a front opens, millionths, what it meets then, of which body it is and which of its fronts, and nothing."""
+_OPENED_BYTES: Final = 24
+"""Of what is told of a front."""
 LOOK_WORK: Final = 0.005
 """What the core counts as one: looking at two walls, rooms or openings [see demanded.py]. Measured."""
 
@@ -60,7 +60,7 @@ class Walk:
 
 
 class JudgedRows(NamedTuple):
-    """What the core tells of a room that was judged: what breaks a rule, of bodies and of the plan, and `OPENED` of its fronts.
+    """What the core tells of a room that was judged: what breaks a rule, of bodies and of the plan, and how far its fronts open.
 
     None where that was too much.
     """
@@ -123,7 +123,7 @@ def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows]
     plan_at = at + _FINDING.size * sum(findings for findings, _, _ in counts)
     opened_at = plan_at + _FINDING.size * sum(of_plan for _, of_plan, _ in counts)
     for findings, of_plan, fronts in counts:
-        end, plan_end, opened_end = at + _FINDING.size * findings, plan_at + _FINDING.size * of_plan, opened_at + OPENED.size * fronts
+        end, plan_end, opened_end = at + _FINDING.size * findings, plan_at + _FINDING.size * of_plan, opened_at + _OPENED_BYTES * fronts
         broken, wrong = [*_FINDING.iter_unpack(told[at:end])], [*_FINDING.iter_unpack(told[plan_at:plan_end])]
         found.append(JudgedRows(broken, wrong, told[opened_at:opened_end]))
         at, plan_at, opened_at = end, plan_end, opened_end

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final, TypeAlias
+from typing import Final, NamedTuple, TypeAlias
 
 from solver.body_rows import (
     BodyKey,
@@ -42,8 +42,7 @@ _OPEN_SKY: Final = 1 << 60
 """As high as this is a room outdoors, and one whose height is not said."""
 
 
-@dataclass(frozen=True)
-class Hole:
+class Hole(NamedTuple):
     """An opening at its place: the piece of wall line that it is in, from `sill` to `top`."""
 
     opening: Opening
