@@ -5,9 +5,8 @@ Within reach is exact, by the core: solver/core/floor/free_floor.hpp.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from struct import Struct
-from typing import Final
+from typing import Final, NamedTuple
 
 from solver.core import borrowed
 from solver.free_places import FLAT_MM, RECT_BYTES, Block, decorations_in, furniture_in, nearest_place, rect_rows
@@ -25,8 +24,7 @@ _FLOOR: Final = Struct("<5q4i")
 _GOAL: Final = Struct("<4q2i")
 
 
-@dataclass(frozen=True)
-class Goal:
+class Goal(NamedTuple):
     """Something to come to: a body's footprint, mm, and the walls its sides look to; any of them, or `all`."""
 
     rect: Rect
@@ -38,15 +36,20 @@ class Goal:
         """Returns somebody or something that may be come to from any side."""
         return cls(rect, WALLS)
 
+    def row(self) -> bytes:
+        """Returns it as the core reads it."""
+        return _GOAL.pack(*self.rect, sides_seen(self.sides), self.need_all)
+
 
 class FreeFloor:
-    """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides (`goals`).
+    """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides, the `goals`.
 
     `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in.
     """
 
     def __init__(self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = ()) -> None:
-        self.space, self.goals, self.blocks = space, list(goals), list(blocks)
+        self.space, self.blocks = space, list(blocks)
+        self._goals = b"".join([goal.row() for goal in goals])
         self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
         outer, through = space.walked
         self._outer, self._doors = len(outer), len(outer) + len(through)
@@ -72,12 +75,17 @@ class FreeFloor:
         in_the_way = [block.rect for block in standing if block.low < HEADROOM_MM]
         return cls(space, in_the_way, goals, [*kept_free, *(one.block for one in high)])
 
-    def add(self, block: Block, in_the_way: bool = True) -> None:
-        """Notes that somebody or something is there; who sits is not in the way of those who walk."""
+    def add(self, block: Block, in_the_way: bool = True, is_goal: bool = False) -> None:
+        """Notes that somebody or something is there; who sits is not in the way of those who walk.
+
+        `is_goal`: it has to be come to, from any side.
+        """
         self.blocks.append(block)
         self._taken.clear()
         if in_the_way:
             self._bodies += rect_rows([block.rect])
+        if is_goal:
+            self._goals += Goal.beside(block.rect).row()
 
     def obstacles(self, own: Block) -> list[Rect]:
         """Returns what is taken at the heights of a body."""
@@ -102,12 +110,10 @@ class FreeFloor:
         What meets doors that lead outside is one component, and one of these doors is enough. `more` are footprints, mm, and `goals` goals
         besides its own.
         """
-        bodies = self._bodies + rect_rows(more)
-        all_goals = [*self.goals, *goals]
-        counts = len(bodies) // RECT_BYTES, self._doors, len(all_goals)
+        bodies, asked = self._bodies + rect_rows(more), b"".join([self._goals, *(goal.row() for goal in goals)])
+        counts = len(bodies) // RECT_BYTES, self._doors, len(asked) // _GOAL.size
         header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, self._outer)
-        rows = [_GOAL.pack(*goal.rect, sides_seen(goal.sides), goal.need_all) for goal in all_goals]
-        request = b"".join([header, bodies, self._doorways, *rows])
+        request = b"".join([header, bodies, self._doorways, asked])
         with borrowed() as core:
             return bool(core.call("connects", core.write(request), len(request)))
 

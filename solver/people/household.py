@@ -7,7 +7,7 @@ from typing import Final
 
 from catalogs import Catalogs
 from catalogs.entries import Dweller
-from solver.free_floor import FreeFloor, Goal
+from solver.free_floor import FreeFloor
 from solver.free_places import block_of
 from solver.people.poses import POSES, Surroundings
 from solver.pieces import Space
@@ -107,7 +107,6 @@ class _Drawing:
         placed = next((found for pose in poses if (found := POSES[pose](self._surroundings[room.id], here, entry, stream))), None)
         if placed is not None:
             stands = placed.on is None
-            floor.add(block_of(placed), in_the_way=stands)
-            floor.goals += [Goal.beside(block_of(placed).rect)] if stands else []
+            floor.add(block_of(placed), in_the_way=stands, is_goal=stands)
             self.there.append(placed)
         return placed is not None
