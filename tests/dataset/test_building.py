@@ -169,7 +169,8 @@ def test_killed_and_resumed_is_as_if_it_had_never_been_killed(whole: Path, tmp_p
 @pytest.mark.parametrize(("number", "told"), [(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)])
 def test_told_to_end_it_ends_with_all_its_processes(tmp_path: Path, number: signal.Signals, told: Callable[[int, int], None]) -> None:
     """Ctrl-C is told to every process of a terminal's foreground at once, SIGTERM to the command alone."""
-    command = [sys.executable, "-m", "compose_homes", *SMALL, "--seeds", "0-9999", "--workers", "2", "--out", str(tmp_path / "set")]
+    small = ("--width", "4", "--depth", "4", "--shard-size", "1", "--seeds", "0-9999", "--workers", "2")
+    command = [sys.executable, "-m", "compose_homes", *SMALL, *small, "--out", str(tmp_path / "set")]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as run:
         while not list(tmp_path.glob("set/shards/*.json")) and run.poll() is None:
             time.sleep(0.01)
