@@ -43,29 +43,34 @@ class DrawnShape(NamedTuple):
     label: str = ""
     width: float = 0.0
 
+    def round(self) -> tuple[Spot, ...]:
+        """Returns its points, of a closed one the first again at the end."""
+        return (*self.points, *self.points[: self.closed])
+
 
 SWUNG: Final = ("door", "opening", "passage", "window")
 """What a leaf's arc is drawn as: some layers hold all openings."""
 
 
 class DrawnSwing(NamedTuple):
-    """The arc that a door's leaf sweeps: its hinge, its two ends, its place in the file."""
+    """The arc that a door's leaf sweeps: its hinge, its two ends, its place in the file, what it is called; None: a quarter circle."""
 
     hinge: Spot
     ends: tuple[Spot, Spot]
     where: str
+    sort: str | None = None
 
 
-def openings_of(shapes: Sequence[DrawnShape], sorts: Sequence[str | None], swings: Sequence[DrawnSwing]) -> list[DrawnOpening]:
+def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnOpening]:
     """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
 
     A hole with a leaf in it is a door. Where leaves swing and nothing is a window, what is drawn as a door may be one.
     """
-    is_mixed = bool(swings) and "window" not in sorts
+    is_mixed = bool(swings) and all(one.sort != "window" for one in shapes)
     found: list[DrawnOpening] = []
     places = Places([])
     for told, kind in SORTS.items():
-        drawn = [(*longer_line(one.points), one) for one, sort in zip(shapes, sorts, strict=True) if sort == told]
+        drawn = [(*longer_line(one.points), one) for one in shapes if one.sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
             near = places.first(start, end)
             if near is None and math.dist(start, end) > 0:

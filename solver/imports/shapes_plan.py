@@ -22,6 +22,7 @@ from catalogs.synonyms import RoomNames
 from solver.geometry import bounds_of_points, encloses
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
+from solver.imports.nameless_shapes import told_by_form
 from solver.imports.shape_openings import (
     DrawnBox,
     DrawnShape,
@@ -36,7 +37,7 @@ from solver.imports.shape_openings import (
 from solver.imports.storeys_beside import storey_called, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed
-from solver.imports.wall_gaps import fitted, gaps_of
+from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
 
 WORDS: Final[dict[str, tuple[str, ...]]] = {
@@ -74,8 +75,6 @@ PASSED: Final = ("furn", "möbel", "mobil", "meuble", "mueble", "arredo", "dimen
 NO_DOOR: Final = ("outdoor", "indoor")
 MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
-MOST_AROUND: Final = 20
-"""Of the shapes around a text so many are looked at."""
 HOUSE: Final = 12.0
 """About so large, m, is a house."""
 LONG: Final = 3.0
@@ -115,47 +114,49 @@ def plan_of_shapes(
     Raises:
         FieldError: there are more shapes than in any home.
     """
-    shapes = _named_by_texts(shapes, texts)
-    sorts = [shape.sort for shape in shapes]
-    check_count("shapes", sum(sort is not None for sort in sorts) + len(swings), MOST_POINTS)
-    check_count("points of shapes", sum(len(one.points) for one in shapes if one.sort is not None), MOST_DRAWN)
+    called = [one for one in shapes if one.sort is not None]
+    check_count("shapes", len(called) + len(swings), MOST_POINTS)
+    check_count("points of shapes", sum(len(one.points) for one in called), MOST_DRAWN)
     check_count("texts", len(texts), MOST_POINTS)
-    turn = turn_of([one.points for one in shapes if one.sort == "room"] or [one.points for one in shapes if one.sort == "wall"])
+    turn = turn_of(next((some for sort in ("room", "wall", None) if (some := [one.points for one in shapes if one.sort == sort])), []))
     shapes, texts, swings = _turned(shapes, texts, swings, turn)
-    sorted_shapes = list(zip(shapes, sorts, strict=True))
-    rooms = [_room(one, texts) for one, sort in sorted_shapes if sort == "room" and one.closed and len(one.points) > 2]
-    outlines = [((*one.points, one.points[0]) if one.closed else one.points, one.closed) for one, sort in sorted_shapes if sort == "wall"]
-    loose = [one for one, sort in sorted_shapes if sort == "room" and len(one.points) > 1 and not (one.closed and len(one.points) > 2)]
+    names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
+    is_swung = any(one.sort for one in swings) or any(one.sort in ("door", "opening") for one in shapes)
+    swings = [one for one in swings if one.sort or not is_swung]
+    shapes = _told_by_form(shapes, swings, names, metres)
+    drawn_rooms, drawn_walls = ([one for one in shapes if one.sort == sort] for sort in ("room", "wall"))
+    rooms = [_room(one, texts) for one in drawn_rooms if one.closed and len(one.points) > 2]
+    outlines = [(one.round(), one.closed) for one in drawn_walls]
+    loose = [one for one in drawn_rooms if len(one.points) > 1 and not (one.closed and len(one.points) > 2)]
     are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
     if not rooms and not outlines:
         outlines = [(one.points, False) for one in loose]
-    solid = [bounds_of_points(one.points) for one, sort in sorted_shapes if sort == "wall" and one.closed]
     faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
-    openings = _openings(shapes, sorts, swings, faces)
+    openings = _openings(shapes, swings, faces)
     length = _length(metres, openings, [points for points, _ in outlines])
     unit = length.metres
-    openings, gaps = fitted(openings, gaps_of([points for points, _ in outlines], unit), unit)
+    all_gaps = gaps_of([points for points, _ in outlines], unit)
+    openings, gaps = fitted(openings, all_gaps, unit)
+    openings = openings if is_swung else _in_gaps(openings, all_gaps)
     walls: list[DrawnWall] = []
     thick: float | None = None
     told: list[Unread] = []
     if rooms or not outlines:
         walls = [
-            DrawnWall(a, b, 0.0, one.where)
-            for one, sort in sorted_shapes if sort == "wall" and not one.closed
-            for a, b in zip(one.points, one.points[1:], strict=False)
+            DrawnWall(a, b, 0.0, one.where) for one in drawn_walls if not one.closed
+            for a, b in pairwise(one.points)
         ]  # fmt: skip
         found = _beside(rooms, loose, openings, unit)
         openings += passages_between(rooms, openings, gaps, unit)
     else:
-        names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
     rooms += [replace(room, label=_label(room.points, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
-    told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes))
+    told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
-        wall_thickness=thick or _thickness(solid), unread=(*unread, *told), turned=turn, solid=_solid_walls(sorted_shapes),
+        wall_thickness=thick or _thickness(drawn_walls), unread=(*unread, *told), turned=turn, solid=_solid_walls(drawn_walls),
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
@@ -173,40 +174,49 @@ def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Se
     return unit
 
 
-def _openings(
-    shapes: Sequence[DrawnShape], sorts: Sequence[str | None], swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]
-) -> list[DrawnOpening]:
+def _openings(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]) -> list[DrawnOpening]:
     """Returns the doors of leaves' arcs, and what else is drawn as an opening, but for the leaves."""
     doors = doors_of_swings(swings, faces)
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
     taken = Places([(one.start, one.end) for one in doors])
-    others = (one for one in openings_of(shapes, sorts, swings) if taken.first(one.start, one.end) is None)
+    others = (one for one in openings_of(shapes, swings) if taken.first(one.start, one.end) is None)
     return [*doors, *(one for one in others if leaves.first(one.start, one.end, one.kind == "window") is None)]
 
 
-def _named_by_texts(shapes: Sequence[DrawnShape], texts: Sequence[DrawnText]) -> list[DrawnShape]:
-    """Returns shapes; of a drawing that calls none a room or a wall those with one text in them that plainly names a room are rooms.
-
-    Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
-    """
+def _told_by_form(
+    shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], names: Sequence[NamedSpot], metres: UnitTold
+) -> list[DrawnShape]:
+    """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall."""
     if any(one.sort in ("room", "wall") for one in shapes):
         return list(shapes)
-    places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
-    boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
-    sizes = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
-    held: list[list[int]] = []
-    for text in (one for one in texts if one.means):
-        around = ((boxes[:, :2] < (text.x, text.z)) & (boxes[:, 2:] > (text.x, text.z))).all(axis=1)
-        smallest = sorted(map(int, np.flatnonzero(around)), key=lambda at: sizes[at])[:MOST_AROUND]
-        held.append([at for at in smallest if encloses(shapes[places[at]].points, text.x, text.z)])
-    counts = Counter(at for some in held for at in some)
-    own = [[at for at in some if counts[at] == 1] for some in held]
-    rooms = {places[some[0 if len(held) == 1 else -1]] for some in own if some}
-    return [one._replace(sort="room") if at in rooms else one for at, one in enumerate(shapes)]
+    shapes = _without_leaves(shapes, swings)
+    lines = [one.round() for one in shapes if one.sort is None and len(one.points) > 1]
+    doors = doors_of_swings(swings, lines)
+    return told_by_form(shapes, names, doors, _length(metres, doors, lines).metres)
 
 
-def _untold_layers(shapes: Sequence[DrawnShape]) -> Iterator[Unread]:
-    """Yields the layers whose names tell nothing."""
+def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[DrawnOpening]:
+    """Returns openings but for doors that hang in no gap: quarter circles on layers that tell nothing may be anything."""
+    ends = {frozenset((gap.start, gap.end)) for gap in gaps}
+    return [one for one in openings if one.kind != "door" or frozenset((one.start, one.end)) in ends]
+
+
+def _without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:
+    """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is."""
+    leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
+    are_leaves = (
+        one.sort is None and len(one.points) > 1 and leaves.first(*longer_line(one.points), alike=True) is not None for one in shapes
+    )
+    return [one._replace(sort="door") if is_leaf else one for one, is_leaf in zip(shapes, are_leaves, strict=True)]
+
+
+def _untold_layers(shapes: Sequence[DrawnShape], called: Sequence[DrawnShape]) -> Iterator[Unread]:
+    """Yields the layers whose names tell nothing: those of walls that are so by their form, and those of which nothing is read."""
+    walls = {one.names for one in shapes if one.sort == "wall"} - {one.names for one in called}
+    yield from (
+        Unread(f"layer {name!r:.60}", "it is taken as walls, as it encloses rooms: its name does not say what it holds")
+        for name in sorted(walls)
+    )
     for name, count in sorted(Counter(one.names for one in shapes if one.sort is None).items()):
         yield Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings")
 
@@ -266,23 +276,22 @@ def sort_within(names: Sequence[str]) -> str | None:
     return None
 
 
-def _thickness(walls: Sequence[DrawnBox]) -> float | None:
+def _thickness(walls: Sequence[DrawnShape]) -> float | None:
     """Returns the usual thickness of pieces of wall."""
-    sides = [sorted((x1 - x0, z1 - z0)) for x0, z0, x1, z1 in walls]
+    sides = [sorted((x1 - x0, z1 - z0)) for x0, z0, x1, z1 in (bounds_of_points(one.points) for one in walls if one.closed)]
     found = [(thin, long) for thin, long in sides if thin and long >= LONG * thin]
     return None if not found else sorted(found)[len(found) // 2][0]
 
 
-def _solid_walls(shapes: Sequence[tuple[DrawnShape, str | None]]) -> tuple[DrawnWall, ...]:
+def _solid_walls(walls: Sequence[DrawnShape]) -> tuple[DrawnWall, ...]:
     """Returns walls drawn as thick lines, and as boxes of four corners: long ones, and short ones that are as thick as a long one."""
     lines = [
-        DrawnWall(a, b, one.width, one.where)
-        for one, sort in shapes if sort == "wall" and one.width
-        for a, b in pairwise((*one.points, *one.points[:one.closed]))
+        DrawnWall(a, b, one.width, one.where) for one in walls if one.width
+        for a, b in pairwise(one.round())
     ]  # fmt: skip
     long, short = list[DrawnWall](), list[tuple[DrawnBox, str]]()
-    for one, sort in shapes:
-        if sort == "wall" and one.closed and len({*one.points}) == 4:
+    for one in walls:
+        if one.closed and len({*one.points}) == 4:
             x0, z0, x1, z1 = box = bounds_of_points(one.points)
             thin, (start, end) = min(x1 - x0, z1 - z0), longer_line(one.points)
             if thin and math.dist(start, end) >= LONG * thin:

@@ -49,6 +49,8 @@ MESHES: Final = frozenset({"Polyface", "Polymesh"})
 """Kinds of POLYLINE that are surfaces."""
 WIDTHS: Final = {"LWPOLYLINE": "const_width", "POLYLINE": "default_start_width"}
 """What says how thick a line is drawn."""
+QUARTER: Final = 10
+"""An arc on a layer that tells nothing may be a leaf's if it is a quarter circle, but for so many degrees."""
 SHUT: Final = 1e-4
 """A line ends where it begins that leaves no larger a gap than this share of its length."""
 CHORDS: Final = 16
@@ -231,8 +233,8 @@ def _plan(space: Any, metres: UnitTold, names: RoomNames) -> DrawnPlan:
     passed: Counter[tuple[str, str]] = Counter()
     for one, layer, sort, where in _opened(space):
         kind = one.dxftype()
-        if sort in SWUNG and (arcs := list(_arcs(one, kind))):
-            swings += [DrawnSwing(*arc, where) for arc in arcs]
+        if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
+            swings += [DrawnSwing(*arc, where, sort) for arc in arcs]
         elif kind in CURVED and (sort is not None or "POLYLINE" in kind) and type(one).__name__ not in MESHES:
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
@@ -249,6 +251,10 @@ def _plan(space: Any, metres: UnitTold, names: RoomNames) -> DrawnPlan:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
     return plan_of_shapes([shape for shape in shapes if shape.points], texts, swings, metres, unread)
+
+
+def _is_quarter(one: Any, kind: str) -> bool:
+    return kind == "ARC" and abs((one.dxf.end_angle - one.dxf.start_angle) % 360 - 90) <= QUARTER
 
 
 def _arcs(one: Any, kind: str) -> Iterator[tuple[Spot, tuple[Spot, Spot]]]:

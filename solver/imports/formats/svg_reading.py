@@ -205,8 +205,8 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
         sort = sort_within(element.names)
         label = _label(element, names, sort == "room") if names and sort in (None, "room") else ""
         for line in element.lines:
-            if sort in SWUNG and line.swing:
-                swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where))
+            if sort in (*SWUNG, None) and line.swing:
+                swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where, sort))
                 continue
             is_room = sort == "room" or (sort is None and bool(label) and line.closed)
             closed = line.closed or (is_room and len(line.points) > 3)

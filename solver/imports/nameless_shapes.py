@@ -1,0 +1,152 @@
+"""Drawings whose layers tell nothing: what is a room, a wall or a window is told by texts and by form.
+
+Comes in: shapes, texts, doors, the length of the unit. Goes out: shapes that are told. May import: shape_openings, walls_alone.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from solver.geometry import bounds_of_points, encloses
+from solver.imports.drawn import MOST_POINTS, DrawnOpening
+from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line
+from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
+from solver.imports.wall_gaps import THINNEST, WIDTHS, fitted, gaps_of
+from solver.imports.walls_alone import NamedSpot, rooms_between
+
+MOST_AROUND: Final = 20
+"""Of the shapes around a text so many are looked at."""
+MOST_LAYERS: Final = 6
+"""Layers, each with closed shapes or open ones, among which walls are looked for: those with most on them."""
+LEAST_POINTS: Final = 8
+LEAST_ROOMS: Final = 2
+"""As many rooms walls enclose, or one that is named."""
+
+
+def told_by_form(
+    shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float | None
+) -> list[DrawnShape]:
+    """Returns shapes of a drawing that calls none a room or a wall, of which some are rooms, or else walls and windows.
+
+    Walls are what on one layer, of closed shapes or of open ones, encloses most of what is named, else most rooms; of lines those that
+    run beside another, if they do. Windows are drawn from jamb to jamb. `metres` is the length of the unit, None where nothing tells.
+    """
+    rooms = _around_texts(shapes, names)
+    is_large = sum(len(one.points) for one in shapes if one.sort is None) > MOST_POINTS
+    if metres is None or is_large or 2 * sum(one.sort == "room" for one in rooms) > len(names):
+        return rooms
+    found = _with_windows(shapes, metres * 1000)
+    groups: dict[tuple[str, bool], list[int]] = {}
+    for at, one in enumerate(found):
+        if one.sort is None and len(one.points) > 1:
+            groups.setdefault((one.names, one.closed), []).append(at)
+    counts = {key: sum(len(found[at].points) for at in members) for key, members in groups.items()}
+    several = [groups[key] for key in sorted(counts, key=lambda key: -counts[key])[:MOST_LAYERS] if counts[key] >= LEAST_POINTS]
+    ways = [(way, way is not members) for members in several for way in (_side_by_side(members, found, metres * 1000), members)]
+    scores = [_score(found, way, names, doors, metres) for way, _ in ways]
+    ranks = [(named, count * is_paired, count, -at) for at, ((named, count), (_, is_paired)) in enumerate(zip(scores, ways, strict=True))]
+    named, _, count, at = max(ranks, default=(0, 0, 0, 0))
+    if not named and count < LEAST_ROOMS:
+        return rooms
+    walls = set(ways[-at][0])
+    return [one._replace(sort="wall") if at in walls else one for at, one in enumerate(found)]
+
+
+def _score(
+    shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
+) -> tuple[int, int]:
+    """Returns in how many rooms between shapes one room is named, and how many there are."""
+    windows = [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
+    walls = [shapes[at].round() for at in way]
+    openings, gaps = fitted([*doors, *windows], gaps_of(walls, metres), metres)
+    rooms = rooms_between(walls, openings, metres, gaps, names).rooms if walls else []
+    named = [{name.name for name in names if encloses(room.points, name.x, name.z)} for room in rooms]
+    return sum(len(one) == 1 for one in named), len(rooms)
+
+
+def _around_texts(shapes: Sequence[DrawnShape], names: Sequence[NamedSpot]) -> list[DrawnShape]:
+    """Returns shapes, of which closed ones with one text in them that plainly names a room are rooms.
+
+    Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
+    """
+    places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
+    boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
+    sizes = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
+    held: list[list[int]] = []
+    for text in names:
+        around = ((boxes[:, :2] < (text.x, text.z)) & (boxes[:, 2:] > (text.x, text.z))).all(axis=1)
+        smallest = sorted(map(int, np.flatnonzero(around)), key=lambda at: sizes[at])[:MOST_AROUND]
+        held.append([at for at in smallest if encloses(shapes[places[at]].points, text.x, text.z)])
+    counts = Counter(at for some in held for at in some)
+    own = [[at for at in some if counts[at] == 1] for some in held]
+    rooms = {places[some[0 if len(held) == 1 else -1]] for some in own if some}
+    return [one._replace(sort="room") if at in rooms else one for at, one in enumerate(shapes)]
+
+
+class _Side(NamedTuple):
+    """A straight side of a shape in mm, and whose."""
+
+    line: DrawnLine
+    shape: int
+
+
+def _sides(shapes: Sequence[DrawnShape], places: Sequence[int], scale: float) -> Iterator[_Side]:
+    for at in places:
+        for a, b in pairwise(shapes[at].round()):
+            if line := line_between((a[0] * scale, a[1] * scale), (b[0] * scale, b[1] * scale)):
+                yield _Side(line, at)
+
+
+def _rows(sides: Sequence[_Side], axis: str) -> np.ndarray:
+    return np.array([(*one.line[1:], one.shape) for one in sides if one.line.axis == axis], dtype=np.int64).reshape(-1, 4).T
+
+
+def _side_by_side(places: Sequence[int], shapes: Sequence[DrawnShape], scale: float) -> list[int]:
+    """Returns shapes but for single lines beside which, as far as a wall is thick, no other runs: lengths, axes, frames."""
+    sides = list(_sides(shapes, places, scale))
+    rows = {axis: _rows(sides, axis) for axis in ("x", "z")}
+    alone = set()
+    for (axis, at, low, high), shape in sides:
+        ats, lows, highs, _ = rows[axis]
+        common = np.maximum(np.minimum(highs, high) - np.maximum(lows, low), 0)
+        beside = (np.abs(ats - at) >= THINNEST) & (np.abs(ats - at) <= THICKEST)
+        if len(shapes[shape].points) == 2 and 2 * common[beside].sum() < high - low:
+            alone.add(shape)
+    return [at for at in places if at not in alone]
+
+
+def _with_windows(shapes: Sequence[DrawnShape], scale: float) -> list[DrawnShape]:
+    """Returns shapes, of which those around a line between two jambs, from one of which a wall goes on, are windows."""
+    sides = list(_sides(shapes, [at for at, one in enumerate(shapes) if one.sort is None], scale))
+    boxes = list(_window_boxes(sides))
+    around = np.array(boxes).reshape(-1, 4) + np.array((-SAME_LINE, -SAME_LINE, SAME_LINE, SAME_LINE))
+    found = []
+    for one in shapes:
+        box = np.array(bounds_of_points(one.points)) * scale
+        is_in = one.sort is None and ((around[:, :2] <= box[:2]) & (around[:, 2:] >= box[2:])).all(axis=1).any()
+        found.append(one._replace(sort="window") if is_in else one)
+    return found
+
+
+def _window_boxes(sides: Sequence[_Side]) -> Iterator[DrawnBox]:
+    for axis, across in (("x", "z"), ("z", "x")):
+        (ats, lows, highs, _), along = _rows(sides, across), _rows(sides, axis)
+        for at, low, high in {
+            one.line[1:] for one in sides if one.line.axis == axis and WIDTHS[0] <= one.line.high - one.line.low <= WIDTHS[1]
+        }:
+            holds = (lows < at - SAME_LINE) & (highs > at + SAME_LINE) & (highs - lows <= THICKEST) & (highs - lows >= THINNEST)
+            jambs = [
+                {(int(lows[k]), int(highs[k])) for k in np.flatnonzero(holds & (np.abs(ats - end) <= SAME_LINE))} for end in (low, high)
+            ]
+            for first, last in jambs[0] & jambs[1]:
+                at_face = np.minimum(np.abs(along[0] - first), np.abs(along[0] - last)) <= SAME_LINE
+                goes_on = ((along[1] < low - SAME_LINE) & (along[2] >= low - SAME_LINE)) | (
+                    (along[2] > high + SAME_LINE) & (along[1] <= high + SAME_LINE)
+                )
+                if (at_face & goes_on).any():
+                    yield (low, first, high, last) if axis == "x" else (first, low, last, high)

@@ -1,0 +1,96 @@
+"""Drawings whose layers tell nothing: walls are what encloses rooms, doors what swings in their gaps, windows what is drawn across them."""
+
+from __future__ import annotations
+
+import math
+from io import StringIO
+from typing import Any
+
+import ezdxf.filemanagement as files
+import pytest
+
+from solver.imported import PlanImport
+from tests.imports.plans import read
+
+NAMES = {"Kitchen": (2000, 2500), "Bedroom": (6500, 2500)}
+FACES = (
+    [(0, 0), (1000, 0), (1000, 300), (300, 300), (300, 4700), (1500, 4700), (1500, 5000), (0, 5000)],
+    [(2200, 0), (9000, 0), (9000, 5000), (2400, 5000), (2400, 4700), (4400, 4700), (4400, 3400), (4500, 3400), (4500, 4700), (8700, 4700),
+     (8700, 300), (4500, 300), (4500, 2500), (4400, 2500), (4400, 300), (2200, 300)],
+)  # fmt: skip
+"""Walls of 0.3 m around two rooms, one of 0.1 m between: a window of 1.2 m in the north, gaps of 0.9 m in that wall and in the south."""
+WINDOW = ((1000, 2200), (0, 150, 300))
+LEAVES = (((4400, 2500), (5300, 2500), (4400, 3400)), ((1500, 4700), (1500, 3800), (2400, 4700)))
+"""A hinge, where the open leaf ends, where the shut one does."""
+
+
+def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, names: bool = True) -> Any:
+    """The plan with its walls as outlines or as single lines, doors as leaves and arcs, a window as three lines, on some layers."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+
+    def at(x: float, y: float) -> tuple[float, float]:
+        return c * x - s * y, s * x + c * y
+
+    for spots in FACES:
+        if closed:
+            space.add_lwpolyline([at(*spot) for spot in spots], close=True, dxfattribs={"layer": layers["wall"]})
+        else:
+            for a, b in zip(spots, [*spots[1:], spots[0]], strict=True):
+                space.add_line(at(*a), at(*b), dxfattribs={"layer": layers["wall"]})
+    for y in WINDOW[1]:
+        space.add_line(at(WINDOW[0][0], y), at(WINDOW[0][1], y), dxfattribs={"layer": layers["window"]})
+    for hinge, tip, shut in LEAVES:
+        space.add_line(at(*hinge), at(*tip), dxfattribs={"layer": layers["door"]})
+        first, last = sorted(math.degrees(math.atan2(one[1] - hinge[1], one[0] - hinge[0])) for one in (tip, shut))
+        space.add_arc(at(*hinge), 900, first + turn, last + turn, dxfattribs={"layer": layers["door"]})
+    for words, spot in NAMES.items() if names else ():
+        space.add_text(words, height=150, dxfattribs={"layer": layers["text"], "insert": at(*spot)})
+    return made
+
+
+ONE = dict.fromkeys(("wall", "window", "door", "text", "other"), "0")
+NUMBERS = {"wall": "1", "window": "2", "door": "3", "text": "4", "other": "5"}
+
+
+def imported(made: Any) -> PlanImport:
+    text = StringIO()
+    made.write(text)
+    return read(text.getvalue().encode(), "plan.dxf")
+
+
+def seen(answer: PlanImport) -> list[tuple[str, list[tuple[str, float]]]]:
+    return sorted((room.type, sorted((one.kind, one.width) for one in room.openings)) for room in answer.scene.rooms)
+
+
+WANTED = [("bedroom", [("door", 0.9)]), ("kitchen", [("door", 0.9), ("door", 0.9), ("window", 1.2)])]
+
+
+@pytest.mark.parametrize("layers", [ONE, NUMBERS])
+@pytest.mark.parametrize("closed", [False, True])
+@pytest.mark.parametrize("turn", [0, 17])
+def test_a_plan_is_read_by_its_form(layers: dict[str, str], closed: bool, turn: int) -> None:
+    answer = imported(drawing(layers, closed=closed, turn=turn))
+    assert seen(answer) == WANTED
+    assert sorted((room.width, room.depth) for room in answer.scene.rooms) == [(4.2, 4.5), (4.3, 4.5)]
+    assert f"layer '{layers['wall']}'" in [one["place"] for one in answer.unread if str(one["reason"]).startswith("it is taken as walls")]
+
+
+def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
+    made = drawing(ONE)
+    space = made.modelspace()
+    for a, b in (((300, 1800), (4400, 1800)), ((0, -900), (9000, -900)), ((0, -1000), (0, -800)), ((9000, -1000), (9000, -800))):
+        space.add_line(a, b, dxfattribs={"layer": "0"})
+    for x0, y0, x1, y1 in ((-3000, -3000, 12000, 8000), (1200, 1900, 3000, 2900), (330, 3000, 930, 4500)):
+        space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "0"})
+    space.add_arc((7000, 1000), 400, 0, 90, dxfattribs={"layer": "0"})
+    answer = imported(made)
+    assert seen(answer) == WANTED
+    assert sorted((room.width, room.depth) for room in answer.scene.rooms) == [(4.2, 4.5), (4.3, 4.5)]
+
+
+def test_without_names_of_rooms_most_rooms_tell() -> None:
+    answer = imported(drawing(NUMBERS, names=False))
+    assert [kinds for _, kinds in seen(answer)] == [kinds for _, kinds in WANTED]
