@@ -137,7 +137,7 @@ class _WhyNot:
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
         why = ("" if walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[walk])
-        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(len(ids) == 1, walk)} in {room}"
+        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(len(ids) == 1, walk)} in {room}{_as_turned(members)}"
         return _Verdict(label, ids, f"{what}: {why}", short)
 
     @cached_property
@@ -150,6 +150,14 @@ def _cannot(alone: bool, walk: bool) -> str:
     if walk:
         return "can stand but cannot be reached" if alone else "can stand but cannot all be reached"
     return "cannot stand anywhere" if alone else "cannot stand together"
+
+
+def _as_turned(members: Sequence[Piece]) -> str:
+    """Says so where a piece that may move keeps its rotation, as one that says no wall does; empty where turning it makes no difference."""
+    ways = [piece.candidates for piece in members if _still(piece) is None]
+    held = [way[0].size_mm for way in ways if len({one.rotation for one in way}) == 1]
+    turning = any(piece.stands for piece in members) or any(width != depth for width, depth, _ in held)
+    return " as turned now" if held and turning else ""
 
 
 def _still(piece: Piece) -> Rect | None:

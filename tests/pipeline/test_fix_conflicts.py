@@ -51,6 +51,19 @@ def test_all_rooms_of_the_sweep_are_of_all_kinds() -> None:
     assert actions == {"move", "unlock", "turn", "shrink", "leave_out"}
 
 
+def test_what_could_stand_if_it_were_turned_is_said_not_to_as_it_is() -> None:
+    turnable = 0
+    for seed in ALL_SEEDS:
+        here = room(seed).rooms[0]
+        for conflict in fix(room(seed)).conflicts:
+            members = [piece for piece in here.furniture if piece.id in conflict.ids and not piece.locked]
+            turned = [replace(piece, rotation=(piece.rotation + 90) % 360, wall=None) for piece in members]
+            if len(conflict.ids) == 1 and turned and can_stand(here, turned):
+                turnable += 1
+                assert "as turned now" in conflict.message
+    assert turnable >= 3
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_every_repair_leaves_the_room_clean_with_the_first_of_each_other_conflict(seed: int) -> None:
     scene = room(seed)

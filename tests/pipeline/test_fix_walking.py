@@ -40,7 +40,7 @@ def test_what_can_stand_but_not_be_reached_is_a_conflict_with_the_place_to_stand
     assert {issue.rule for issue in fixed.issues if issue.severity == "error"} == {"unreachable"}
     conflict = fixed.conflicts[0]
     assert conflict.ids == ("room_0/bed_1",)
-    assert "can stand but cannot be reached in room_0" in conflict.message
+    assert "can stand but cannot be reached in room_0 as turned now" in conflict.message
     assert conflict.message.endswith("bed 2.00 + to stand 0.60 = 2.60 > 2.00 m from west to east: 60 cm short")
     assert {repair["action"] for repair in conflict.repairs} == {"shrink", "leave_out"}
     for repair in conflict.repairs:
