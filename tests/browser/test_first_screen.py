@@ -15,6 +15,10 @@ from tests.browser.visit import Visit
 
 GROUND = "() => getComputedStyle(document.documentElement).backgroundColor"
 PLAIN = "?width=7&depth=5&seed=4"
+DENIED = """for (const name of ['localStorage', 'sessionStorage', 'indexedDB']) {
+    Object.defineProperty(window, name, {get() { throw new DOMException('denied', 'SecurityError'); }});
+}"""
+"""As browsers are that were told to keep nothing of any page."""
 PLACES = """() => [...document.querySelectorAll('.controls, .controls details:not([hidden]), .stage, .reading')].map(one => {
     const {x, y, width, height} = one.getBoundingClientRect();
     return [one.id, x, y, width, one.matches('details') && !one.open ? height : null];
@@ -104,6 +108,23 @@ def test_nothing_moves_when_the_code_of_the_page_arrives(fresh: Visit, width: in
     beneath = [one[0] for one in after].index("room")  # in which the code fills in what is chosen
     assert after[: beneath + 1] == before[: beneath + 1]
     assert folded(page) == [False, width < 1500]
+
+
+def test_a_browser_that_keeps_nothing_at_all_shows_homes_all_the_same(fresh: Visit) -> None:
+    page = fresh.page
+    page.add_init_script(DENIED)
+    fresh.after(lambda: page.goto(fresh.address + PLAIN))
+    page.locator("#recent > summary").click()
+    expect(page.locator("#recent_said")).to_contain_text("This browser keeps no homes beyond this page")
+    first = page.evaluate("compose.scene")
+    fresh.after(page.locator("#random").click)
+    page.go_back()
+    page.wait_for_function("seed => compose.scene.seed === seed", arg=first["seed"])
+    fresh.settle()
+    page.goto(f"{fresh.address}embed#{PLAIN[1:]}")
+    expect(page.locator("#embed_said")).to_be_empty()
+    assert page.evaluate("compose.scene") == first
+    assert fresh.console == []
 
 
 def test_panels_and_colours_stay_as_they_were_left(fresh: Visit) -> None:

@@ -1,5 +1,6 @@
 /** The page's only way out: calls of the service that served it. */
 import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, FurnishAnswer, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import { remember, remembered } from "./panel/preferences";
 import { inPageWords, roomsCalled } from "./plan/plan_words";
 import { say } from "./words/language";
 
@@ -68,16 +69,17 @@ async function readProblem(response: Response): Promise<ServiceProblem> {
   return problemFrom(response.status, document, secondsOf(response.headers.get("Retry-After")));
 }
 
-const KEY = "compose.key";
+let ownKey: string | null = null;
 
-/** Keeps the service's key while this window is open. */
+/** Keeps the service's key while this window is open; where the browser keeps nothing, until the page is left. */
 export function useKey(key: string): void {
-  sessionStorage.setItem(KEY, key);
+  ownKey = key;
+  remember("key", key, "sessionStorage");
 }
 
 function withKey(headers: HeadersInit | undefined): Headers {
   const all = new Headers(headers);
-  const key = globalThis.sessionStorage?.getItem(KEY);
+  const key = ownKey ?? remembered("key", "sessionStorage");
   if (key) all.set("X-API-Key", key);
   return all;
 }

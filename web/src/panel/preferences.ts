@@ -11,18 +11,18 @@ const LATER = ["home", "furnishing", "view", "files"];
 export type Panel = (typeof PANELS)[number];
 
 /** What was chosen under a name; null where nothing was. */
-export function remembered(name: string): string | null {
+export function remembered(name: string, where: "localStorage" | "sessionStorage" = "localStorage"): string | null {
   try {
-    return localStorage.getItem(PREFIX + name);
+    return globalThis[where].getItem(PREFIX + name);
   } catch {
     return null; // a browser that keeps nothing
   }
 }
 
 /** Keeps what was chosen under a name. */
-export function remember(name: string, value: string): void {
+export function remember(name: string, value: string, where: "localStorage" | "sessionStorage" = "localStorage"): void {
   try {
-    localStorage.setItem(PREFIX + name, value);
+    globalThis[where].setItem(PREFIX + name, value);
   } catch {
     // it holds until the page is left
   }
