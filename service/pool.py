@@ -152,7 +152,7 @@ def _hear(*_: object) -> None:
     os._exit(1)
 
 
-def _end_if_interrupted(swallowed: sys.UnraisableHookArgs) -> None:
+def _end_if_interrupted(swallowed: "sys.UnraisableHookArgs") -> None:
     """Ends a process of the pool whose Ctrl-C was raised where Python goes on after any error, as in a `__del__`."""
     if swallowed.exc_type is KeyboardInterrupt:
         os._exit(1)
