@@ -35,16 +35,5 @@ else:
 
 
 __all__ = [
-    "Request",
-    "Scene",
-    "explain",
-    "export",
-    "fix",
-    "fix_frame",
-    "generate",
-    "place",
-    "prepare_drag",
-    "reroll",
-    "restyle",
-    "validate",
+    "Request", "Scene", "explain", "export", "fix", "fix_frame", "generate", "place", "prepare_drag", "reroll", "restyle", "validate",
 ]  # fmt: skip

@@ -14,25 +14,7 @@ from solver.exchange.told_keys import tell_keys
 from solver.exchange.writer import write, write_request, write_scene
 
 __all__ = [
-    "FORMATS",
-    "GLB",
-    "SentRoom",
-    "SentScene",
-    "adapter",
-    "checked_request",
-    "dump_plain",
-    "dump_scene",
-    "dump_text",
-    "format_of_file",
-    "format_of_name",
-    "load_text",
-    "misspelt",
-    "read",
-    "read_request",
-    "read_scene",
-    "scene_schema",
-    "tell_keys",
-    "write",
-    "write_request",
-    "write_scene",
-]
+    "FORMATS", "GLB", "SentRoom", "SentScene", "adapter", "checked_request", "dump_plain", "dump_scene", "dump_text", "format_of_file",
+    "format_of_name", "load_text", "misspelt", "read", "read_request", "read_scene", "scene_schema", "tell_keys", "write",
+    "write_request", "write_scene",
+]  # fmt: skip

@@ -13,19 +13,6 @@ from solver.furnish.stances import NEARLY_ALL
 from solver.furnish.zones import scope_of, space_of
 
 __all__ = [
-    "NEARLY_ALL",
-    "Habits",
-    "ListedPieces",
-    "Listing",
-    "LowRooms",
-    "as_low_as",
-    "habits_of",
-    "kept_pieces",
-    "listed_pieces",
-    "scope_of",
-    "space_of",
-    "tucks",
-    "unwanted_pieces",
-    "wanted_pieces",
-    "wanted_rows",
-]
+    "NEARLY_ALL", "Habits", "ListedPieces", "Listing", "LowRooms", "as_low_as", "habits_of", "kept_pieces", "listed_pieces", "scope_of",
+    "space_of", "tucks", "unwanted_pieces", "wanted_pieces", "wanted_rows",
+]  # fmt: skip

@@ -15,26 +15,7 @@ from solver.repair.resting import put_to_rest
 from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 
 __all__ = [
-    "Body",
-    "Crowd",
-    "InHand",
-    "LastAnswer",
-    "Repair",
-    "RepairSettings",
-    "RoomProblem",
-    "Walls",
-    "all_bodies",
-    "applied",
-    "as_it_stands",
-    "floor_bodies",
-    "holders",
-    "in_hand",
-    "people_out_of_the_way",
-    "pieces_as_sent",
-    "put_to_rest",
-    "seated_along",
-    "squared",
-    "with_walls_told",
-    "without",
-    "written_back",
-]
+    "Body", "Crowd", "InHand", "LastAnswer", "Repair", "RepairSettings", "RoomProblem", "Walls", "all_bodies", "applied",
+    "as_it_stands", "floor_bodies", "holders", "in_hand", "people_out_of_the_way", "pieces_as_sent", "put_to_rest", "seated_along",
+    "squared", "with_walls_told", "without", "written_back",
+]  # fmt: skip
