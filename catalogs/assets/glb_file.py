@@ -214,7 +214,7 @@ class GlbBook:
     def __init__(self, file: GlbFile) -> None:
         self.document, self._length = file.document, file.length
         self._counts: dict[int, int] = {}
-        for name in _texts(self.document, "extensionsRequired"):
+        for name in map(str, _list(self.document, "extensionsRequired")):
             if name not in READ_EXTENSIONS and not name.startswith(MATERIALS):
                 raise GlbFault(f"needs {name!r:.60}, which is not read here")
         for group in ("buffers", "images"):
@@ -313,10 +313,6 @@ def _list(document: Mapping[str, Any], key: str) -> list[Any]:
     if not isinstance(found, list):
         raise GlbFault(f"has {key} that is no list")
     return found
-
-
-def _texts(document: Mapping[str, Any], key: str) -> list[str]:
-    return [str(name) for name in _list(document, key)]
 
 
 def _whole(entry: Mapping[str, Any], key: str, default: int) -> int:

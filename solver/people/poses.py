@@ -105,7 +105,7 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
         for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
                 placed = _on_top(here.things, _seated(sitter, piece, seat, (across, behind)))
-                if _fits(here.floor, placed, piece) and here.front_reachable(piece):
+                if here.floor.is_free(block_of(placed), piece.id) and here.front_reachable(piece):
                     return placed
     return None
 
@@ -151,10 +151,6 @@ def _on_top(things: Sequence[Block], placed: Dynamic) -> Dynamic:
     here = (block for block in things if block.rect.overlaps(own.rect))
     tops = [block.high for block in here if round(own.low) < round(block.high) <= round(own.low) + CUSHION_MM]
     return changed(placed, y=round(max(tops) / 1000, 4)) if tops else placed
-
-
-def _fits(floor: FreeFloor, placed: Dynamic, piece: Furniture) -> bool:
-    return floor.is_free(block_of(placed), piece.id)
 
 
 Posing = Callable[[Surroundings, Dynamic, Dweller, Stream], Dynamic | None]

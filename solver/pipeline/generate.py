@@ -313,7 +313,7 @@ def reroll(
         True
     """
     known = catalogs or load_catalogs()
-    return _rerolled(scene, rooms, (_seed_of(scene, seed), False), known, Timing(clock))
+    return _rerolled(scene, rooms, ((scene.seed if seed is None else seed) or 0, False), known, Timing(clock))
 
 
 def reroll_plan(scene: Scene, rooms: Sequence[str], seed: int, known: Catalogs) -> Scene:
@@ -325,10 +325,6 @@ def _is_planned_whole(room: Room, setting: _Setting) -> bool:
     """Tells whether the pieces of a room's type stand in a run, which is planned as a whole."""
     kind = setting.catalogs.rooms.get(room.type)
     return kind is not None and kind.run is not None
-
-
-def _seed_of(scene: Scene, seed: int | None) -> int:
-    return (scene.seed if seed is None else seed) or 0
 
 
 def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: Catalogs, timing: Timing) -> Generated:

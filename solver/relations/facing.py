@@ -16,7 +16,7 @@ class Facing(Relation):
 
     def regions(self, scope: Scope, spec: RelationSpec, footing: Footing, tolerance: Tolerance = SOUGHT) -> list[Rect]:
         """Anywhere, turned to the wall of an opening."""
-        ahead = _wall_ahead(footing.rotation)
+        ahead = OPPOSITE[WALL_BEHIND[footing.rotation % 360]]
         return [footing.reach] if any(opening.wall == ahead for opening in scope.opened(*spec.of)) else []
 
     def boxes(self, fit: Fit) -> list[Box]:
@@ -35,10 +35,6 @@ class Facing(Relation):
         a, b = own.rect, other.rect
         reach, width = (a.width + b.width, b.depth) if dx else (a.depth + b.depth, b.width)
         return aside <= ahead > 0 or (ahead >= reach and aside <= width)
-
-
-def _wall_ahead(rotation: int) -> str:
-    return OPPOSITE[WALL_BEHIND[rotation % 360]]
 
 
 def _before(turn: int, least: float, half: float) -> Box:

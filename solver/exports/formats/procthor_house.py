@@ -87,12 +87,8 @@ def _at(x: float, y: float, z: float) -> HouseJson:
     return {"x": round(x, 6) + 0.0, "y": round(y, 6) + 0.0, "z": round(-z, 6) + 0.0}
 
 
-def _rgb(color: str) -> HouseJson:
-    return dict(zip("rgb", (round(channel / 255, 4) for channel in channels(color)), strict=True))
-
-
 def _material(color: str) -> HouseJson:
-    return {"name": SOLID, "color": _rgb(color)}
+    return {"name": SOLID, "color": dict(zip("rgb", (round(channel / 255, 4) for channel in channels(color)), strict=True))}
 
 
 def _room(room: FloorPlate) -> HouseJson:
