@@ -15,29 +15,7 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple, cast, get_type_hints
 
 import solver
 from catalogs import Catalogs
-from service.contract import (
-    DragAnswer,
-    DragBody,
-    ExplainBody,
-    ExportBody,
-    ExportFormat,
-    ExportFormats,
-    FixBody,
-    FloorAnswer,
-    FloorBody,
-    FurnishBody,
-    Health,
-    ImportBody,
-    Lines,
-    PlaceAnswer,
-    PlaceBody,
-    RerollBody,
-    RestyleBody,
-    SceneByItself,
-    ValidateAnswer,
-    ValidateBody,
-    ViewBody,
-)
+from service import contract
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, made_house
 from solver.answers import Fixed, Generated
@@ -92,13 +70,13 @@ def _call(name: str, reads: Callable[[object], Any] | None = None) -> Callable[[
 
 
 @_call("generate", reads=lambda document: document)
-def generate_house(body: Request | RerollBody | RestyleBody | None, catalogs: Catalogs) -> Generated:
+def generate_house(body: Request | contract.RerollBody | contract.RestyleBody | None, catalogs: Catalogs) -> Generated:
     """Makes a furnished house, furnishes some rooms of one anew, or gives one another style."""
     return made_house(body, catalogs)
 
 
 @_call("furnish")
-def furnish_plan(body: FurnishBody, catalogs: Catalogs) -> FurnishedPlan:
+def furnish_plan(body: contract.FurnishBody, catalogs: Catalogs) -> FurnishedPlan:
     """Furnishes the rooms of somebody's own plan; says what was guessed of it."""
     from solver.pipeline.own_plan import furnish
 
@@ -113,7 +91,7 @@ def furnish_plan(body: FurnishBody, catalogs: Catalogs) -> FurnishedPlan:
 
 
 @_call("fix")
-def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
+def fix_scene(body: contract.FixBody, catalogs: Catalogs) -> Fixed:
     """Repairs a scene by moving as little as possible."""
     check_size(body.scene)
     locked, moved = tuple(dict.fromkeys(body.locked)), tuple(dict.fromkeys(body.moved))
@@ -130,17 +108,17 @@ def fix_scene(body: FixBody, catalogs: Catalogs) -> Fixed:
 
 
 @_call("drag")
-def take_in_hand(body: DragBody, catalogs: Catalogs) -> DragAnswer:
+def take_in_hand(body: contract.DragBody, catalogs: Catalogs) -> contract.DragAnswer:
     """Prepares the room of a piece that is about to be dragged."""
     check_id("id", body.id, body_ids(body.scene))
     check_ids(body_ids(body.scene), locked=body.locked)
     with limited_to():
         taken = solver.prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
-    return DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
+    return contract.DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
 
 
 @_call("place")
-def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> PlaceAnswer:
+def place_pieces(body: contract.PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> contract.PlaceAnswer:
     """Places a list of pieces, with their relations, in a room of the caller's own."""
     with limited_to(body.effort) as work:
         answer = solver.place(
@@ -149,14 +127,14 @@ def place_pieces(body: PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> P
             catalogs=catalogs, engine=engine, clock=perf_counter,
         )  # fmt: skip
     best = answer.best
-    return PlaceAnswer(
+    return contract.PlaceAnswer(
         best.scene, best.relations, best.unplaced, answer.alternatives, answer.conflicts, best.issues, answer.timing_ms,
         answer.understood_as, work.limited(),
     )  # fmt: skip
 
 
 @_call("validate")
-def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
+def validate_scene(body: contract.ValidateBody, catalogs: Catalogs) -> contract.ValidateAnswer:
     """Lists which rules a scene breaks, and by how much."""
     from solver.understanding import understood
     from solver.validator import access_of, metrics
@@ -167,18 +145,20 @@ def validate_scene(body: ValidateBody, catalogs: Catalogs) -> ValidateAnswer:
     issues = solver.validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     measured = metrics(scene, catalogs)
-    words = Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
+    words = contract.Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
     access = None if body.access is None or body.access == NO_ACCESS else access_of(scene, body.access, catalogs).document()
-    return ValidateAnswer(tuple(issues), measured, understood(scene, catalogs).understood_as, words, access, misspelt(scene) or None)
+    return contract.ValidateAnswer(
+        tuple(issues), measured, understood(scene, catalogs).understood_as, words, access, misspelt(scene) or None
+    )
 
 
 @_call("view")
-def view_scene(body: ViewBody, _: Catalogs) -> Lines:
+def view_scene(body: contract.ViewBody, _: Catalogs) -> contract.Lines:
     """Writes a scene as readable YAML, and which body each line is."""
     from solver.validator import metrics
     from solver.view import view
 
-    return Lines(*view(body.scene, _areas(metrics(body.scene))))
+    return contract.Lines(*view(body.scene, _areas(metrics(body.scene))))
 
 
 def _areas(measured: Document) -> dict[str, float]:
@@ -187,14 +167,14 @@ def _areas(measured: Document) -> dict[str, float]:
 
 
 @_call("explain")
-def explain_place(body: ExplainBody, catalogs: Catalogs) -> Explained:
+def explain_place(body: contract.ExplainBody, catalogs: Catalogs) -> Explained:
     """Says where a piece of a generated home was wished, and what holds it back from there."""
     with limited_to():
         return solver.explain(body.scene, body.id, catalogs=catalogs)
 
 
 @_call("import")
-def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
+def import_file(body: contract.ImportBody, catalogs: Catalogs) -> PlanImport:
     """Reads a floor plan of another program as a scene, and says all that is not as the file says."""
     from solver.pipeline.import_plan import import_plan
 
@@ -211,22 +191,22 @@ def import_file(body: ImportBody, catalogs: Catalogs) -> PlanImport:
 
 
 @_call("floor")
-def floor_of(body: FloorBody, catalogs: Catalogs) -> FloorAnswer:
+def floor_of(body: contract.FloorBody, catalogs: Catalogs) -> contract.FloorAnswer:
     """Says where the floor of rooms is clear of walls, kept free for doors and windows, and free to come to."""
     from solver.validator import floors
 
     check_ids([room.id for room in body.scene.rooms], rooms=body.rooms)
-    return FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs)))
+    return contract.FloorAnswer(tuple(floors(body.scene, body.rooms, catalogs)))
 
 
-def _read_export(document: object) -> ExportBody:
+def _read_export(document: object) -> contract.ExportBody:
     if isinstance(document, Mapping) and "scene" not in document and "rooms" in document:
         document = {"scene": document}
-    return read(ExportBody, document)
+    return read(contract.ExportBody, document)
 
 
 @_call("export", reads=_read_export)
-def export_scene(body: ExportBody | SceneByItself, catalogs: Catalogs) -> Scene:
+def export_scene(body: contract.ExportBody | contract.SceneByItself, catalogs: Catalogs) -> Scene:
     """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
     from solver.named_assets import with_assets
     from solver.named_kinds import with_kinds
@@ -302,8 +282,8 @@ def _exports(_: Catalogs) -> Document:
     """Lists the formats that /export writes, beside JSON and YAML."""
     from solver.exports import is_available
 
-    formats = (ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
-    return write(ExportFormats(tuple(write(one) for one in formats)))
+    formats = (contract.ExportFormat(name, one.words, is_available(name)) for name, one in EXPORTERS.items())
+    return write(contract.ExportFormats(tuple(write(one) for one in formats)))
 
 
 def _schema(_: Catalogs) -> Document:
@@ -313,13 +293,13 @@ def _schema(_: Catalogs) -> Document:
 
 def _healthz(_: Catalogs) -> Document:
     """Answers at once while the service lives."""
-    return write(Health())
+    return write(contract.Health())
 
 
 QUESTIONS: Final = {
     "catalog": Question("catalog", Catalogs, _catalog),
-    "export": Question("exports", ExportFormats, _exports),
+    "export": Question("exports", contract.ExportFormats, _exports),
     "schema": Question("schema", dict[str, Any], _schema),
-    "healthz": Question("healthz", Health, _healthz),
+    "healthz": Question("healthz", contract.Health, _healthz),
 }
 """The calls that take no body, by their paths."""
