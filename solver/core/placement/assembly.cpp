@@ -1,9 +1,12 @@
 #include "placement/assembly.hpp"
 
 #include "placement/barriers.hpp"
+#include "placement/narrow.hpp"
 #include "placement/parts.hpp"
 
 namespace placement {
+
+constexpr i64 ROUNDS = 4;  // passes over what a piece adds, at most; fewer only leave more to the search
 
 // Tells whether two parts must not share space.
 static bool must_part(const Room& room, const Work& work, const Part& a, const Part& b) {
@@ -15,10 +18,17 @@ static bool must_part(const Room& room, const Work& work, const Part& a, const P
   return one.under != b.piece && one.on != b.piece && two.under != a.piece && two.on != a.piece;
 }
 
-// Adds an option to a choice where the least and the most that the bounds allow it allow it; true where they hold it anyway.
-static bool offer(const Work& work, i64 choice, i64 lowest, i64 highest, const DifferenceRow& row) {
+// Tells whether a row may hold.
+static bool is_within_reach(const Work& work, const DifferenceRow& row) {
+  if (row.i == row.j) return row.s <= 0;
+  const i64 first = row.i == ORIGIN ? 0 : work.least.at(row.axis, row.i), last = row.j == ORIGIN ? 0 : work.most.at(row.axis, row.j);
+  return last - first >= row.s;
+}
+
+// Adds an option to a choice where it is within reach; true where the bounds keep its ends `lowest` apart at least, and so hold it anyway.
+static bool offer(const Work& work, i64 choice, i64 lowest, const DifferenceRow& row) {
   if (lowest >= row.s) return true;
-  if (highest >= row.s) work.options[OPTIONS * choice + work.choice_size[choice]++] = row;
+  if (is_within_reach(work, row)) work.options[OPTIONS * choice + work.choice_size[choice]++] = row;
   return false;
 }
 
@@ -28,10 +38,10 @@ static bool keep_apart(const Work& work, i64 choice, const Part& a, const Part& 
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis];
     const i64 shift = a.offset[axis] - b.offset[axis];
-    const i64 lowest = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
-    const i64 highest = u == v ? 0 : work.high.at(axis, v) - work.low.at(axis, u);
-    if (offer(work, choice, lowest, highest, {axis, u, v, a.extent[axis] + shift})) return false;
-    if (offer(work, choice, -highest, -lowest, {axis, v, u, b.extent[axis] - shift})) return false;
+    const i64 after = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
+    const i64 before = u == v ? 0 : work.low.at(axis, u) - work.high.at(axis, v);
+    if (offer(work, choice, after, {axis, u, v, a.extent[axis] + shift})) return false;
+    if (offer(work, choice, before, {axis, v, u, b.extent[axis] - shift})) return false;
   }
   return true;
 }
@@ -42,28 +52,56 @@ static bool keep_clear(const Work& work, i64 choice, const Part& part, const Zon
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
     const i64 lowest = work.low.at(axis, v), highest = work.high.at(axis, v);
-    if (offer(work, choice, -highest, -lowest, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis]})) return false;
-    if (offer(work, choice, lowest, highest, {axis, ORIGIN, v, zone.high[axis] - offset})) return false;
+    if (offer(work, choice, -highest, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis]})) return false;
+    if (offer(work, choice, lowest, {axis, ORIGIN, v, zone.high[axis] - offset})) return false;
   }
   return true;
 }
 
+// Narrows what is within reach by a choice with one option; tells whether it did. A choice that cannot hold is left without any.
+static bool narrow_by(const Work& work, i64 choice) {
+  if (work.choice_size[choice] != 1) return false;
+  const Step step = tighten(work.least, work.most, work.options[OPTIONS * choice]);
+  if (step == Step::IMPOSSIBLE) work.choice_size[choice] = 0;
+  return step == Step::CHANGED;
+}
+
+// Drops the options of the choices from number `first` on that are out of reach; tells whether that narrowed what is within it.
+static bool drop_options(const Work& work, i64 first) {
+  bool narrowed = false;
+  for (i64 choice = first; choice < work.counts->choices; choice++) {
+    const i64 begin = OPTIONS * choice, end = begin + work.choice_size[choice];
+    i64& kept = work.choice_size[choice] = 0;
+    for (i64 k = begin; k < end; k++) {
+      if (is_within_reach(work, work.options[k])) work.options[begin + kept++] = work.options[k];
+    }
+    narrowed |= narrow_by(work, choice);
+  }
+  return narrowed;
+}
+
 // Appends the choices of the parts from number `first` on: against zones, against the parts before them.
 static void add_choices(const Room& room, const Work& work, i64 first) {
-  i64 choice = work.counts->choices;
+  const i64 known = work.counts->choices;
+  i64& choice = work.counts->choices;
+  bool narrowed = false;
+  const auto add = [&](const ChoiceParts& parts) {
+    work.choice_parts[choice] = parts;
+    narrowed |= narrow_by(work, choice++);
+  };
   for (i64 b = first; b < work.counts->parts; b++) {
     const Part& part = work.parts[b];
     for (i64 k = 0; k < room.zones.size; k++) {
       const Zone& zone = room.zones[k];
       if (zone.is_wall == 0 && (part.stand != 0 || part.high <= zone.above)) continue;
-      if (keep_clear(work, choice, part, zone)) work.choice_parts[choice++] = {{b, -1 - k}};
+      if (keep_clear(work, choice, part, zone)) add({{b, -1 - k}});
     }
     for (i64 a = 0; a < b; a++) {
       const Part& other = work.parts[a];
-      if (must_part(room, work, other, part) && keep_apart(work, choice, other, part)) work.choice_parts[choice++] = {{a, b}};
+      if (must_part(room, work, other, part) && keep_apart(work, choice, other, part)) add({{a, b}});
     }
   }
-  work.counts->choices = choice;
+  for (i64 round = 0; round < ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
 }
 
 static bool bounds_hold(const Work& work) {
@@ -75,17 +113,21 @@ static bool bounds_hold(const Work& work) {
   return true;
 }
 
+// The bounds of an axis's variables, as they are marked.
+static Table<i64> bounds_of(const Work& work, i64 which) {
+  const Table<i64> all[] = {work.low, work.high, work.least, work.most};
+  return all[which];
+}
+
 // Notes what the problem is once a piece was added, so that the next problem can go on from there.
 static void note(const Work& work, i64 piece, i64 decision) {
   const Counts& counts = *work.counts.data;
   const i64 wide = work.sizes[0], deep = work.sizes[1], last = piece > 0 ? work.marks[piece - 1].bounds : -1;
   const i64 bounds = decision == ABSENT ? last : piece;
   work.marks[piece] = {decision, {wide, deep}, counts.rows, counts.parts, counts.choices, counts.pulls, bounds};
-  for (i64 axis = 0; axis < 2 && decision != ABSENT; axis++) {
-    for (i64 v = 0; v < work.sizes[axis]; v++) {
-      work.marked_bounds.at(piece, axis, v) = work.low.at(axis, v);
-      work.marked_bounds.at(piece, 2 + axis, v) = work.high.at(axis, v);
-    }
+  for (i64 k = 0; k < 8 && decision != ABSENT; k++) {
+    const Table<i64> own = bounds_of(work, k / 2);
+    for (i64 v = 0; v < work.sizes[k % 2]; v++) work.marked_bounds.at(piece, k, v) = own.at(k % 2, v);
   }
 }
 
@@ -101,27 +143,40 @@ static i64 go_back(const Work& work, const Decisions& decisions) {
   counts.choices = mark.choices;
   counts.placed = least(counts.placed, mark.choices);
   counts.pulls = mark.pulls;
-  for (i64 axis = 0; axis < 2; axis++) {
-    work.sizes[axis] = mark.sizes[axis];
-    for (i64 v = 0; v < mark.sizes[axis]; v++) {
-      work.low.at(axis, v) = work.marked_bounds.at(mark.bounds, axis, v);
-      work.high.at(axis, v) = work.marked_bounds.at(mark.bounds, 2 + axis, v);
-    }
+  for (i64 axis = 0; axis < 2; axis++) work.sizes[axis] = mark.sizes[axis];
+  for (i64 k = 0; k < 8; k++) {
+    const Table<i64> own = bounds_of(work, k / 2);
+    for (i64 v = 0; v < mark.sizes[k % 2]; v++) own.at(k % 2, v) = work.marked_bounds.at(mark.bounds, k, v);
   }
   return first;
+}
+
+// Nothing but the bounds is known of variables that are new, and of others no less.
+static void reach_bounds(const Work& work, const i64 (&known)[2]) {
+  for (i64 axis = 0; axis < 2; axis++) {
+    for (i64 v = 0; v < work.sizes[axis]; v++) {
+      const i64 low = work.low.at(axis, v), high = work.high.at(axis, v);
+      work.least.at(axis, v) = v < known[axis] ? most(work.least.at(axis, v), low) : low;
+      work.most.at(axis, v) = v < known[axis] ? least(work.most.at(axis, v), high) : high;
+    }
+  }
 }
 
 bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
   for (i64 piece = go_back(work, decisions); piece < decisions.size; piece++) {
     work.taken_candidate[piece] = ABSENT;
     if (decisions[piece] != ABSENT) {
-      const i64 candidate = candidate_of(decisions[piece]), known = work.counts->parts;
+      const Counts known = *work.counts.data;
+      const i64 sizes[] = {work.sizes[0], work.sizes[1]};
+      const i64 candidate = candidate_of(decisions[piece]);
       const i64 side = room.pieces[piece].sides[0] + sides_of(decisions[piece]);
       work.taken_candidate[piece] = candidate;
       work.taken_side[piece] = side;
       add_piece(room, work, piece, candidate, side);
-      add_barriers(room, work, known);
-      add_choices(room, work, known);
+      add_barriers(room, work, known.parts);
+      reach_bounds(work, sizes);
+      for (i64 k = known.rows; k < work.counts->rows; k++) tighten(work.least, work.most, work.rows[k]);
+      add_choices(room, work, known.parts);
     }
     note(work, piece, decisions[piece]);
   }

@@ -60,6 +60,7 @@ struct Work {
   One<Counts> counts;
   Span<i64> sizes;  // number of variables along each axis
   Table<i64> low, high;
+  Table<i64> least, most;  // how far the rows, and choices with one option, let each variable go at most
   Table<f64> anchor_weight, anchor_at;
   Rows<PullRow> pulls;
   Rows<PullCost> pull_costs;
@@ -73,7 +74,7 @@ struct Work {
   Rows<DifferenceRow> wide;  // what widenings ask for; option number options.size + k
   Span<i64> body_part, rotation, taken_candidate, taken_side;  // by piece
   Rows<Mark> marks;
-  Cube<i64> marked_bounds;  // by piece: low of both axes, high of both axes
+  Cube<i64> marked_bounds;  // by piece: low of both axes, high, least, most
 };
 
 // x_j - x_i + rest >= 0 along an axis, m, over numbers of its free variables. What does not move has the number after theirs: its x is 0.

@@ -4,21 +4,18 @@ namespace placement {
 
 constexpr i64 ROUNDS = 40;  // passes over the rows at a node, at most; fewer only prune less
 
-enum class Step { IMPOSSIBLE, SAME, CHANGED };
-
-// Narrows two intervals to p_j - p_i >= s.
-static Step tighten(const ProofNode& node, const DifferenceRow& row) {
+Step tighten(const Table<i64>& low, const Table<i64>& high, const DifferenceRow& row) {
   if (row.i == row.j) return row.s > 0 ? Step::IMPOSSIBLE : Step::SAME;
-  const i64 first = row.i == ORIGIN ? 0 : node.low.at(row.axis, row.i);
-  const i64 last = row.j == ORIGIN ? 0 : node.high.at(row.axis, row.j);
+  const i64 first = row.i == ORIGIN ? 0 : low.at(row.axis, row.i);
+  const i64 last = row.j == ORIGIN ? 0 : high.at(row.axis, row.j);
   if (last - first < row.s) return Step::IMPOSSIBLE;
   Step step = Step::SAME;
-  if (row.j != ORIGIN && node.low.at(row.axis, row.j) < first + row.s) {
-    node.low.at(row.axis, row.j) = first + row.s;
+  if (row.j != ORIGIN && low.at(row.axis, row.j) < first + row.s) {
+    low.at(row.axis, row.j) = first + row.s;
     step = Step::CHANGED;
   }
-  if (row.i != ORIGIN && node.high.at(row.axis, row.i) > last - row.s) {
-    node.high.at(row.axis, row.i) = last - row.s;
+  if (row.i != ORIGIN && high.at(row.axis, row.i) > last - row.s) {
+    high.at(row.axis, row.i) = last - row.s;
     step = Step::CHANGED;
   }
   return step;
@@ -62,14 +59,14 @@ static Step decide(const Work& work, const ProofNode& node, i64 choice) {
   for (i64 k = 0; k < work.choice_size[choice]; k++) {
     if (node.refused[choice] & (1LL << k)) {
       const DifferenceRow& row = work.options[OPTIONS * choice + k];
-      const Step step = tighten(node, {row.axis, row.j, row.i, 1 - row.s});
+      const Step step = tighten(node.low, node.high, {row.axis, row.j, row.i, 1 - row.s});
       if (step == Step::IMPOSSIBLE) return step;
       all = most(all, step);
     }
   }
   if (node.picks[choice] == UNDECIDED && !choose(work, node, choice)) return Step::IMPOSSIBLE;
   if (node.picks[choice] >= 0) {
-    const Step step = tighten(node, work.options[OPTIONS * choice + node.picks[choice]]);
+    const Step step = tighten(node.low, node.high, work.options[OPTIONS * choice + node.picks[choice]]);
     return step == Step::IMPOSSIBLE ? step : most(all, step);
   }
   return all;
@@ -79,7 +76,7 @@ bool narrow(const Work& work, const ProofNode& node) {
   for (i64 round = 0; round < ROUNDS; round++) {
     Step all = Step::SAME;
     for (i64 k = 0; k < work.counts->rows; k++) {
-      const Step step = tighten(node, work.rows[k]);
+      const Step step = tighten(node.low, node.high, work.rows[k]);
       if (step == Step::IMPOSSIBLE) return false;
       all = most(all, step);
     }

@@ -18,6 +18,11 @@ enum class Holds { NOWHERE = -1, DEPENDS = 0, EVERYWHERE = 1 };
 // Where in the intervals of a node a row holds.
 Holds holds_in(const ProofNode& node, const DifferenceRow& row);
 
+enum class Step { IMPOSSIBLE, SAME, CHANGED };
+
+// Narrows two intervals to p_j - p_i >= s.
+Step tighten(const Table<i64>& low, const Table<i64>& high, const DifferenceRow& row);
+
 // Narrows the intervals until nothing changes; false where a row or a choice cannot hold.
 bool narrow(const Work& work, const ProofNode& node);
 

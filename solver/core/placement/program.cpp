@@ -138,6 +138,11 @@ void spread(const Program& program, const Span<f64>& x, const Span<f64>& positio
   for (i32 v = 0; v < program.variables; v++) positions[v] = x[program.column[v]] + program.value[v];
 }
 
+bool fix_row(const Engine& engine, const DifferenceRow& row) {
+  Program& program = engine.programs[row.axis];
+  return write_row(program, 2 * program.size + program.fixed_rows++, row);
+}
+
 bool prepare(const Engine& engine) {
   const Work& work = engine.work;
   for (i64 axis = 0; axis < 2; axis++) {
@@ -154,9 +159,7 @@ bool prepare(const Engine& engine) {
     program.fixed_rows = 0;
   }
   for (i64 k = 0; k < work.counts->rows; k++) {
-    Program& program = engine.programs[work.rows[k].axis];
-    if (!write_row(program, 2 * program.size + program.fixed_rows, work.rows[k])) return false;
-    program.fixed_rows++;
+    if (!fix_row(engine, work.rows[k])) return false;
   }
   return true;
 }

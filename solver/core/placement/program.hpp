@@ -11,6 +11,9 @@ namespace placement {
 // Writes a row over all variables of an axis as its row number `at`; false where it can never hold.
 bool write_row(const Program& program, i32 at, const DifferenceRow& row);
 
+// Adds a row that holds at every node; false where it can never hold.
+bool fix_row(const Engine& engine, const DifferenceRow& row);
+
 // Writes the positions of all variables of an axis from those of the free ones.
 void spread(const Program& program, const Span<f64>& x, const Span<f64>& positions);
 

@@ -83,6 +83,9 @@ static bool open_root(const Engine& engine) {
     if (work.choice_size[c] == 0) return false;
   }
   if (!prepare(engine)) return false;
+  for (i64 c = 0; c < work.counts->choices; c++) {
+    if (work.choice_size[c] == 1 && !fix_row(engine, work.options[OPTIONS * c])) return false;
+  }
   place_options(work, nodes.positions.columns);
   for (i64 c = 0; c < work.counts->choices; c++) work.held[c] = work.placed_options[OPTIONS * c];
   const i64 slot = next_slot(nodes);

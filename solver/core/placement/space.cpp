@@ -92,6 +92,8 @@ static Work new_work(const Sizes& sizes) {
   work.sizes = zeroes<i64>(2);
   work.low = new_table<i64>(2, v);
   work.high = new_table<i64>(2, v);
+  work.least = new_table<i64>(2, v);
+  work.most = new_table<i64>(2, v);
   work.anchor_weight = new_table<f64>(2, v);
   work.anchor_at = new_table<f64>(2, v);
   work.pulls = reserved_rows<PullRow>(sizes.pulls);
@@ -108,7 +110,7 @@ static Work new_work(const Sizes& sizes) {
   work.taken_candidate = new_span<i64>(p);
   work.taken_side = new_span<i64>(p);
   work.marks = reserved_rows<Mark>(p);
-  work.marked_bounds = new_cube<i64>(p, 4, v);
+  work.marked_bounds = new_cube<i64>(p, 8, v);
   return work;
 }
 
