@@ -103,10 +103,8 @@ def _taken(osqp: Any, *matrices: SparseColumns) -> list[Any]:
     for that moment. The moment runs no bytecode, so that no other thread sees it, but for the first one of a process: there the extension
     looks for numpy.
     """
-    asked = ModuleType("scipy.sparse")
-    asked.isspmatrix_csc = truth  # type: ignore[attr-defined]
-    instead, loaded = {"scipy": ModuleType("scipy"), "scipy.sparse": asked}, dict[str, ModuleType]()
-    sent, made = [SimpleNamespace(**one._asdict(), nnz=one.data.size) for one in matrices], list[Any]()
+    instead, loaded, made = _instead(), dict[str, ModuleType](), list[Any]()
+    sent = [SimpleNamespace(shape=one.shape, data=one.data, indices=one.indices, indptr=one.indptr, nnz=one.data.size) for one in matrices]
     take = partial(made.extend, map(osqp.CSC, sent))
     end: list[Callable[[], object]] = [partial(sys.modules.pop, name, None) for name in instead]
     end.append(partial(sys.modules.update, loaded))
@@ -117,6 +115,14 @@ def _taken(osqp: Any, *matrices: SparseColumns) -> list[Any]:
         _at_once(*end)
         raise
     return made
+
+
+@cache
+def _instead() -> Mapping[str, ModuleType]:
+    """Returns the modules that stand in for scipy, which says of all that it is of its class."""
+    asked = ModuleType("scipy.sparse")
+    asked.isspmatrix_csc = truth  # type: ignore[attr-defined]
+    return {"scipy": ModuleType("scipy"), "scipy.sparse": asked}
 
 
 def _at_once(*steps: Callable[[], object]) -> None:
