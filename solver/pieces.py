@@ -21,8 +21,7 @@ Stretch = tuple[int, int]
 """An interval along a wall, mm, from its west or north end."""
 
 
-@dataclass(frozen=True)
-class Zone:
+class Zone(NamedTuple):
     """A fixed rectangle that bodies reaching above `above_mm` must stay out of.
 
     `cause` names it in reasons: an opening's id, or `outline` for a part that is missing from the rectangle.
@@ -37,8 +36,7 @@ Walked = Literal["in", "through", "not"]
 """What a door is to who walks in a room: one of those by which one comes into the house, to be joined with the others, or neither."""
 
 
-@dataclass(frozen=True)
-class Doorway:
+class Doorway(NamedTuple):
     """A door or passage as the walk sees it: its square inside the room, and the wall it is in.
 
     The square begins at the line of an outer wall, at the face of a wall that only part of the room reaches to.

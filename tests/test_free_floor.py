@@ -67,7 +67,7 @@ def test_doors_that_lead_outside_are_joined_there(start: int) -> None:
         uses = [(str(k), goal.rect, goal.sides, goal.need_all) for k, goal in enumerate(goals)]
         stream = Stream(seed, "walked")
         ways: tuple[Walked, ...] = ("in", "in", "through", "not")
-        outer = replace(space, doorways=tuple(replace(door, walked=stream.pick(ways)) for door in space.doorways))
+        outer = replace(space, doorways=tuple(door._replace(walked=stream.pick(ways)) for door in space.doorways))
         found = FreeFloor(outer, boxes, goals).connects()
         assert found == (not missed(outer, boxes, uses)), seed
         eased.append(found and not FreeFloor(space, boxes, goals).connects())

@@ -4,7 +4,6 @@ import math
 from bisect import bisect_left, insort
 from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import pairwise
 
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, strip_at, to_mm
@@ -58,7 +57,7 @@ def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
         return doorway
     start, end = square.along(wall)
     deep = square.depth if wall in ALONG_X else square.width
-    return replace(doorway, square=strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half))
+    return doorway._replace(square=strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half))
 
 
 def scope_of(room: Room, space: Space) -> Scope:

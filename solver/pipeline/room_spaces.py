@@ -44,7 +44,7 @@ def as_walked_in(scene: Scene) -> Callable[[RoomProblem], RoomProblem]:
         return "through" if levels.get(door.connects_to) == level else "not"
 
     def walked(problem: RoomProblem) -> RoomProblem:
-        doorways = (replace(door, walked=use(door, problem.room.level)) for door in problem.space.doorways)
+        doorways = (door._replace(walked=use(door, problem.room.level)) for door in problem.space.doorways)
         return replace(problem, space=replace(problem.space, doorways=tuple(doorways)))
 
     return walked

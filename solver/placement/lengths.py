@@ -125,8 +125,8 @@ def _least(space: Space, pieces: Sequence[Piece], axis: int, most: int, can_stan
 def longer_space(space: Space, axis: int, by: int) -> Space:
     """Returns a space longer at its east (axis 0) or south (axis 1) end; zones at that wall go along."""
     going = _going(space, axis)
-    zones = tuple(replace(zone, rect=_shifted(zone.rect, axis, by, going)) for zone in space.zones)
-    doorways = tuple(replace(doorway, square=_shifted(doorway.square, axis, by, going)) for doorway in space.doorways)
+    zones = tuple(zone._replace(rect=_shifted(zone.rect, axis, by, going)) for zone in space.zones)
+    doorways = tuple(doorway._replace(square=_shifted(doorway.square, axis, by, going)) for doorway in space.doorways)
     return replace(space, clear=_shifted(space.clear, axis, by, going), zones=zones, doorways=doorways)
 
 

@@ -21,8 +21,7 @@ LEAST_USED_MM = (300, 300)
 """Shorter side and height of the smallest thing that a person has to come to."""
 
 
-@dataclass(frozen=True)
-class Opened:
+class Opened(NamedTuple):
     """An opening of the room: its kind, wall, and the ends of its stretch along that wall, mm."""
 
     kind: str

@@ -166,7 +166,7 @@ def with_outer_doors(seed: int) -> tuple[Space, list[Body]]:
     stream = Stream(seed, "outer doors")
     ways: tuple[Walked, ...] = ("in", "in", "through", "not")
     uses = ["in" if k == 0 else stream.pick(ways) for k in range(len(space.doorways))]
-    return replace(space, doorways=tuple(replace(door, walked=use) for door, use in zip(space.doorways, uses, strict=True))), bodies
+    return replace(space, doorways=tuple(door._replace(walked=use) for door, use in zip(space.doorways, uses, strict=True))), bodies
 
 
 @pytest.mark.parametrize("block", range(4))
@@ -176,7 +176,7 @@ def test_outer_doors_are_joined_outside(block: int) -> None:
         space, bodies = with_outer_doors(seed)
         verdicts.append(walks(space, bodies))
         assert verdicts[-1] == raster_walks(space, bodies), seed
-        joined = replace(space, doorways=tuple(replace(door, walked="through") for door in space.doorways))
+        joined = replace(space, doorways=tuple(door._replace(walked="through") for door in space.doorways))
         eased.append(verdicts[-1] and not walks(joined, bodies))
     assert set(verdicts) == set(eased) == {True, False}
 
@@ -186,7 +186,7 @@ def test_no_body_bars_the_way_where_one_can_come_in_on_both_sides() -> None:
     other = Doorway("door_2", "north", Rect(2100, 0, 3000, 900), "EXTERIOR", "in")
     bar = Body(Rect(0, 1400, 3000, 1500), 0, ("front",)).wanted("bar")
     chest = CHEST.wanted("chest")
-    for doors, verdict in ((DOOR, other), False), ((replace(DOOR, walked="in"), other), True), ((replace(DOOR, walked="in"),), False):
+    for doors, verdict in ((DOOR, other), False), ((DOOR._replace(walked="in"), other), True), ((DOOR._replace(walked="in"),), False):
         assert find_walkable(replace(ROOM, doorways=doors), (bar, chest), Budget())[0] is verdict, doors
 
 
