@@ -30,7 +30,9 @@ BODY_WALLS: Final = (*WALLS, None)
 BodyRow = tuple[int, ...]
 BodyKey: TypeAlias = tuple[str, str, float, float, float, str | None]
 """What a body's kind is looked up by: "furniture" or "decoration", name, width, depth and height, m, the kind that the scene names."""
-BodyTurn: TypeAlias = tuple[BodyKey, float]
+KindKey: TypeAlias = "BodyKey | Look"
+"""The same, or a look by itself, which is quicker; of people "person", the kind, no size, "seated" of who sits."""
+BodyTurn: TypeAlias = tuple[KindKey, float]
 """What a body is, and its rotation."""
 RowsT = TypeVar("RowsT", bound="BodyRows")
 
@@ -42,6 +44,11 @@ class Look:
 
     def __init__(self, sort: str, name: str, kind: str | None, size: tuple[float, float, float], category: str | None = None) -> None:
         self.name, self.kind, self.size, self.category, self.key = name, kind, size, category, (sort, name, *size, kind)
+
+
+def key_of(one: KindKey) -> BodyKey:
+    """Returns what a body's kind is looked up by, written out."""
+    return one.key if isinstance(one, Look) else one
 
 
 LooksBySize = Mapping[tuple[int, int, int, int], Look]
@@ -204,7 +211,7 @@ def furniture_turns(room: Room) -> Sequence[BodyTurn]:
     """Returns what each piece of a room's furniture is, and its rotation."""
     rows = rows_in(room, FurnitureRows)
     if rows is not None:
-        return [(look.key, turn) for look, turn in zip(rows.looks, rows.turns, strict=True)]
+        return [*zip(rows.looks, rows.turns, strict=True)]
     return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in room.furniture]
 
 

@@ -6,7 +6,7 @@ from struct import Struct, pack
 from typing import Final
 
 from catalogs.entries import Comfort, Side
-from solver.body_rows import BodyKey, BodyTurn, DecorationRows, furniture_turns
+from solver.body_rows import BodyTurn, DecorationRows, KindKey, furniture_turns, key_of
 from solver.decorations.compiled_decorating import CompiledDecorating, millimetres
 from solver.decorations.decoration_settings import DecorationSettings
 from solver.free_floor import DOORWAY, WALL_NUMBERS, sides_seen
@@ -47,10 +47,10 @@ def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings
     return b"".join(rows)
 
 
-@lru_cache(maxsize=4096)
-def _manner(known: CompiledDecorating, key: BodyKey, rotation: float) -> bytes:
+@lru_cache(maxsize=16_384)
+def _manner(known: CompiledDecorating, key: KindKey, rotation: float) -> bytes:
     """Returns what is said of furniture by what its kind is looked up by, and its turn."""
-    _, name, width, depth, height, said = key
+    _, name, width, depth, height, said = key_of(key)
     size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
     kind = said or known.book.kind_of("furniture", name, (width, depth, height)) or name
     sides, need_all = known.uses.get(name, ((), False))

@@ -14,9 +14,9 @@ from catalogs.kind_book import Carrying, KindBook
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
-from solver.body_rows import BodyKey, Look
+from solver.body_rows import KindKey, key_of
 from solver.validator.lattice import exact
-from solver.validator.world import FLAT, TURNS_TO, KindKey
+from solver.validator.world import FLAT, TURNS_TO
 
 SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
@@ -70,7 +70,7 @@ class Kinds:
     def use_of(self, key: KindKey) -> Use | None:
         """Returns which sides of a piece of a kind are used; None where none is, it is unknown, or as flat as a rug."""
         if key not in self._uses:
-            _, name, _, _, height, _ = _told(key)
+            _, name, _, _, height, _ = key_of(key)
             self._uses[key] = self._named[name].use if name in self._named and exact(height) > FLAT else None
         return self._uses[key]
 
@@ -89,13 +89,13 @@ class Kinds:
         """Returns the fronts of a piece's kind."""
         found = self._fronts.get(key)
         if found is None:
-            sort, name, width, depth, height, said = _told(key)
+            sort, name, width, depth, height, said = key_of(key)
             shape = self._book.kind_of(sort, name, (width, depth, height), said)
             found = self._fronts[key] = _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
         return found
 
     def _row_of(self, key: KindKey) -> bytes:
-        sort, name, width, depth, height, said = _told(key)
+        sort, name, width, depth, height, said = key_of(key)
         is_person, size = sort == "person", (width, depth, height)
         shape = self._book.living(name, said == SEATED) if is_person else self._book.kind_of(sort, name, size, said)
         surfaces = [] if is_person else self._carrying.surfaces_of(sort, name, size, said)
@@ -111,10 +111,6 @@ class Kinds:
         use = self.use_of(key)
         bits = sum({1 << TURNS_TO[side] for side in use.sides}) if use else 0
         return (0, bits) if use and use.need == "all" else (bits, 0)
-
-
-def _told(key: KindKey) -> BodyKey:
-    return key.key if isinstance(key, Look) else key
 
 
 def _fronts_as_told(fronts: Sequence[UnitFront], depth: float) -> KindFronts:

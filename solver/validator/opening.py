@@ -6,7 +6,9 @@ lies on a lid is taken off; doors are closed and are walls.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from operator import itemgetter
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
@@ -63,13 +65,13 @@ def _opened(case: RuleCase) -> Iterator[_Opened]:
     return _OPENED.iter_unpack(case.judged.opened)
 
 
-def _front(case: RuleCase, body: int, number: int) -> KindFront:
-    return case.kinds.fronts(case.room.pieces[body][0]).each[number]
+def _fronts(case: RuleCase, body: int) -> Sequence[KindFront]:
+    return case.kinds.fronts(case.room.pieces[body][0]).each
 
 
 def _travel(case: RuleCase, told: _Opened) -> FrontTravel:
     travel, meets, body, number = told
-    name, slides, reach, must_open = _front(case, body, number)
+    name, slides, reach, must_open = _fronts(case, body)[number]
     way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else case.name(meets))
     return FrontTravel(case.name(body), name, slides, way, reach, by, must_open)
 
@@ -83,9 +85,14 @@ def certified_fronts(case: RuleCase) -> dict[str, dict[str, Any]]:
     """Returns what a certificate says of a room's fronts, by piece and front: 1 where it opens wholly, else the share and what it meets."""
     said: dict[str, dict[str, Any]] = {}
     names = furniture_ids(case.room.room) if case.judged.opened else ()
-    for told in _opened(case):
-        _, meets, body, number = told
-        stopped = None if meets == _NOTHING else _travel(case, told)
-        share = {"opens": round(stopped.share, 3), "meets": stopped.meets} if stopped else 1
-        said.setdefault(names[body], {})[_front(case, body, number)[0]] = share
+    for body, rows in groupby(_opened(case), itemgetter(2)):
+        fronts = _fronts(case, body)
+        said.setdefault(names[body], {}).update((fronts[told[3]][0], _certified(case, told)) for told in rows)
     return said
+
+
+def _certified(case: RuleCase, told: _Opened) -> int | dict[str, Any]:
+    if told[1] == _NOTHING:
+        return 1
+    one = _travel(case, told)
+    return {"opens": round(one.share, 3), "meets": one.meets}

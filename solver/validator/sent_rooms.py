@@ -9,11 +9,11 @@ from itertools import count
 from struct import Struct
 from typing import Final, NamedTuple
 
-from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, rows_in
+from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, KindKey, rows_in
 from solver.validator.kinds import NO_KIND, SEATED, Kinds
 from solver.validator.lattice import WALL_NUMBERS, ExactBox
 from solver.validator.sent_openings import sent_openings
-from solver.validator.world import KindKey, PlacedRoom, World, turns_of
+from solver.validator.world import PlacedRoom, World, turns_of
 
 _ROOM: Final = Struct("<5q12i")
 _BOX: Final = Struct("<4q")

@@ -8,24 +8,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, NamedTuple, TypeAlias
 
-from solver.body_rows import (
-    BodyKey,
-    FurnitureRows,
-    Look,
-    count_decorations,
-    count_furniture,
-    decoration_ids,
-    furniture_ids,
-    furniture_turns,
-    rows_in,
-)
+from solver.body_rows import BodyTurn, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_turns
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
 
 AnyBody: TypeAlias = Furniture | Decoration | Dynamic
-KindKey: TypeAlias = BodyKey | Look
-"""What a body's kind is looked up by: a look by itself, which is quicker; of people "person", the kind, no size, SEATED of who sits."""
 
 SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
@@ -69,10 +57,9 @@ class PlacedRoom:
         return [edge for edge in self.outline.edges if edge is not None]
 
     @cached_property
-    def pieces(self) -> Sequence[tuple[KindKey, float]]:
+    def pieces(self) -> Sequence[BodyTurn]:
         """What kind of furniture each piece in it is, and its rotation."""
-        rows = rows_in(self.room, FurnitureRows)
-        return furniture_turns(self.room) if rows is None else [*zip(rows.looks, rows.turns, strict=True)]
+        return furniture_turns(self.room)
 
     @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:
