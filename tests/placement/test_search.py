@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from functools import cache
+from typing import Any
 
 import cvxpy as cp
 import numpy as np
@@ -145,8 +146,12 @@ def test_a_search_that_ends_at_its_limit_does_not_claim_a_proof() -> None:
     assert cut > 5
 
 
+FAR = 10.0
+"""More than anything in these rooms is apart, m."""
+
+
 def best_by_enumeration(problem: Problem) -> float:
-    """Solves every combination of options with cvxpy."""
+    """Solves every combination of options with cvxpy: of those that are not in it, what they demand is set back by `FAR`."""
     p = [cp.Variable(len(problem.low[axis])) for axis in (0, 1)]
     cost = 0
     for term in problem.terms:
@@ -156,13 +161,17 @@ def best_by_enumeration(problem: Problem) -> float:
     for axis in (0, 1):
         rules += [np.array(problem.low[axis]) / 1000 <= p[axis], p[axis] <= np.array(problem.high[axis]) / 1000]
 
-    def rule(row: DifferenceRow) -> object:
+    def rule(row: DifferenceRow, back: Any = 0) -> object:
         own = p[row.axis]
-        return (own[row.j] if row.j >= 0 else 0) - (own[row.i] if row.i >= 0 else 0) >= row.s / 1000
+        return (own[row.j] if row.j >= 0 else 0) - (own[row.i] if row.i >= 0 else 0) >= row.s / 1000 - back
 
-    best = float("inf")
-    for combination in itertools.product(*(choice.options for choice in problem.choices)):
-        programme = cp.Problem(cp.Minimize(cost), [*rules, *(rule(row) for row in (*problem.rows, *combination))])
+    back = [cp.Parameter(len(choice.options)) for choice in problem.choices]
+    rules += [rule(row) for row in problem.rows]
+    rules += [rule(row, back[k][n]) for k, choice in enumerate(problem.choices) for n, row in enumerate(choice.options)]
+    programme, best = cp.Problem(cp.Minimize(cost), rules), float("inf")
+    for combination in itertools.product(*(range(len(choice.options)) for choice in problem.choices)):
+        for one, chosen in zip(back, combination, strict=True):
+            one.value = np.where(np.arange(one.size) == chosen, 0.0, FAR)
         best = min(best, programme.solve(solver=cp.CLARABEL))
     return best
 

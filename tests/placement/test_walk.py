@@ -86,8 +86,10 @@ class Raster:
         inside = clear.x0 <= x - HALF and x + HALF <= clear.x1 and clear.z0 <= z - HALF and z + HALF <= clear.z1
         return inside and not any(x - HALF < r.x1 and r.x0 < x + HALF and z - HALF < r.z1 and r.z0 < z + HALF for r in self.solids)
 
-    def flood(self, start: Point) -> set[Point]:
-        seen, queue = {start}, deque([start])
+    def flood(self, starts: Iterable[Point]) -> set[Point]:
+        """All that can be come to from some points, as far as these are free."""
+        seen = {start for start in starts if self.free(*start)}
+        queue = deque(seen)
         while queue:
             x, z = queue.popleft()
             for step in ((x + STEP, z), (x - STEP, z), (x, z + STEP), (x, z - STEP)):
@@ -108,8 +110,12 @@ def raster_walks(space: Space, bodies: Sequence[Body], least_mm2: int = LEAST_FL
     goals = [([through(space, door)], True) for door in space.doorways if door.walked == "through"]
     goals += [([touching(b.rect, side_towards(side, b.rotation)) for side in b.sides], b.need_all) for b in bodies if b.sides]
     starts = [[point for door in outer for point in door]] if outer else [[point] for point in sorted(goals[0][0][0])]
+    come_to: set[Point] = set()
     for start in starts:
-        seen = {point for one in start if raster.free(*one) for point in raster.flood(one)}
+        if come_to.issuperset(start):
+            continue  # all of the same floor have been where this one would go
+        seen = raster.flood(start)
+        come_to |= seen
         met = [[bool(seen & side) for side in sides] for sides, _ in goals]
         if all(all(m) if need_all else any(m) for m, (_, need_all) in zip(met, goals, strict=True)) and raster.area(seen) >= least_mm2:
             return True
