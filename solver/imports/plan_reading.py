@@ -168,7 +168,8 @@ def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -
 
 def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> tuple[list[NamedRoom], int]:
     """Returns rooms along wall lines, and the scene's thickness of walls, mm; outer walls of another say so."""
-    levels, depths = [room.drawn.level for room in rooms], WallDepths((*plan.walls, *plan.solid), plan.faces)
+    faces = ((one.start, one.end) for one in plan.walls if not one.thickness)
+    levels, depths = [room.drawn.level for room in rooms], WallDepths((*plan.walls, *plan.solid), (*plan.faces, *faces))
     made, thickness = _lines_of(plan, rooms, depths, notes)
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
     own = outer_thicknesses(depths, edges, levels, thickness)

@@ -1,6 +1,6 @@
 """Storeys that one drawing draws beside one another: groups of rooms that lie apart are levels, in the order of their titles.
 
-Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn.
+Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn, shape_openings.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import Final, NamedTuple
 from solver.geometry import bounds_of_points
 from solver.imported import Unread
 from solver.imports.drawn import DrawnLevel, DrawnPlan, Spot
+from solver.imports.shape_openings import DrawnBox
 
 APART: Final = 1.0
 """Groups of rooms of different storeys lie farther from one another, m."""
@@ -31,7 +32,7 @@ TITLES: Final = (
 class DrawnGroup(NamedTuple):
     """Rooms that lie together, by their places in the plan, and the box around them."""
 
-    box: tuple[float, float, float, float]
+    box: DrawnBox
     rooms: frozenset[int]
 
 
@@ -95,7 +96,7 @@ def _titles(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[t
     yield from ((rank, words) for _, words in sorted(near) if (rank := storey_called(words)) is not None)
 
 
-def _away(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
+def _away(a: DrawnBox, b: DrawnBox) -> float:
     """Returns how far two boxes are from one another along x or z, whichever is more."""
     return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3], 0.0)
 

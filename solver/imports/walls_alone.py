@@ -52,16 +52,16 @@ class NamedSpot(NamedTuple):
 
 
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
-    """Returns a plan that draws thick walls and no room with the rooms that its walls enclose on each level; any other as it is.
+    """Returns a plan that draws walls and no room with the rooms that these enclose on each level; any other as it is.
 
     `metres` is the length of its unit, where the caller says it.
     """
-    walls = [one for one in plan.walls if one.thickness > 0 and math.dist(one.start, one.end) > 0]
+    walls = [one for one in plan.walls if math.dist(one.start, one.end) > 0]
     if plan.rooms or not walls:
         return plan
     unit = metres or told_by_doors(plan.openings, plan.metres).metres
     rooms: list[DrawnRoom] = []
-    unread, openings = list(plan.unread), list(plan.openings)
+    unread, openings, thick = list(plan.unread), list(plan.openings), [one.thickness for one in walls if one.thickness > 0]
     for level in sorted({one.level for one in walls}):
         outlines = [_outline(one) for one in walls if one.level == level]
         drawn = [one for one in plan.openings if one.level == level]
@@ -69,8 +69,9 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
         rooms += (replace(room, level=level, where=f"{room.where} of level {level}") for room in found.rooms)
         openings += (replace(one, level=level) for one in found.passages)
         unread += (replace(one, place=f"walls of level {level}") for one in found.told)
+        thick = thick or ([found.thickness] if found.thickness else [])
     return replace(
-        plan, rooms=tuple(rooms), openings=tuple(openings), drawn="inner", wall_thickness=median(one.thickness for one in walls),
+        plan, rooms=tuple(rooms), openings=tuple(openings), drawn="inner", wall_thickness=median(thick) if thick else None,
         unread=tuple(unread),
     )  # fmt: skip
 

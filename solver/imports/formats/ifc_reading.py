@@ -13,6 +13,8 @@ from dataclasses import replace
 from importlib import import_module
 from typing import Any, Final
 
+import numpy as np
+
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
@@ -39,6 +41,10 @@ SILL: Final = 0.3
 WINDOW: Final = 0.4
 THICKEST_FLOOR: Final = 0.4
 """So far above its storey's elevation, m, a floor may lie: where the lowest door begins."""
+THICKEST: Final = 1.0
+"""A wall that is thicker, m, holds several."""
+LONG: Final = 2.0
+"""So many times as long as it is thick, a wall tells itself which way it goes: some have their storey's frame."""
 RISES: Final = 1.2
 """A wall is one of a storey at whose floor it reaches this height, m."""
 MOST_ENTITIES: Final = 400_000
@@ -108,6 +114,7 @@ class _ReadBuilding:
             check_count(kind, len(file.by_type(kind)), most)
         self.tally = Tally()
         self.shapes = IfcShapes(self.tally)
+        self.ways: dict[int, tuple[float, float]] = {}
         self.bodies = IfcShapes(Tally())
         self.metres = float(import_module("ifcopenshell.util.unit").calculate_unit_scale(file))
         storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda one: (one.Elevation or 0.0, one.id()))
@@ -171,15 +178,22 @@ class _ReadBuilding:
         return str(self.file.header.file_name.originating_system) == "Compose"
 
     def _walls(self, levels: Sequence[int]) -> Iterator[DrawnWall]:
-        """Yields walls, each on those of some levels through which it rises, whichever holds it; without levels on its own."""
+        """Yields walls, each on those of some levels through which it rises, whichever holds it; without levels on its own.
+
+        Of one shape that holds several walls there are the lines of their faces.
+        """
         for wall in self.file.by_type("IfcWall"):
             where = _place(wall)
             solid = self._solid(wall, where)
             if solid is not None:
                 start, end, thickness = solid.middle_line(self.shapes.world_of(wall))
+                if math.dist(start, end) >= LONG * thickness:
+                    self.ways[wall.id()] = (end[0] - start[0], end[1] - start[1])
                 low, high, by = solid.points[:, 2].min(), solid.points[:, 2].max(), RISES / self.metres
                 for level in [at for at in levels if low <= self.floors[at] + by <= high] if levels else [self._level(wall)]:
-                    yield DrawnWall((start[0], -start[1]), (end[0], -end[1]), thickness, where, level)
+                    is_one = thickness * self.metres <= THICKEST or not solid.faces
+                    for a, b in [(start, end)] if is_one else solid.sliced(self.floors[level] + by):
+                        yield DrawnWall((a[0], -a[1]), (b[0], -b[1]), thickness if is_one else 0.0, where, level)
 
     def _openings(self) -> Iterator[DrawnOpening]:
         filled: set[int] = set()
@@ -231,7 +245,7 @@ class _ReadBuilding:
         voids = () if hole is None else self._related(hole, "VoidsElements")
         wall = voids[0].RelatingBuildingElement if voids else None
         if solid is not None and wall is not None:
-            start, end, low, height = solid.along_wall(self.shapes.world_of(wall))
+            start, end, low, height = solid.along_wall(np.asarray(self.ways.get(wall.id(), self.shapes.world_of(wall)[:2, 0])))
         elif getattr(element, "OverallWidth", None):
             x, y, low = (frame[k][3] for k in range(3))
             start, end = (x, y), (x + frame[0][0] * element.OverallWidth, y + frame[1][0] * element.OverallWidth)

@@ -34,11 +34,15 @@ SHELLS: Final = {
 """Shapes made of faces, and what each calls its shells."""
 
 
+_Part = tuple[Matrix | None, Matrix, Sequence[Matrix]]
+
+
 class IfcOutline(NamedTuple):
-    """A shape: the corners (x, y) of its outline seen from above, and all its points (x, y, z)."""
+    """A shape: the corners (x, y) of its outline seen from above, all its points (x, y, z), and its faces, where it is made of some."""
 
     footprint: list[tuple[float, float]]
     points: Matrix
+    faces: Sequence[Matrix] = ()
 
     def middle_line(self, frame: Matrix) -> tuple[tuple[float, float], tuple[float, float], float]:
         """Returns a wall's middle line, from end to end, and its thickness: the shorter side of its footprint in its own frame."""
@@ -50,9 +54,20 @@ class IfcOutline(NamedTuple):
         start, end = lengths.min() * along + middle, lengths.max() * along + middle
         return (float(start[0]), float(start[1])), (float(end[0]), float(end[1])), float(np.ptp(widths))
 
+    def sliced(self, height: float) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+        """Yields the lines in which a level plane cuts the faces."""
+        for face in self.faces:
+            following = np.roll(face, -1, axis=0)
+            cut = (face[:, 2] > height) != (following[:, 2] > height)
+            start, end = face[cut], following[cut]
+            spots = start + ((height - start[:, 2]) / (end[:, 2] - start[:, 2]))[:, None] * (end - start)
+            ordered = [(float(x), float(y)) for x, y in spots[np.lexsort(spots.T)][:, :2]]
+            yield from zip(ordered[::2], ordered[1::2], strict=True)
+
     def along_wall(self, wall: Matrix) -> tuple[tuple[float, float], tuple[float, float], float, float]:
-        """Returns a hole's ends on the middle of its depth along its wall, its lower edge and its height."""
-        along, across = wall[:2, 0] / np.linalg.norm(wall[:2, 0]), wall[:2, 1] / np.linalg.norm(wall[:2, 1])
+        """Returns a hole's ends on the middle of its depth along its wall, whose way is said, its lower edge and its height."""
+        along = wall / np.linalg.norm(wall)
+        across = np.asarray((-along[1], along[0]))
         lengths, depths = self.points[:, :2] @ along, self.points[:, :2] @ across
         middle = (depths.min() + depths.max()) / 2 * across
         start, end = lengths.min() * along + middle, lengths.max() * along + middle
@@ -104,9 +119,9 @@ class IfcShapes:
             shapes, key=lambda shape: SHAPES.index(shape.RepresentationIdentifier if shape.RepresentationIdentifier in SHAPES else None)
         )
         for shape in ordered:
-            for outline, points in self._all(shape.Items, self.world_of(element), 0):
+            for outline, points, faces in self._all(shape.Items, self.world_of(element), 0):
                 if outline is not None:
-                    return IfcOutline([(float(x), float(y)) for x, y, _ in outline], points)
+                    return IfcOutline([(float(x), float(y)) for x, y, _ in outline], points, faces)
         return None
 
     def box_of(self, element: Any) -> IfcBox | None:
@@ -131,17 +146,19 @@ class IfcShapes:
         if item.is_a("IfcMappedItem"):
             source = item.MappingSource
             if source.id() not in self._boxes:
-                self._boxes[source.id()] = _box_around([points for _, points in self._all(source.MappedRepresentation.Items, np.eye(4), 1)])
+                self._boxes[source.id()] = _box_around(
+                    [points for _, points, _ in self._all(source.MappedRepresentation.Items, np.eye(4), 1)]
+                )
             return _moved(self._boxes[source.id()], np.asarray(_util().get_mappeditem_transformation(item)))
-        return _box_around([points for _, points in self._all((item,), np.eye(4), 0)])
+        return _box_around([points for _, points, _ in self._all((item,), np.eye(4), 0)])
 
-    def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[tuple[Matrix | None, Matrix]]:
+    def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[_Part]:
         self._tally.add("items of shapes", len(items), MOST_ITEMS)
         for item in items:
             yield from self._outlines(item, frame, depth)
 
-    def _outlines(self, item: Any, frame: Matrix, depth: int) -> Iterator[tuple[Matrix | None, Matrix]]:
-        """Yields an item's outline at its foot, None where it has no flat one, and all its points."""
+    def _outlines(self, item: Any, frame: Matrix, depth: int) -> Iterator[_Part]:
+        """Yields an item's outline at its foot, None where it has no flat one, all its points, and the faces that it is made of."""
         if depth > DEEPEST:
             return
         if item.is_a("IfcMappedItem"):
@@ -157,22 +174,25 @@ class IfcShapes:
             faces = [face for shell in shells for face in self._counted(shell.CfsFaces)]
             yield from _faced([self._loop(face.Bounds[0].Bound) for face in faces], frame)
         elif item.is_a("IfcTriangulatedFaceSet"):
-            yield None, _moved(np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64), frame)
+            yield from self._indexed(item, self._counted(item.CoordIndex), frame)
         elif item.is_a("IfcPolygonalFaceSet"):
-            corners = np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64)
-            yield from _faced([corners[[at - 1 for at in self._counted(face.CoordIndex)]] for face in self._counted(item.Faces)], frame)
+            yield from self._indexed(item, [self._counted(face.CoordIndex) for face in self._counted(item.Faces)], frame)
         elif item.is_a("IfcGeometricSet"):
             for element in self._counted(item.Elements):
                 curve = self._curve(element) if element.is_a("IfcBoundedCurve") else None
                 if curve is not None and len(curve) > 2:
                     flat = _moved(curve, frame)
-                    yield flat, flat
+                    yield flat, flat, ()
+
+    def _indexed(self, item: Any, faces: Sequence[Sequence[int]], frame: Matrix) -> Iterator[_Part]:
+        corners = np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64)
+        return _faced([corners[[at - 1 for at in face]] for face in faces], frame)
 
     def _counted(self, parts: Sequence[Any]) -> Sequence[Any]:
         self._tally.add("points of shapes", len(parts), MOST_SHAPE_POINTS)
         return parts
 
-    def _extruded(self, item: Any, frame: Matrix) -> Iterator[tuple[Matrix | None, Matrix]]:
+    def _extruded(self, item: Any, frame: Matrix) -> Iterator[_Part]:
         profile = self._profile(item.SweptArea)
         if profile is None:
             return
@@ -181,7 +201,7 @@ class IfcShapes:
         way = np.asarray(item.ExtrudedDirection.DirectionRatios, dtype=np.float64)
         way = way / _length(way, item.ExtrudedDirection) * item.Depth
         foot, head = _moved(profile, frame), _moved(profile + way, frame)
-        yield foot, np.vstack([foot, head])
+        yield foot, np.vstack([foot, head]), ()
 
     def _loop(self, loop: Any) -> Matrix:
         points = self._counted(getattr(loop, "Polygon", ()))
@@ -240,14 +260,14 @@ def _box_around(parts: Sequence[Matrix]) -> Matrix:
     return np.asarray(list(product(*zip(points.min(axis=0), points.max(axis=0), strict=True)))) if len(points) else points
 
 
-def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[tuple[Matrix | None, Matrix]]:
-    """Yields the lowest flat face of a shape made of faces, None where none lies flat, and all its points."""
+def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[_Part]:
+    """Yields the lowest flat face of a shape made of faces, None where none lies flat, all its points, and its faces."""
     moved = [_moved(face, frame) for face in faces if len(face) > 2]
     if moved:
         points = np.vstack(moved)
         tall = float(np.ptp(points[:, 2])) or 1.0
         flat = [face for face in moved if np.ptp(face[:, 2]) < 1e-3 * tall]
-        yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face)), default=None), points
+        yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face)), default=None), points, moved
 
 
 def _moved(points: Matrix, frame: Matrix) -> Matrix:
