@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Final, Literal, NamedTuple
 
 from solver.errors import FieldError
+from solver.geometry import encloses
 from solver.imported import ImportChange, ImportGuess, Unread
 
 Spot = tuple[float, float]
@@ -37,6 +38,10 @@ class DrawnRoom:
     id: str = ""
     floor: str | None = None
     holes: tuple[tuple[Spot, ...], ...] = ()
+
+    def holds(self, x: float, z: float) -> bool:
+        """Tells whether a point is in the room."""
+        return encloses(self.points, x, z) and not any(encloses(hole, x, z) for hole in self.holes)
 
 
 @dataclass(frozen=True)

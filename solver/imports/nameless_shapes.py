@@ -65,7 +65,7 @@ def _score(
     walls = [shapes[at].round() for at in way]
     openings, gaps = fitted([*doors, *windows], gaps_of(walls, metres), metres)
     rooms = rooms_between(walls, openings, metres, gaps, names).rooms if walls else []
-    named = [{name.name for name in names if encloses(room.points, name.x, name.z)} for room in rooms]
+    named = [{name.name for name in names if room.holds(name.x, name.z)} for room in rooms]
     return sum(len(one) == 1 for one in named), len(rooms)
 
 

@@ -38,11 +38,12 @@ class PlanEdge(NamedTuple):
 
 def tidied(corners: Sequence[FloorCorner]) -> FloorCorners:
     """Returns corners clockwise, from the most northern (of these the most western) on, without repeated or collinear ones."""
-    kept: FloorCorners = [corner for at, corner in enumerate(corners) if corner != corners[at - 1]]
+    kept: FloorCorners = list(corners)
     before = -1
     while len(kept) != before:
         before = len(kept)
-        kept = [kept[at] for at in range(before) if not _is_passed(kept[at - 1], kept[at], kept[(at + 1) % before])]
+        kept = [corner for at, corner in enumerate(kept) if corner != kept[at - 1]]
+        kept = [kept[at] for at in range(len(kept)) if not _is_passed(kept[at - 1], kept[at], kept[(at + 1) % len(kept)])]
     if len(kept) < 4:
         return []
     if doubled_area(kept) < 0:
@@ -52,8 +53,8 @@ def tidied(corners: Sequence[FloorCorner]) -> FloorCorners:
 
 
 def _is_passed(before: FloorCorner, here: FloorCorner, after: FloorCorner) -> bool:
-    """Tells whether a corner is none: the outline goes straight on, back the way it came, or nowhere."""
-    return before == here or before[0] == here[0] == after[0] or before[1] == here[1] == after[1]
+    """Tells whether a corner is none: the outline goes straight on, or back the way it came."""
+    return before[0] == here[0] == after[0] or before[1] == here[1] == after[1]
 
 
 def edges_of_corners(room: int, corners: Sequence[FloorCorner]) -> list[PlanEdge]:

@@ -19,7 +19,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from catalogs.synonyms import RoomNames
-from solver.geometry import bounds_of_points, encloses
+from solver.geometry import bounds_of_points
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.nameless_shapes import told_by_form
@@ -151,7 +151,7 @@ def plan_of_shapes(
     else:
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
-    rooms += [replace(room, label=_label(room.points, texts)) for room in found]
+    rooms += [replace(room, label=_label(room, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
     told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
@@ -313,24 +313,25 @@ def _short_walls(box: DrawnBox, where: str, known: Sequence[float]) -> Iterator[
 
 
 def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
-    return DrawnRoom(shape.points, shape.label or _label(shape.points, texts), shape.where)
+    room = DrawnRoom(shape.points, shape.label, shape.where)
+    return room if shape.label else replace(room, label=_label(room, texts))
 
 
-def _label(points: Sequence[Spot], texts: Sequence[DrawnText]) -> str:
+def _label(room: DrawnRoom, texts: Sequence[DrawnText]) -> str:
     """Returns the first text in a room that plainly names one, else the first that is no number."""
-    return min(_texts_in(points, texts), key=lambda one: not one.means, default=DrawnText("", 0.0, 0.0)).words
+    return min(_texts_in(room, texts), key=lambda one: not one.means, default=DrawnText("", 0.0, 0.0)).words
 
 
-def _texts_in(points: Sequence[Spot], texts: Sequence[DrawnText]) -> list[DrawnText]:
+def _texts_in(room: DrawnRoom, texts: Sequence[DrawnText]) -> list[DrawnText]:
     """Returns the texts in a room that are no numbers."""
-    x0, z0, x1, z1 = bounds_of_points(points)
+    x0, z0, x1, z1 = bounds_of_points(room.points)
     near = [one for one in texts if one.words and x0 <= one.x <= x1 and z0 <= one.z <= z1]
-    return [one for one in near if encloses(points, one.x, one.z)]
+    return [one for one in near if room.holds(one.x, one.z)]
 
 
 def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread]:
     """Yields what else is named in a room that is called by a text in it: a dining room, to which no wall is drawn."""
-    inside = _texts_in(room.points, texts)
+    inside = _texts_in(room, texts)
     known = {one.means for one in inside if one.words == room.label}
     for words in dict.fromkeys(one.words for one in inside if known and one.means and one.means not in known):
         yield Unread(f"text {words!r:.60}", f"names a room, but no wall is drawn between it and {room.label!r:.60}")
@@ -339,7 +340,7 @@ def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread
 def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
     """Yields what names a room beside all rooms: walls may leave one open."""
     known = {room.label for room in rooms}
-    inside = {(one.x, one.z) for room in rooms for one in _texts_in(room.points, texts)}
+    inside = {(one.x, one.z) for room in rooms for one in _texts_in(room, texts)}
     outside = (one for one in texts if one.means and (one.x, one.z) not in inside) if rooms else ()
     for words in dict.fromkeys(one.words for one in outside if one.words not in known):
         yield Unread(f"text {words!r:.60}", "names a room, but stands in none: nothing encloses it")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
@@ -72,30 +72,30 @@ def _inside(polygon: Polygon, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> C
 
 def _largest(inside: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Cells:
     """Returns the cells of the largest connected part."""
-    left, best, most = inside.copy(), np.zeros_like(inside), 0
+    best = np.zeros_like(inside)
     areas = np.diff(xs)[:, None] * np.diff(zs)[None, :] if inside.size else inside
-    while left.any():
-        first = np.unravel_index(int(left.argmax()), left.shape)
-        part = _flooded(left, (int(first[0]), int(first[1])))
-        area = int(areas[part].sum())
-        if area > most:
-            best, most = part, area
-        left &= ~part
+    largest = max(connected(inside), key=lambda spots: int(areas[tuple(spots.T)].sum()), default=None)
+    if largest is not None:
+        best[tuple(largest.T)] = True
     return best
 
 
-def _flooded(free: Cells, first: tuple[int, int]) -> Cells:
-    part = np.zeros_like(free)
-    part[first] = True
-    ahead = deque([first])
-    while ahead:
-        column, row = ahead.popleft()
-        for dx, dz in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-            x, z = column + dx, row + dz
-            if 0 <= x < free.shape[0] and 0 <= z < free.shape[1] and free[x, z] and not part[x, z]:
-                part[x, z] = True
-                ahead.append((x, z))
-    return part
+def connected(free: Cells) -> Iterator[NDArray[np.int64]]:
+    """Yields the places of each connected part, that of the first free place first."""
+    left = free.copy()
+    for column, row in np.argwhere(left).tolist():
+        if not left[column, row]:
+            continue
+        found, ahead = [(column, row)], deque([(column, row)])
+        left[column, row] = False
+        while ahead:
+            at, to = ahead.popleft()
+            for x, z in ((at + 1, to), (at - 1, to), (at, to + 1), (at, to - 1)):
+                if 0 <= x < left.shape[0] and 0 <= z < left.shape[1] and left[x, z]:
+                    left[x, z] = False
+                    found.append((x, z))
+                    ahead.append((x, z))
+        yield np.array(found)
 
 
 def outline_of_cells(part: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> FloorCorners:

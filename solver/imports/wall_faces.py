@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections import deque
 from collections.abc import Iterator, Sequence
+from itertools import islice
 from typing import Final, Literal, NamedTuple
 
 import numpy as np
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from solver.imports.drawn import Spot
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
-from solver.imports.steps_inside import outline_of_cells
+from solver.imports.steps_inside import connected, outline_of_cells
 
 STRAIGHT: Final = 15
 """A line may leave its axis by so much from end to end, mm."""
@@ -52,6 +52,13 @@ class RowGap(NamedTuple):
     in_line: bool
 
 
+class WallFace(NamedTuple):
+    """A room between walls: its corners, mm, and those of what lies within it."""
+
+    corners: FloorCorners
+    holes: list[FloorCorners]
+
+
 def line_between(a: Spot, b: Spot) -> DrawnLine | None:
     """Returns the line between two points in mm; None where it is slanted, or nothing."""
     wide, high = abs(a[0] - b[0]), abs(a[1] - b[1])
@@ -64,8 +71,8 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
 
 def faces_between(
     walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], slants: Sequence[tuple[Spot, Spot]] = (), step: int = STEP
-) -> list[FloorCorners] | None:
-    """Returns the corners of the rooms that walls enclose, from north to south; None where the drawing is too intricate.
+) -> list[WallFace] | None:
+    """Returns the rooms that walls enclose, from north to south; None where the drawing is too intricate.
 
     Slanted lines enclose, too: rooms reach to the steps before them.
     """
@@ -86,8 +93,9 @@ def faces_between(
     free = _free(lines, xs, zs)
     for slant in slants:
         _cover(free, slant, xs, zs)
-    found = [outline_of_cells(cells, xs, zs) for cells in _parts(free, xs, zs) if _is_room(cells, xs, zs)]
-    return sorted((one for one in found if one), key=lambda corners: (corners[0][1], corners[0][0]))
+    cells = [one for one in _parts(free, xs, zs) if _is_room(one, xs, zs)]
+    found = [WallFace(outline_of_cells(one, xs, zs), list(_holes(one, xs, zs))) for one in cells]
+    return sorted((one for one in found if one.corners), key=lambda one: (one.corners[0][1], one.corners[0][0]))
 
 
 def gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
@@ -251,32 +259,22 @@ def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int6
 
 def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[NDArray[np.bool_]]:
     """Yields the connected parts that do not reach the ring and are wide enough for a room: which cells each covers."""
-    left = free.copy()
-    _taken(left, (0, 0))
-    for first in np.argwhere(left).tolist():
-        if not left[first[0], first[1]]:
-            continue
-        spots = np.array(_taken(left, (first[0], first[1])))
+    for spots in islice(connected(free), 1, None):
         (west, north), (east, south) = (spots.min(axis=0) - 2) // 2, (spots.max(axis=0) - 1) // 2
         if min(xs[min(east + 1, len(xs) - 1)] - xs[max(west, 0)], zs[min(south + 1, len(zs) - 1)] - zs[max(north, 0)]) < NARROWEST:
             continue
-        part = np.zeros_like(left)
+        part = np.zeros_like(free)
         part[tuple(spots.T)] = True
         yield part[2:-1:2, 2:-1:2]
 
 
-def _taken(left: NDArray[np.bool_], first: tuple[int, int]) -> list[tuple[int, int]]:
-    """Takes a connected part away; returns its places."""
-    found, ahead = [first], deque([first])
-    left[first] = False
-    while ahead:
-        column, row = ahead.popleft()
-        for x, z in ((column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)):
-            if 0 <= x < left.shape[0] and 0 <= z < left.shape[1] and left[x, z]:
-                left[x, z] = False
-                found.append((x, z))
-                ahead.append((x, z))
-    return found
+def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[FloorCorners]:
+    """Yields the outlines of what cells lie around, if a room fits into it: other rooms with their walls, or a shaft."""
+    for spots in islice(connected(~np.pad(cells, 1)), 1, None):
+        hole = np.zeros_like(cells)
+        hole[tuple((spots - 1).T)] = True
+        if _is_room(hole, xs, zs):
+            yield outline_of_cells(hole, xs, zs)
 
 
 def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> bool:

@@ -12,6 +12,7 @@ from typing import Final, NamedTuple
 from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
+from solver.imports.rectilinear import FloorCorners
 from solver.imports.shape_openings import between
 from solver.imports.units import told_by_doors
 from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
@@ -100,7 +101,7 @@ def rooms_between(
     found = _enclosed(walls, openings, metres)
     wide = _empty(gaps, openings, metres)
     kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
-    inside = {spot for room in kept for spot in names if encloses(room.points, spot.x, spot.z)}
+    inside = {spot for room in kept for spot in names if room.holds(spot.x, spot.z)}
     if metres is None or not wide or (kept and len(kept) == len(found.rooms) and len(inside) == len(names)):
         return found
     within = INSIDE / metres
@@ -141,7 +142,7 @@ def _passage(gap: WallGap) -> DrawnOpening:
 
 def _beside(gap: WallGap, rooms: Sequence[DrawnRoom], within: float) -> list[DrawnRoom]:
     """Returns the rooms before and behind a gap."""
-    return [room for spot in gap.sides(within) for room in rooms if encloses(room.points, *spot)]
+    return [room for spot in gap.sides(within) for room in rooms if room.holds(*spot)]
 
 
 def _parts(names: Sequence[set[str]]) -> bool:
@@ -150,7 +151,7 @@ def _parts(names: Sequence[set[str]]) -> bool:
 
 
 def _names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
-    return {one.name for one in names if encloses(room.points, one.x, one.z)}
+    return {one.name for one in names if room.holds(one.x, one.z)}
 
 
 def overlap(a: Sequence[Spot], b: Sequence[Spot], within: float) -> bool:
@@ -193,9 +194,12 @@ def _enclosed(walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening
         free = free_ends(lines, gaps)
         words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
         unread.append(Unread("walls", words if free else GAPS))
+
+    def back(corners: FloorCorners) -> tuple[Spot, ...]:
+        return tuple((x / scale + west, z / scale + north) for x, z in corners)
+
     rooms = [
-        DrawnRoom(tuple((x / scale + west, z / scale + north) for x, z in corners), "", f"between walls, room {at}")
-        for at, corners in enumerate(found)
+        DrawnRoom(back(one.corners), "", f"between walls, room {at}", holes=tuple(map(back, one.holes))) for at, one in enumerate(found)
     ]
-    thickness = thickness_about(found, lines)
+    thickness = thickness_about([one.corners for one in found], lines)
     return Between(rooms, thickness and thickness / scale, unread, [])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from solver.imports.rectilinear import tidied
 from tests.imports.plans import box, collection, floor_area, line, polygon, read, rooms_of
 
 CORE = [(3.0, 2.0), (3.0, 4.0), (5.0, 4.0), (5.0, 2.0)]
@@ -41,3 +42,27 @@ def test_each_of_several_holes_is_cut_open_and_columns_and_round_ones_are_told()
     assert [one["reason"] for one in answer.unread] == [
         "a hole in a room that is smaller than 0.5 m2, or has no straight side: it is floor"
     ] * 2
+
+
+@pytest.mark.parametrize("first", range(9))
+def test_a_stub_of_wall_without_thickness_is_no_part_of_an_outline(first: int) -> None:
+    """It goes out from a corner and back to it: the corner is there twice and stays once."""
+    corners = [(0, 0), (9, 0), (9, 9), (6, 9), (6, 5), (8, 5), (8, 5), (6, 5), (0, 5)]
+    assert tidied([*corners[first:], *corners[:first]]) == [(0, 0), (9, 0), (9, 9), (6, 9), (6, 5), (0, 5)]
+
+
+def test_a_hallway_around_a_core_between_walls_is_cut_open_and_named_by_its_own_text() -> None:
+    """Walls of 0.2 m: around 10 x 8 m, and around a bath of 2 x 2 m in their middle, whose door leads into the hallway."""
+    walls = "M0 0 H1000 V800 H0 Z M20 20 V780 H980 V20 Z M380 280 H620 V520 H380 Z M400 300 V500 H600 V300 Z"
+    names = "<text x='500' y='400'>Bath</text><text x='200' y='100'>Hallway</text>"
+    doors = "<rect class='door' x='450' y='280' width='90' height='20'/><rect class='door' x='100' y='0' width='90' height='20'/>"
+    content = f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='cm'><path id='walls' d='{walls}'/>{names}{doors}</svg>"
+    answer = read(content.encode(), "plan.svg")
+    found = {room.type: room for room in answer.scene.rooms}
+    assert found.keys() == {"bathroom", "hallway"}
+    assert found["hallway"].outline is not None
+    assert len([one for one in answer.changes if one["step"] == "read"]) == 1
+    assert floor_area(found["hallway"].outline) == pytest.approx(9.8 * 7.8 - 2.2**2, abs=0.3)
+    assert {one.connects_to for one in found["hallway"].openings} == {"EXTERIOR", found["bathroom"].id}
+    assert not [issue for issue in answer.issues if issue.severity == "error"]
+    assert not answer.unread
