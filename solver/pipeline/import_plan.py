@@ -10,7 +10,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, misspelt, read_scene, write
 from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
-from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, unpacked
+from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, in_metres, scene_unit, unpacked
 from solver.pipeline.fix import fix
 from solver.pipeline.room_spaces import room_problem
 from solver.repair import RepairSettings, all_bodies, with_walls_told
@@ -123,7 +123,8 @@ def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple
     """Returns the scene in a file, what is said about it, and which format it is in."""
     format = format_of_plan(file)
     if format is None:
-        scene, notes = _own_scene(file, settings), PlanNotes()
+        notes = PlanNotes()
+        scene = _own_scene(file, settings, notes)
         for place, meant in misspelt(scene).items():
             way, _, key = place.rpartition(".")
             notes.leave(way or "scene", f"no property is called {key!r:.60}; {meant}?")
@@ -153,8 +154,8 @@ def _loaded(file: PlanFile) -> object:
         raise SyntaxFault(f"{NO_FORMAT}; read as a scene: {fault}") from None
 
 
-def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
-    """Reads a scene of ours.
+def _own_scene(file: PlanFile, settings: ImportSettings, notes: PlanNotes) -> Scene:
+    """Reads a scene of ours; one in which no door is as wide as a door in metres is in another unit, and that is noted.
 
     Raises:
         SyntaxFault: it is none, and no other format that is read here.
@@ -165,7 +166,8 @@ def _own_scene(file: PlanFile, settings: ImportSettings) -> Scene:
         document = document["scene"]
     if not isinstance(document, Mapping) or "rooms" not in document:
         raise SyntaxFault(NO_FORMAT)
-    scene = certified(read_scene(document))
+    metres = scene_unit(document, settings.unit, notes)
+    scene = certified(read_scene(document if metres == 1.0 else in_metres(document, metres)))
     if settings.level is not None and settings.level not in {room.level for room in scene.rooms}:
         raise FieldError("level", f"{settings.level} has no rooms", ", ".join(map(str, sorted({room.level for room in scene.rooms}))))
     bare = tuple(replace(room, furniture=(), decorations=()) for room in scene.rooms)
