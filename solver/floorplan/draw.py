@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
+from operator import itemgetter
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
@@ -67,8 +69,31 @@ def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> Flo
     access_plan = plan_access(layout, shared)
     fitness = Fitness(layout, shared, access_plan, catalogs.rooms)
     types, more = classify(fitness, request)
-    entrance = entrance_of(layout, types, catalogs.rooms)
-    return _opened(layout, RoomAccess(types, shared, access_plan, catalogs.rooms), entrance, catalogs, (*notes, *more))
+    typed = RoomAccess(types, shared, access_plan, catalogs.rooms)
+    typed = typed if request.force_types else _sane_ways(fitness, typed)
+    entrance = entrance_of(layout, typed.types, catalogs.rooms)
+    return _opened(layout, typed, entrance, catalogs, (*notes, *more))
+
+
+def _sane_ways(fitness: Fitness, typed: RoomAccess) -> RoomAccess:
+    """Lets two rooms change types while fewer are then entered through one that nobody should walk through."""
+
+    def strain(one: RoomAccess) -> tuple[float, float]:
+        tree = door_tree(entrance_of(fitness.layout, one.types, one.rooms)[0], one)
+        ways = [passing_cost(one.types[joint.other(entered)], one.types[entered], one.rooms) for joint, entered in tree]
+        rooms = sum(fitness.shape(i, name) + fitness.company(i, name, one.types) for i, name in enumerate(one.types) if i in free)
+        return sum(way for way in ways if way >= THROUGH_OTHER), rooms
+
+    free = [i for i, name in enumerate(typed.types) if name != "hallway" and not typed.rooms[name].outdoor]
+    best = strain(typed), typed
+    while best[0][0]:
+        types = best[1].types
+        swapped = [tuple(types[{i: j, j: i}.get(k, k)] for k in range(len(types))) for i, j in combinations(free, 2)]
+        tried = min(((strain(one), one) for one in (replace(typed, types=types) for types in swapped)), key=itemgetter(0), default=best)
+        if tried[0][0] >= best[0][0]:
+            break
+        best = tried
+    return best[1]
 
 
 def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:

@@ -156,6 +156,13 @@ def test_small_houses() -> None:
     assert seen == {1, 2, 3}
 
 
+@pytest.mark.parametrize("spine", [False, True])
+def test_nobody_walks_through_a_bedroom_or_bathroom_of_a_small_house(spine: bool) -> None:
+    for seed in range(60):
+        sides = {"width": 6.0 + seed % 9, "depth": 6.0 + seed % 7}
+        assert checks.walked_through(drawn(seed=seed, use_spine=spine, **sides).rooms) == [], seed
+
+
 def test_master_bedroom_from_four_rooms() -> None:
     big, small = drawn(width=8.0, depth=6.6, use_spine=False), drawn(width=6.2, depth=6.2, use_spine=False)
     assert sorted(room.type for room in big.rooms) == ["bathroom", "bedroom_master", "kitchen", "living_room"]
