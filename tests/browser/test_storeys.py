@@ -24,6 +24,7 @@ def two_storeys() -> str:
 
 def test_a_storey_is_chosen_and_its_plan_with_it(visit: Visit) -> None:
     page = visit.page
+    page.set_viewport_size({"width": 1280, "height": 600})
     visit.open(SMALL.format(4))
     storey = page.locator("#storey")
     expect(storey).to_be_hidden()
@@ -31,6 +32,8 @@ def test_a_storey_is_chosen_and_its_plan_with_it(visit: Visit) -> None:
     expect(page).to_have_title("Compose: two.json")
     visit.settle()
     expect(storey).to_be_visible()
+    tops = page.locator(".views > :not([hidden])").evaluate_all("all => new Set(all.map(one => one.getBoundingClientRect().top)).size")
+    assert tops == 1, "storeys and views in one row"
     assert visit.state()["bodies"] == ["low"]
     low = visit.state()["walls"]
 

@@ -6,7 +6,7 @@ import { blend, frame, PRESETS, windowOf, type Vector, type Window } from "../sr
 const box = (wide: number, deep: number): Vector[] => [0, wide].flatMap((x) => [0, 1].flatMap((y) => [0, deep].map((z): Vector => [x, y, z])));
 const CORNERS = box(20, 15);
 /** The switch of views of a page. */
-const VIEWS = { offsetLeft: 12, offsetWidth: 370 };
+const VIEWS = { offsetLeft: 12, offsetWidth: 370, offsetHeight: 32 };
 
 function seen(preset: keyof typeof PRESETS, aspect: number, covered: Omit<Window, "aspect"> = {}, points = CORNERS): Vector3[] {
   const { eye, target, fov } = frame(points, PRESETS[preset], { aspect, ...covered });
@@ -71,6 +71,12 @@ describe("a preset", () => {
     const ys = seen("corner", aspect, covered).map(({ y }) => ((1 - y) / 2) * height);
     expect(Math.min(...ys)).toBeGreaterThan(52);
     expect(Math.max(...ys)).toBeLessThan(height - 60);
+  });
+
+  it("shows nothing under a switch of views that has rows of its own for storeys", () => {
+    const [width, height, views] = [390, 505, { offsetLeft: 12, offsetWidth: 366, offsetHeight: 80 }];
+    const { aspect, ...covered } = windowOf({ width, height }, views);
+    for (const preset of ["corner", "top"] as const) expect(Math.max(...seen(preset, aspect, covered).map(({ y }) => ((1 - y) / 2) * height)), preset).toBeLessThan(height - 92);
   });
 
   it("shows nothing under the switch of views in the corner of a wider canvas, and is as near as without one where nothing would be", () => {

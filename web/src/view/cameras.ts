@@ -50,9 +50,9 @@ export interface Window {
   readonly isNarrow?: boolean;
 }
 
-/** So much of the canvas lies under its toolbar, and as high is the switch of views at its foot [CSS pixels]. */
+/** So much of the canvas lies under its toolbar; so much is left over the switch of views at its foot, and at the foot of a sheet where there is none [CSS pixels]. */
 const TOOLBAR = 52;
-const SWITCH = 60;
+const [OVER_SWITCH, NO_SWITCH] = [16, 60];
 const NARROW = 560;
 /** No more of the canvas than this share is left to either. */
 const MOST_COVERED = 0.2;
@@ -64,9 +64,9 @@ const HANDLE = 26;
 const MOST_ROUND = 0.34;
 
 /** What a canvas of a size leaves free; `views`: their switch, null where there is none [CSS pixels]. */
-export function windowOf({ width, height }: { readonly width: number; readonly height: number }, views: { readonly offsetLeft: number; readonly offsetWidth: number } | null): Window {
+export function windowOf({ width, height }: { readonly width: number; readonly height: number }, views: Pick<HTMLElement, "offsetLeft" | "offsetWidth" | "offsetHeight"> | null): Window {
   const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
-  const switched = views && ([(views.offsetLeft + views.offsetWidth) / width, share(SWITCH)] as const);
+  const switched = views && ([(views.offsetLeft + views.offsetWidth) / width, share(views.offsetLeft + views.offsetHeight + OVER_SWITCH)] as const); // as far from the foot as from the left
   return { aspect: width / height, covered: share(TOOLBAR), switched, height, isNarrow: width < NARROW };
 }
 
@@ -146,11 +146,12 @@ function near(points: readonly Vector[], from: Vector, preset: Preset, { aspect,
     return !switched || isClear(points, from, whole.framing, aspect, switched) ? whole : fit({ ...plain, foot: switched[1] });
   }
   const share = (pixels: number, of: number): number => Math.min(MOST_ROUND, pixels / of);
+  const foot = switched ? switched[1] * height : NO_SWITCH;
   const round = (aboveAndBelow: boolean, atSides: boolean): Fitted => {
     const [north, south] = aboveAndBelow ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];
     const [west, east] = atSides ? [THREE_CHAINS, TWO_CHAINS] : [NO_CHAINS, NO_CHAINS];
     return fit({
-      wider: 1, top: share(TOOLBAR + north, height), foot: share(SWITCH + south, height),
+      wider: 1, top: share(TOOLBAR + north, height), foot: share(foot + south, height),
       west: share(HANDLE + west, height * aspect), east: share(HANDLE + east, height * aspect),
     });
   };
