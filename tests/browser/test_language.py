@@ -58,6 +58,9 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     left = page.evaluate("JSON.stringify(compose.scene)")
     page.get_by_role("button", name="Tasten").click()
     expect(page.get_by_role("dialog", name="Tasten")).to_contain_text("ein anderes Haus")
+    keys = set(page.locator("#keys_list kbd").all_inner_texts())
+    assert {"Strg+Z", "Strg+Umschalt+Z", "Entf", "Umschalt+Enter"} <= keys
+    assert not any(re.search("Ctrl|Shift|Del", key) for key in keys)
     page.keyboard.press("Escape")
     german.reopened(lambda: page.get_by_label("Sprache").select_option("en"))
     expect(page.locator("html")).to_have_attribute("lang", "en")

@@ -1,5 +1,14 @@
 /** What keys do, as the dialog of keys tells it: a heading, then keys and what they do. */
-import { type Words } from "../words/language";
+import { say, type Words } from "../words/language";
+
+/** The keys that keyboards of other languages call otherwise. */
+const CALLED: readonly Words[] = ["Ctrl", "Shift", "Del"];
+
+/** What the reader's keyboard calls keys, such as Ctrl+Z. */
+export function keyWords(keys: string): string {
+  return keys.split("+").map((key) => (CALLED.some((one) => one === key) ? say(key as Words) : key)).join("+");
+}
+
 export const KEY_LIST: readonly (readonly [Words, readonly (readonly [keys: string, does: Words])[]])[] = [
   ["The house", [
     ["R", "another house, its seed drawn"],
@@ -26,7 +35,7 @@ export const KEY_LIST: readonly (readonly [Words, readonly (readonly [keys: stri
     ["Q E", "turn it left, right"],
     ["K", "lock or unlock it"],
     ["H", "why it stands here"],
-    ["Delete", "delete it with what lies on it"],
+    ["Del", "delete it with what lies on it"],
     ["Shift+Enter", "in the text, as Shift and a click in the house: choose one more, or one less"],
     ["Ctrl+D", "copy what is chosen beside it"],
     ["Ctrl+C Ctrl+V", "copy it, paste it"],

@@ -1,5 +1,5 @@
 /** The keys, told in a dialog. */
-import { KEY_LIST } from "./key_list";
+import { KEY_LIST, keyWords } from "./key_list";
 import { say, type Words } from "../words/language";
 import { element } from "../element";
 
@@ -11,7 +11,7 @@ function made<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, ...children: (N
 
 /** A line of the list: its keys, parted by spaces, and what they do. */
 function lineOf([keys, does]: readonly [string, Words]): HTMLElement {
-  const pressed = keys.split(" ").flatMap((key, place) => (place > 0 ? [" ", made("kbd", key)] : [made("kbd", key)]));
+  const pressed = keys.split(" ").flatMap((key, place) => [...(place > 0 ? [" "] : []), made("kbd", keyWords(key))]);
   return made("div", made("dt", ...pressed), made("dd", say(does)));
 }
 
