@@ -9,7 +9,7 @@ from PIL import Image, ImageStat
 from playwright.sync_api import expect
 
 from tests.browser.test_looking import entrance_of, holds
-from tests.browser.visit import SMALL, Document, Visit, said
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, said
 
 HALF_BODY = 0.2
 KNOWN = "() => compose.state.knowsFloor"
@@ -101,6 +101,19 @@ def test_the_map_tells_the_room_and_goes_there_through_doors_that_are_open(visit
         expect(status).to_have_text(said(room["type"]))
     visit.page.keyboard.press("Escape")
     expect(visit.page.locator("#minimap")).to_be_hidden()
+
+
+@pytest.mark.parametrize("begin", ["1", "camera_walk"])
+def test_who_walks_has_nothing_of_a_chosen_piece_in_the_way(visit: Visit, begin: str) -> None:
+    piece = furniture_of(visit.open(SMALL.format(4)))[0]
+    visit.line_of(piece).click()
+    assert visit.state()["selected"] == piece
+    if begin == "1":
+        visit.page.keyboard.press(begin)
+    else:
+        visit.page.locator(f"#{begin}").click()
+    visit.settle()
+    assert (visit.state()["walking"], visit.state()["selected"]) == (True, None)
 
 
 @pytest.mark.own_page

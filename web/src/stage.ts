@@ -79,7 +79,10 @@ export class Stage {
       this.beside.onAlso = (id) => this.onAlso(id);
       this.beside.onWished = () => { if (this.#isPlan) this.look("corner"); }; // not two plans
     }
-    this.#looking.onPlan = (isPlan) => { this.#turnPlan(isPlan); };
+    this.#looking.onLook = (way) => {
+      this.#turnPlan(way === "plan");
+      if (way === "walk") this.onSelect(null); // what is said of a piece would hide the way
+    };
     this.#viewport.onFrame(() => { this.#turnCompass(); this.#placeSheets(); });
     listenToPointer(this.#viewport.canvas, {
       click: (x, y, adds) => this.#click(x, y, adds),
@@ -188,7 +191,6 @@ export class Stage {
   }
 
   look(way: PresetName | "walk"): void {
-    if (way === "walk") this.onSelect(null); // what is said of a piece would hide the way
     this.#looking.look(way);
   }
 

@@ -34,8 +34,8 @@ export class Looking {
   readonly #things = element<HTMLInputElement>("decoration_labels");
   /** Over the canvas: on a narrow screen the other buttons are far below it. */
   readonly #leave = element<HTMLButtonElement>("walk_leave");
-  /** Told whether the plan is looked at. */
-  onPlan: (isPlan: boolean) => void = () => undefined;
+  /** Told first how it is looked from now on. */
+  onLook: (way: Way) => void = () => undefined;
   /** Told why the floor is not known: one then walks through everything. */
   onFailure: (reason: unknown) => void = () => undefined;
   readonly #map: Minimap;
@@ -87,7 +87,7 @@ export class Looking {
 
   look(way: Way, jump = false): void {
     this.viewport.flatten(way === "plan");
-    this.onPlan(way === "plan");
+    this.onLook(way);
     this.viewport.host.dataset.view = way;
     if (way === "walk") this.#enter();
     else this.#leaveFor(way, jump);
