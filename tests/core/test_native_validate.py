@@ -26,7 +26,7 @@ ANSWERS = ("judge_storey", "free_floors", "measure_storey")
 
 
 def thrown_about(scene: Scene, chance: Random) -> Scene:
-    """A scene with a third of its things pushed, turned and stretched."""
+    """A scene with a third of its things pushed, turned and stretched, and of its openings and rooms pushed."""
 
     def thrown(body: Thing) -> Thing:
         if chance.random() < 0.7:
@@ -34,8 +34,17 @@ def thrown_about(scene: Scene, chance: Random) -> Scene:
         x, z = body.x + chance.uniform(-1.5, 1.5), body.z + chance.uniform(-1.5, 1.5)
         return replace(body, x=x, z=z, rotation=chance.choice((0, 45, 90, -30, 270, 400)), height=body.height * chance.uniform(0.3, 2.0))
 
+    def pushed(at: float) -> float:
+        return at if chance.random() < 0.7 else at + chance.uniform(-1.0, 1.0)
+
     rooms = [
-        replace(room, furniture=tuple(map(thrown, room.furniture)), decorations=tuple(map(thrown, room.decorations)))
+        replace(
+            room,
+            x=pushed(room.x),
+            furniture=tuple(map(thrown, room.furniture)),
+            decorations=tuple(map(thrown, room.decorations)),
+            openings=tuple(replace(one, position=pushed(one.position)) for one in room.openings),
+        )
         for room in scene.rooms
     ]
     return replace(scene, rooms=tuple(rooms))
