@@ -12,7 +12,7 @@ from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without
 from solver.pipeline.rounds import Round, best_placement, other_placements, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
-from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement
+from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
 from solver.scene import ROBOT_WIDTH, Room
 
 
@@ -94,15 +94,27 @@ def _conflicts(task: PlaceTask, placement: Placement, found: Round) -> tuple[Con
     missing = [entry.id for entry in placement.unplaced]
     given_up = _with_relying(task.pieces, found.given_up)
     required = [piece for piece in task.pieces if piece.required]
+    before = {piece.label: {one.label for one in task.pieces[:k]} & {*missing} for k, piece in enumerate(task.pieces)}
     conflicts, budget = [], Budget(ROOM_WORK)
     for piece in required:
         if piece.label in given_up:
             words = f"not found: a place for {_sized(task, piece)} where the required relations hold"
             conflicts.append(Conflict((piece.label,), words, ()))
+        elif piece.label in missing and (asked := _asked_beside(task, piece.label, before[piece.label])):
+            words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(asked)}, for which there is no place"
+            conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
         elif piece.label in missing:
             others = [other for other in required if other.label not in missing or other is piece]
             conflicts.append(_conflict(task, others, piece, budget))
     return tuple(conflicts)
+
+
+def _asked_beside(task: PlaceTask, label: str, missing: set[str]) -> Sequence[str]:
+    """Returns the pieces that a required relation of a piece is to, where all of them are missing."""
+    labels = labels_by_name(task.room, task.requests)
+    rules = [rule for request in task.requests if label in request.labels for rule in request.relations if rule.required]
+    others = [[one for name in rule.of if name in labels for one in labels[name] if one != label] for rule in rules]
+    return next((names for names in others if names and missing.issuperset(names)), ())
 
 
 def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:

@@ -180,6 +180,16 @@ def test_what_cannot_be_reached_together_is_a_minimal_conflict_with_what_would_h
     ] == []  # both doors lead outside: ways are place's wish
 
 
+def test_what_has_its_place_at_what_has_none_is_said_to() -> None:
+    beside = block("box", RelationSpec(type="near", of=("wide",), distance=0.5, required=True), size=(0.4, 0.4, 1.0))
+    den = Room("den", width=3.0, depth=3.0)
+    first, second = placed(block("wide", size=(3.5, 3.5, 1.0)), beside, room=den).conflicts
+    assert (first.ids, second.ids) == (("wide",), ("box",))
+    assert second.message == "box 0.40 x 0.40 m is asked for in relation to wide, for which there is no place"
+    assert has_form(second.message)
+    assert placed(replace(beside, relations=()), room=den).conflicts == ()
+
+
 def test_the_floor_of_a_room_with_an_outline_is_not_called_a_rectangle() -> None:
     arms = ((0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (5.0, 2.0), (5.0, 4.0), (0.0, 4.0))
     (conflict,) = placed(block("box", size=(4.5, 2.5, 1.0)), room=Room("den", width=5.0, depth=4.0, outline=arms)).conflicts
