@@ -1,6 +1,7 @@
 """Files that are whole or not there: written under another name, then renamed."""
 
 import os
+from contextlib import suppress
 from pathlib import Path
 
 
@@ -26,4 +27,5 @@ def write_whole(path: str | Path, content: bytes) -> None:
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from None
     finally:  # Ctrl-C, too, leaves nothing half-written
-        part.unlink(missing_ok=True)
+        with suppress(OSError):  # a disk that is not written to refuses even that, in the other name
+            part.unlink(missing_ok=True)

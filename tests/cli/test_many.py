@@ -74,3 +74,16 @@ def test_a_file_is_whole_or_as_it_was(tmp_path: Path, monkeypatch: pytest.Monkey
     with pytest.raises(type(ended), match=r"No space|Ctrl-C"):
         write_whole(path, b"afterwards")
     assert [(one.name, one.read_text()) for one in tmp_path.iterdir()] == [("home.yaml", "before")]
+
+
+def test_what_cannot_be_written_is_called_by_its_own_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a disk that is not written to nothing can be taken away either."""
+
+    def refused(self: Path, *_: object, **__: object) -> None:
+        raise OSError(30, "Read-only file system", str(self))
+
+    monkeypatch.setattr(Path, "write_bytes", refused)
+    monkeypatch.setattr(Path, "unlink", refused)
+    with pytest.raises(OSError, match="Read-only") as caught:
+        write_whole(tmp_path / "home.yaml", b"a home")
+    assert caught.value.filename == str(tmp_path / "home.yaml")
