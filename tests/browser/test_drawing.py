@@ -11,6 +11,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.test_accessible import violations
+from tests.browser.test_in_turn import held
 from tests.browser.visit import SMALL, Document, Visit, sent_by
 
 IN_WINDOW = """([x, z]) => {
@@ -339,3 +340,20 @@ def test_the_board_is_accessible_and_gives_the_focus_back(board: DrawingBoard) -
     assert {state: wrong for state, wrong in found.items() if wrong} == {}
     board.tool("close")
     expect(board.page.get_by_role("button", name=DRAW)).to_be_focused()
+
+
+def test_what_is_under_way_and_what_fails_is_said_over_the_board(visit: Visit) -> None:
+    visit.open(SMALL.format(4))
+    page = visit.page
+    DrawingBoard(visit).open("Change this plan")
+    waiting = held(page, "furnish", page.get_by_role("button", name="Furnish the rooms").click)
+    progress, notice = page.get_by_role("progressbar"), page.get_by_role("alert")
+    expect(progress).to_contain_text("Furnishing the plan")
+    assert progress.evaluate("one => one.closest('[inert]')") is None
+    waiting.abort()
+    expect(notice).to_contain_text("The service does not answer")
+    notice.get_by_role("button", name="Try again").click()
+    expect(page.locator("#drawing")).to_be_hidden()
+    visit.settle()
+    assert any(room["furniture"] for room in visit.page.evaluate("compose.scene.rooms"))
+    assert page.locator("#stage :is(#progress, #notice)").count() == 2

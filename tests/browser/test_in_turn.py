@@ -127,6 +127,18 @@ def test_a_conflict_goes_with_the_home_it_spoke_of(visit: Visit) -> None:
     expect(visit.page.locator("#conflict")).to_be_hidden()
 
 
+def test_other_arrangements_are_put_away_when_an_edit_begins(visit: Visit) -> None:
+    one, other = roomy(visit.open(SMALL.format(3)), 2)[:2]
+    visit.page.get_by_label("Room", exact=True).select_option(one["id"])
+    visit.page.get_by_role("button", name="Other arrangements…").click()
+    expect(visit.page.locator("#others .others-row button")).to_have_count(3)
+    visit.line_of(other["furniture"][0]["id"]).click()
+    waiting = held(visit.page, "fix", lambda: visit.page.keyboard.press("k"))
+    expect(visit.page.locator("#others")).to_be_hidden()  # what was chosen of them now would be none of the home that comes
+    waiting.continue_()
+    visit.settle()
+
+
 def test_what_the_diagnosis_fixes_comes_after_an_edit_under_way(visit: Visit) -> None:
     answer, page = spoiled(visit), visit.page
     wrong = {issue["room"] for issue in answer["issues"]}

@@ -110,13 +110,16 @@ class Page {
     this.#home.on("selected", (id) => this.#select(id));
     this.#home.on("also", (also) => this.#stage.select(this.#home.selected, also));
     this.#workbench = new Workbench(this.#home, this.#stage, {
-      busy: (busy) => this.#asking.progress.turn(say("Trying the change"), busy),
+      busy: (busy) => {
+        if (busy) this.#others.hide(); // they are of the home before the edit
+        this.#asking.progress.turn(say("Trying the change"), busy);
+      },
       beside: this.#asking.beside,
       failed: (reason) => this.#asking.notice.show(reason),
     });
     new Menu(element("tools"), element("said"));
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
-    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], (reason) => this.#asking.notice.show(reason));
+    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], (reason) => this.#asking.notice.show(reason));
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
     for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#furnish());

@@ -12,15 +12,20 @@ export class Drawing {
 
   /** What had the focus before. */
   #before: Element | null = null;
+  /** Where what is told has its place while the board is closed. */
+  readonly #places: readonly (HTMLElement | null)[];
 
-  /** `covered` is what lies under the board, out of reach while it is open. */
-  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly failed: (reason: unknown) => void) {}
+  /** `covered` is what lies under the board, out of reach while it is open, but for what is `told` in it: that lies over the board then. */
+  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly failed: (reason: unknown) => void) {
+    this.#places = told.map((one) => one.parentElement);
+  }
 
   /** Opens the board on a home; null: on an empty sheet. */
   open(scene: Scene | null): void {
     this.#before = document.activeElement;
     this.#load().then((board) => {
       for (const element of this.covered) element.inert = true;
+      this.host.append(...this.told);
       board.open(scene);
     }, this.failed);
   }
@@ -49,6 +54,7 @@ export class Drawing {
 
   #uncover(): void {
     for (const element of this.covered) element.inert = false;
+    this.told.forEach((one, at) => this.#places[at]?.append(one));
     if (this.#before instanceof HTMLElement) this.#before.focus();
   }
 }
