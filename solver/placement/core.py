@@ -37,7 +37,7 @@ class Limits:
     required: int = 3000
     required_qps: int = 2000
     optional: int = 16
-    optional_qps: int = 60
+    optional_qps: int = 50
     optional_lapses: int = 2
     moves: int = 8
     final_qps: int = 6000

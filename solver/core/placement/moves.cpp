@@ -7,7 +7,7 @@ namespace placement {
 
 constexpr i64 MOVES = 48;  // other ways of other pieces that are looked at before the cheapest are tried
 constexpr i64 EVALUATIONS_OF_A_MOVE = 6;  // for each piece of the group
-constexpr i64 QPS_OF_A_MOVE = 20;  // of each evaluation: more find hardly a move that helps (measured)
+constexpr i64 QPS_OF_A_MOVE = 18;  // of each evaluation: more find hardly a move that helps (measured)
 
 static void copy(const Decisions& from, const Decisions& to) {
   for (i64 piece = 0; piece < to.size; piece++) to[piece] = from[piece];

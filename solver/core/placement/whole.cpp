@@ -17,7 +17,7 @@ struct WayMargin {
   f64 worth, most;
 };
 constexpr WayMargin MARGINS[] = {{200, 0.9, 10.0}, {100, 0.8, 12.0}, {50, 0.6, 20.0}};
-constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 60, 2, 8, 6000};  // such a try is given up sooner
+constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 50, 2, 8, 6000};  // such a try is given up sooner
 
 // A placement that is known to be there is looked for with so many times the QPs, each time with so many times more.
 constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;
