@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Container
 from dataclasses import replace
+from functools import cache
 from importlib import import_module
 
 import pytest
 
 from solver import Scene, fix
-from solver.answers import Conflict
+from solver.answers import Conflict, Fixed
 from solver.scene import Opening, Room
 from tests.pipeline.fix_oracle import can_stand
 from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, untrue_repairs, with_repair
@@ -26,6 +27,11 @@ def room(seed: int) -> Scene:
     return fuzzed(seed, 3 + seed % 3, locks=seed % 2 == 1)
 
 
+@cache
+def repaired(seed: int) -> Fixed:
+    return fix(room(seed))
+
+
 def is_minimal(here: Room, conflict: Conflict) -> bool:
     """Its members alone are infeasible, and without any one of them the rest of it is feasible."""
     members = [piece for piece in here.furniture if piece.id in conflict.ids]
@@ -35,8 +41,7 @@ def is_minimal(here: Room, conflict: Conflict) -> bool:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_verdict_is_the_oracles_and_every_conflict_minimal(seed: int) -> None:
-    scene = room(seed)
-    fixed = fix(scene)
+    scene, fixed = room(seed), repaired(seed)
     here = scene.rooms[0]
     assert (errors(fixed.scene) == []) == can_stand(here, here.furniture)
     assert [conflict.message for conflict in fixed.conflicts if conflict.message.startswith(NOT_FOUND)] == []
@@ -44,7 +49,7 @@ def test_the_verdict_is_the_oracles_and_every_conflict_minimal(seed: int) -> Non
 
 
 def test_all_rooms_of_the_sweep_are_of_all_kinds() -> None:
-    answers = [fix(room(seed)) for seed in ALL_SEEDS]
+    answers = [repaired(seed) for seed in ALL_SEEDS]
     assert {len(conflict.ids) for answer in answers for conflict in answer.conflicts} >= {1, 2, 3}
     assert any(not answer.conflicts for answer in answers)
     actions = {repair["action"] for answer in answers for conflict in answer.conflicts for repair in conflict.repairs}
@@ -66,8 +71,7 @@ def test_what_could_stand_if_it_were_turned_is_said_not_to_as_it_is() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_every_repair_leaves_the_room_clean_with_the_first_of_each_other_conflict(seed: int) -> None:
-    scene = room(seed)
-    fixed = fix(scene)
+    scene, fixed = room(seed), repaired(seed)
     assert all(1 <= len(conflict.repairs) <= 6 for conflict in fixed.conflicts)
     assert untrue_repairs(scene, fixed) == []
 
@@ -75,7 +79,7 @@ def test_every_repair_leaves_the_room_clean_with_the_first_of_each_other_conflic
 def test_without_repairs_the_same_scene_and_conflicts_are_answered() -> None:
     offered = 0
     for seed in range(0, 24, 2):
-        whole, bare = fix(room(seed)), fix(room(seed), repairs=False)
+        whole, bare = repaired(seed), fix(room(seed), repairs=False)
         offered += sum(bool(conflict.repairs) for conflict in whole.conflicts)
         assert bare.scene == whole.scene
         assert [conflict.ids for conflict in bare.conflicts] == [conflict.ids for conflict in whole.conflicts]
@@ -85,8 +89,7 @@ def test_without_repairs_the_same_scene_and_conflicts_are_answered() -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_an_answer_is_repaired_to_itself_and_the_locked_stay(seed: int) -> None:
-    scene = room(seed)
-    fixed = fix(scene)
+    scene, fixed = room(seed), repaired(seed)
     again = fix(fixed.scene)
     assert again.scene == fixed.scene
     assert again.moves == ()

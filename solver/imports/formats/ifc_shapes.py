@@ -89,6 +89,7 @@ class IfcShapes:
         self._tally = tally
         self._placed: dict[int, Matrix] = {}
         self._boxes: dict[int, Matrix] = {}
+        self._maps: dict[int, Matrix] = {}
 
     def world_of(self, element: Any) -> Matrix:
         """Returns where an element is in the building.
@@ -149,7 +150,7 @@ class IfcShapes:
                 self._boxes[source.id()] = _box_around(
                     [points for _, points, _ in self._all(source.MappedRepresentation.Items, np.eye(4), 1)]
                 )
-            return _moved(self._boxes[source.id()], np.asarray(_util().get_mappeditem_transformation(item)))
+            return _moved(self._boxes[source.id()], self._mapped(item))
         return _box_around([points for _, points, _ in self._all((item,), np.eye(4), 0)])
 
     def _all(self, items: Sequence[Any], frame: Matrix, depth: int) -> Iterator[_Part]:
@@ -162,7 +163,7 @@ class IfcShapes:
         if depth > DEEPEST:
             return
         if item.is_a("IfcMappedItem"):
-            inner = frame @ np.asarray(_util().get_mappeditem_transformation(item))
+            inner = frame @ self._mapped(item)
             yield from self._all(item.MappingSource.MappedRepresentation.Items, inner, depth + 1)
         elif item.is_a("IfcBooleanResult"):
             yield from self._outlines(item.FirstOperand, frame, depth + 1)
@@ -187,6 +188,12 @@ class IfcShapes:
     def _indexed(self, item: Any, faces: Sequence[Sequence[int]], frame: Matrix) -> Iterator[_Part]:
         corners = np.asarray(self._counted(item.Coordinates.CoordList), dtype=np.float64)
         return _faced([corners[[at - 1 for at in face]] for face in faces], frame)
+
+    def _mapped(self, item: Any) -> Matrix:
+        """Returns how a mapped item lies in what it is an item of; of one that is named often it is read once."""
+        if item.id() not in self._maps:
+            self._maps[item.id()] = np.asarray(_util().get_mappeditem_transformation(item))
+        return self._maps[item.id()]
 
     def _counted(self, parts: Sequence[Any]) -> Sequence[Any]:
         self._tally.add("points of shapes", len(parts), MOST_SHAPE_POINTS)
