@@ -16,7 +16,6 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 import pytest
-import trimesh
 from pxr import Usd, UsdGeom, UsdPhysics
 
 from catalogs import Catalogs, add_assets, load_catalogs
@@ -83,8 +82,10 @@ def files(format: str) -> dict[str, bytes]:
     return export(scene, format, catalogs=known)
 
 
-def corners(scene: trimesh.Scene, name: str) -> Any:
+def corners(scene: Any, name: str) -> Any:
     """The points of all that hangs below a node, in the house."""
+    import trimesh
+
     below = {name} | {child for child in scene.graph.nodes if name in scene.graph.transforms.shortest_path("world", child)}
     found = []
     for child in below & set(scene.graph.nodes_geometry):

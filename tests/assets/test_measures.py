@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import io
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-import trimesh
 
 from catalogs import CatalogError, Catalogs, add_assets, load_catalogs
 from catalogs.assets.asset_entry import FRONT_TURNS
@@ -23,8 +23,10 @@ def assets(at: Path, content: bytes, **entry: object) -> Catalogs:
     return add_assets(load_catalogs(), folder(at, {"a.glb": content}, {"a": {"file": "a.glb", "license": "CC0-1.0", **entry}}))
 
 
-def drawn(content: bytes) -> trimesh.Scene:
+def drawn(content: bytes) -> Any:
     """A file as trimesh opens it."""
+    import trimesh
+
     return trimesh.load_scene(io.BytesIO(content), file_type="glb")
 
 

@@ -13,10 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
-import polars as pl
 import pytest
-import webdataset as wds
 import yaml
 
 from service.cli import main
@@ -58,6 +55,9 @@ def manifest(folder: Path) -> dict[str, Any]:
 
 
 def test_pandas_and_polars_read_all_rows(folder: Path, manifest: dict[str, Any]) -> None:
+    import pandas as pd
+    import polars as pl
+
     for name, count in manifest["rows"].items():
         frame, other = pd.read_parquet(folder / "tables" / name), pl.read_parquet(folder / "tables" / name / "*.parquet")
         assert len(frame) == len(other) == count
@@ -90,6 +90,8 @@ def test_datasets_reads_every_table_by_the_card(folder: Path, manifest: dict[str
 def samples(folder: Path) -> list[dict[str, Any]]:
     """The homes of all archives as webdataset groups their files."""
     paths = sorted(str(path) for path in (folder / "archives").glob("*.tar"))
+    import webdataset as wds
+
     return list(wds.WebDataset(paths, shardshuffle=False, empty_check=False))
 
 
@@ -102,6 +104,8 @@ def test_webdataset_reads_a_sample_a_home(folder: Path) -> None:
 
 def test_a_loader_of_boxes_reads_every_room(folder: Path, manifest: dict[str, Any]) -> None:
     """As ATISS's ThreedFront reads a folder a room: classes one-hot with start and end, half extents, middles, angles."""
+    import pandas as pd
+
     rooms, boxes, widths = 0, 0, set()
     for one in samples(folder):
         archive = zipfile.ZipFile(io.BytesIO(one["boxes.zip"]))

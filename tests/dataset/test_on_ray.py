@@ -7,10 +7,8 @@ import sys
 from pathlib import Path
 
 import pytest
-import ray
 
 from service.cli import main
-from service.dataset.on_ray import LOCAL, on_cluster
 from solver.errors import FieldError
 from tests.dataset.test_building import contents
 
@@ -34,6 +32,10 @@ def test_a_cluster_that_is_not_there_is_said(tmp_path: Path) -> None:
 
 
 def test_a_cluster_that_is_too_slow_to_start_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    import ray
+
+    from service.dataset.on_ray import LOCAL, on_cluster
+
     def too_slow(*_: object, **__: object) -> None:
         raise Exception("The current node timed out during startup.")
 

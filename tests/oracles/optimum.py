@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import cvxpy as cp
 import numpy as np
 import pyscipopt
 from pyscipopt import quicksum
@@ -112,6 +111,8 @@ def _least(problem: Problem, row: tuple[int, int, int, int]) -> float:
 
 def cost_with(problem: Problem, rows: Sequence[tuple[int, int, int, int]]) -> float:
     """Returns the least cost with these rows held and no choice left, by an interior-point solver to 1e-10."""
+    import cvxpy as cp
+
     total = 0.0
     for axis in (0, 1):
         n = len(problem.low[axis])

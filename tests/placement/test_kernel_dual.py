@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cvxpy as cp
 import numpy as np
 import pytest
 
@@ -80,6 +79,8 @@ def possible(problem: Problem) -> bool:
 
 
 def by_cvxpy(problem: Problem) -> float:
+    import cvxpy as cp
+
     p = cp.Variable(len(problem.low[0]))
     cost = 0
     for term in problem.terms:

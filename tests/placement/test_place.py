@@ -10,7 +10,6 @@ from solver.placement import feasible, minimal_conflict, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Limits
 from solver.placement.qp import confirmed
-from solver.placement.reference import solve_house as reference_house
 from solver.streams import Stream
 from tests.placement.rooms import at_walls, random_space, random_wanted
 
@@ -54,6 +53,8 @@ def test_every_room_is_valid_in_integers(block: int) -> None:
 
 
 def test_osqp_agrees_with_the_reference_model() -> None:
+    from solver.placement.reference import solve_house as reference_house
+
     solved = [arrange(*room(seed)) for seed in range(12)]
     rooms = [(one.problem, one.solution) for one in solved]
     for ours, theirs, (_, exact) in zip(confirmed(solved), reference_house(rooms), rooms, strict=True):

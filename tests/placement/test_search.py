@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any
 
-import cvxpy as cp
 import numpy as np
 import pytest
 from scipy.optimize import Bounds, LinearConstraint, milp
@@ -152,6 +151,8 @@ FAR = 10.0
 
 def best_by_enumeration(problem: Problem) -> float:
     """Solves every combination of options with cvxpy: of those that are not in it, what they demand is set back by `FAR`."""
+    import cvxpy as cp
+
     p = [cp.Variable(len(problem.low[axis])) for axis in (0, 1)]
     cost = 0
     for term in problem.terms:

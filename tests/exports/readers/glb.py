@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import trimesh
 
 from tests.exports.readers import Seen
 
@@ -21,8 +20,10 @@ def document(content: bytes) -> dict[str, Any]:
     return read
 
 
-def scene_of(content: bytes) -> trimesh.Scene:
+def scene_of(content: bytes) -> Any:
     """The scene as trimesh has it."""
+    import trimesh
+
     return trimesh.load_scene(io.BytesIO(content), file_type="glb")
 
 

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import trimesh
 
 from tests.exports.readers import Seen
 
@@ -28,6 +27,8 @@ def bounds_of(files: Mapping[str, bytes], template: str) -> Any:
     says = json.loads(files[f"{template}.object_config.json"])
     assert (says["up"], says["front"]) == ([0, 1, 0], [0, 0, -1])
     asset = f"{template.rsplit('/', 1)[0]}/{says['render_asset']}"
+    import trimesh
+
     scene: Any = trimesh.load(io.BytesIO(files[asset]), file_type="glb")
     return np.array(scene.bounds), says
 
