@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Final
 
-from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied
+from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied, weighted_median
 
 THICKEST: Final = 600
 """Of a wall between two rooms, mm."""
@@ -44,7 +44,7 @@ def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness:
     edges = rooms
     pairs = _facing_pairs(edges, levels)
     gaps = [one for one in _gaps(pairs) if one[0] >= THINNEST]
-    usual = _weighted_median([one for one in gaps if one[0] <= gaps[0][0] + ALIKE]) if gaps else thickness or 0
+    usual = int(weighted_median(one for one in gaps if one[0] <= gaps[0][0] + ALIKE)) if gaps else thickness or 0
     lines = _lines([pair for pair in pairs if pair[1].at - pair[0].at <= usual + NEAR_LINES])
     for room in edges:
         for edge in room:
@@ -58,7 +58,7 @@ def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness:
 def usual_gap(rooms: Sequence[FloorCorners], levels: Sequence[int]) -> int:
     """Returns how far apart rooms that are neighbours lie, mm: 0 where they are drawn along lines, or where there are none."""
     edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
-    return _weighted_median(_gaps(_facing_pairs(edges, levels)))
+    return int(weighted_median(_gaps(_facing_pairs(edges, levels))))
 
 
 def _facing_pairs(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> list[tuple[PlanEdge, PlanEdge, int]]:
@@ -96,15 +96,6 @@ def _pairs(edges: Sequence[PlanEdge]) -> list[tuple[PlanEdge, PlanEdge, int]]:
 def _without(part: tuple[int, int], taken: tuple[int, int]) -> list[tuple[int, int]]:
     ends = ((part[0], min(part[1], taken[0])), (max(part[0], taken[1]), part[1]))
     return [(low, high) for low, high in ends if low < high]
-
-
-def _weighted_median(values: Sequence[tuple[int, int]]) -> int:
-    half, total = sum(weight for _, weight in values) / 2, 0
-    for value, weight in values:
-        total += weight
-        if total >= half:
-            return value
-    return 0
 
 
 def _lines(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> dict[tuple[int, int], int]:
@@ -149,9 +140,9 @@ def _gather(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], lines: d
         for at in range(1, len(ordered) + 1):
             if at < len(ordered) and values[at] - values[start] <= NEAR_LINES:
                 continue
-            weighed = sorted((value, edge.length) for value, edge in zip(values[start:at], ordered[start:at], strict=True))
+            line = int(weighted_median((value, edge.length) for value, edge in zip(values[start:at], ordered[start:at], strict=True)))
             for edge in ordered[start:at]:
-                lines[edge.room, edge.side] = _weighted_median(weighed)
+                lines[edge.room, edge.side] = line
             start = at
 
 

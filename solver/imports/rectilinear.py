@@ -5,7 +5,7 @@ Comes in and goes out: corners (x, z), mm; clockwise seen from above where it ma
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -34,6 +34,17 @@ class PlanEdge(NamedTuple):
     def length(self) -> int:
         """Its length, mm."""
         return self.high - self.low
+
+
+def weighted_median(values: Iterable[tuple[int | float, float]]) -> int | float:
+    """Returns the value up to which half of all weight lies; 0 where there is none. Values come with their weights."""
+    ordered = sorted(values)
+    half, total = sum(weight for _, weight in ordered) / 2, 0.0
+    for value, weight in ordered:
+        total += weight
+        if total >= half:
+            return value
+    return 0
 
 
 def tidied(corners: Sequence[FloorCorner]) -> FloorCorners:

@@ -13,7 +13,7 @@ from typing import Final, Literal, TypeAlias
 
 from solver.geometry import doubled_area
 from solver.imports.drawn import PlanNotes, Spot
-from solver.imports.rectilinear import FloorCorners, is_simple, tidied
+from solver.imports.rectilinear import FloorCorners, is_simple, tidied, weighted_median
 from solver.imports.steps_inside import stepped
 
 NEAR: Final = 25.0
@@ -220,7 +220,7 @@ def _gather(runs: list[StraightRun]) -> None:
         else:
             at += 1
     for group in groups:
-        line = round(_weighted_median([run.middle for run in group], [max(run.length, 1.0) for run in group]))
+        line = round(weighted_median((run.middle, max(run.length, 1.0)) for run in group))
         for run in group:
             run.at = line
 
@@ -244,15 +244,6 @@ def _face(runs: Sequence[StraightRun]) -> bool:
             return True
         ends[run.looks > 0] = max(ends[run.looks > 0], high)
     return False
-
-
-def _weighted_median(ordered: Sequence[float], weights: Sequence[float]) -> float:
-    half, total = sum(weights) / 2, 0.0
-    for value, weight in zip(ordered, weights, strict=True):
-        total += weight
-        if total >= half:
-            return value
-    return ordered[-1]
 
 
 def _straight(stretches: list[OutlinePart], rooms: int) -> StraightRoom:

@@ -12,7 +12,7 @@ import numpy as np
 from solver.geometry import to_m
 from solver.imports.drawn import DrawnWall, Spot
 from solver.imports.joining import THICKEST_JOINED
-from solver.imports.rectilinear import PlanEdge
+from solver.imports.rectilinear import PlanEdge, weighted_median
 from solver.imports.wall_faces import line_between
 
 STRAIGHT: Final = 0.02
@@ -108,14 +108,13 @@ def faces_behind(
     where the file draws no wall, mm.
     """
     found = [[depths.face(edge, level) for edge in room] for room, level in zip(edges, levels, strict=True)]
-    inside = sorted(
+    inside = [
         (2 * (edge.at - face) * edge.out, edge.length)
         for room, own in zip(edges, found, strict=True) for edge, face in zip(room, own, strict=True) if face is not None
-    )  # fmt: skip
+    ]  # fmt: skip
     if not inside:
         return usual, None
-    middle = sum(length for _, length in inside) / 2
-    thickness = max(0, next(twice for at, (twice, _) in enumerate(inside) if sum(length for _, length in inside[: at + 1]) >= middle))
+    thickness = max(0, int(weighted_median(inside)))
     if all(abs(twice - thickness) <= ALIKE for twice, _ in inside):
         return thickness, None
     half = thickness // 2

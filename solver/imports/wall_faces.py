@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.imports.drawn import Spot
-from solver.imports.rectilinear import FloorCorners, edges_of_corners
+from solver.imports.rectilinear import FloorCorners, edges_of_corners, weighted_median
 from solver.imports.steps_inside import connected, outline_of_cells
 
 STRAIGHT: Final = 15
@@ -301,9 +301,4 @@ def thickness_about(rooms: Sequence[FloorCorners], walls: Sequence[DrawnLine]) -
         faces = (behind > SAME_LINE) & (behind <= THICKEST) & (2 * (np.minimum(high, edge.high) - np.maximum(low, edge.low)) > edge.length)
         if faces.any():
             found.append((int(behind[faces].min()), edge.length))
-    half, total = sum(length for _, length in found) / 2, 0
-    for thickness, length in sorted(found):
-        total += length
-        if total >= half:
-            return thickness
-    return None
+    return int(weighted_median(found)) or None
