@@ -122,6 +122,7 @@ def plan_of_shapes(
     shapes, texts, swings = _turned(shapes, texts, swings, turn)
     names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
     is_swung = any(one.sort for one in swings) or any(one.sort in ("door", "opening") for one in shapes)
+    nameless = [one for one in swings if not one.sort]
     swings = [one for one in swings if one.sort or not is_swung]
     shapes = _told_by_form(shapes, swings, names, metres)
     drawn_rooms, drawn_walls = ([one for one in shapes if one.sort == sort] for sort in ("room", "wall"))
@@ -153,7 +154,12 @@ def plan_of_shapes(
         openings += passages
     rooms += [replace(room, label=_label(room, texts)) for room in found]
     told += _still_open([] if by_walls else loose, rooms, unit)
-    told += (*(one for room in rooms for one in _other_names(room, texts)), *_names_outside(rooms, texts), *_untold_layers(shapes, called))
+    told += (
+        *_no_doors(nameless, openings),
+        *(one for room in rooms for one in _other_names(room, texts)),
+        *_names_outside(rooms, texts),
+        *_untold_layers(shapes, called),
+    )
     plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(drawn_walls), unread=(*unread, *told), turned=turn, solid=_solid_walls(drawn_walls),
@@ -199,6 +205,13 @@ def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[
     """Returns openings but for doors that hang in no gap: quarter circles on layers that tell nothing may be anything."""
     ends = {frozenset((gap.start, gap.end)) for gap in gaps}
     return [one for one in openings if one.kind != "door" or frozenset((one.start, one.end)) in ends]
+
+
+def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:
+    """Returns how many quarter circles on layers that tell nothing are at no door."""
+    doors = Places([(one.start, one.end) for one in openings if one.kind == "door"])
+    left = [one for one in nameless if all(doors.first(one.hinge, end) is None for end in one.ends)]
+    return [Unread(left[0].where, f"quarter circles that hang in no gap in a wall are no doors: {len(left)}")] if left else []
 
 
 def _without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:

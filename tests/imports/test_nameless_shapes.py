@@ -89,6 +89,7 @@ def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
     answer = imported(made)
     assert seen(answer) == WANTED
     assert sorted((room.width, room.depth) for room in answer.scene.rooms) == [(4.2, 4.5), (4.3, 4.5)]
+    assert "quarter circles that hang in no gap in a wall are no doors: 1" in [one["reason"] for one in answer.unread]
 
 
 def test_without_names_of_rooms_most_rooms_tell() -> None:
