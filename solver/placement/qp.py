@@ -21,6 +21,7 @@ from solver.placement.problem import Confirmed, Problem, Solution
 
 SETTINGS = {
     "verbose": False,
+    "scaling": 0,  # begun at its optimum the programme needs none
     "eps_abs": 1e-9,
     "eps_rel": 1e-9,
     "max_iter": 20_000,
