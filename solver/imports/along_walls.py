@@ -1,7 +1,5 @@
 """Whether rooms are drawn along their walls' middle lines or along the inner faces, measured at the walls that the file draws."""
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence

@@ -4,8 +4,6 @@ XML is read by defusedxml: no entity is resolved but those that stand for a plai
 namespaces.
 """
 
-from __future__ import annotations
-
 import re
 import zlib
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Small things of a foreign plan -> what carries each: the top it lies on, the piece it lies in, or the wall behind it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final

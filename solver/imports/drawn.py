@@ -4,8 +4,6 @@ Frame: x east, z south (readers of files whose y points north turn it round), in
 `where` names the place in the file, for whoever has to be told: `features[3]`, `Home.xml line 40, room`.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """Rooms with holes, such as around a core: outlines that are cut open from each hole to a wall, as a scene's rooms have none."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Second step, second half: one level of a drawn plan in mm, near the origin, turned so that its walls run along x and z."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace

@@ -4,8 +4,6 @@ An opening belongs to the two faces that lie within one wall of it. It is shifte
 has no wall is left out, and said.
 """
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from collections.abc import Sequence

@@ -4,8 +4,6 @@ Two faces of different rooms that look at each other across at most 0.6 m are on
 middle; of a thicker one each room has a line of its own.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Final

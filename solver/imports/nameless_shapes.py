@@ -3,8 +3,6 @@
 Comes in: shapes, texts, doors, the length of the unit. Goes out: shapes that are told. May import: shape_openings, walls_alone.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Furniture of a foreign plan -> furniture of the scene's rooms, under its own names: /fix understands and repairs it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace

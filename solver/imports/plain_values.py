@@ -1,7 +1,5 @@
 """Values of foreign documents, asked for one by one: what is wrong is said with its place."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from math import isnan
 from typing import Any, Final, TypeVar, overload

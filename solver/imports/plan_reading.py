@@ -1,7 +1,5 @@
 """A file of a floor plan -> the scene it draws: which format it is in, and the steps from there, in order. Start reading here."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, NamedTuple

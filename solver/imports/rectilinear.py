@@ -3,8 +3,6 @@
 Comes in and goes out: corners (x, z), mm; clockwise seen from above where it matters (x east, z south).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from typing import Literal, NamedTuple
 

@@ -3,8 +3,6 @@
 Comes in: a scene as a document. Goes out: its unit, the document in metres. May import: drawn, units.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 

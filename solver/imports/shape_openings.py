@@ -1,7 +1,5 @@
 """Openings of a drawing of shapes: what is drawn in one place is one, and the arc of a leaf tells where its door is."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

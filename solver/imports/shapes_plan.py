@@ -5,8 +5,6 @@ doors, windows and openings are openings, as long as their longer side. Without 
 Outlines that stay open, and other layers, are passed over, and told.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from bisect import bisect_left

@@ -1,7 +1,5 @@
 """A room with slanted or curved walls, or one that crosses itself, as the largest rectilinear floor inside it, in steps of 0.1 m."""
 
-from __future__ import annotations
-
 import math
 from collections import deque
 from collections.abc import Iterator, Sequence

@@ -3,8 +3,6 @@
 Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn, shape_openings.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple

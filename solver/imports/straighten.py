@@ -4,8 +4,6 @@ Runs of nearly straight edges are moved, never single corners: runs of all rooms
 line. A plan that stands at an angle as a whole is turned first. What is slanted or curved becomes the steps inside it (`steps_inside`).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Rooms and openings in whole mm -> rooms of a scene."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Furniture drawn a hair's breadth into a wall, or into what stands beside it, is taken so much smaller: it stays where it is drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations

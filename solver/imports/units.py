@@ -1,7 +1,5 @@
 """Second step: how long the file's unit is, by what the file says or by how wide its doors are."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from statistics import median

@@ -1,7 +1,5 @@
 """Things whose size a file does not say get that of their kind: they stand, hang or lie where their middles tell."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

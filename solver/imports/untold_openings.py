@@ -6,8 +6,6 @@ the likeliest of a door's width does.
 Comes in: `Joined`s, the rooms. Goes out: `Joined`s. May import: drawn, joining.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final

@@ -1,7 +1,5 @@
 """How thick each wall is: the walls that a file draws tell where a room's inner face is, and how deep the wall behind it."""
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence

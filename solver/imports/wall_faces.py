@@ -1,7 +1,5 @@
 """A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import islice

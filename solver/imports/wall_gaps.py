@@ -3,8 +3,6 @@
 Comes in: the lines of walls, openings. Goes out: gaps, openings. May import: drawn, wall_faces.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace

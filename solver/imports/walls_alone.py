@@ -1,7 +1,5 @@
 """Walls without rooms -> the rooms between them, in the drawing's own unit."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

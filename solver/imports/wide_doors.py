@@ -1,7 +1,5 @@
 """Doors between a room and a balcony or garden that are wider than any leaf: one leaf of them opens, the rest is glass."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final

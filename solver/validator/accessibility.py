@@ -3,8 +3,6 @@
 Turning spaces are squares, also where a standard asks for a circle: that is stricter. The sweep of door leaves is not counted.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache

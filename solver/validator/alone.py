@@ -1,7 +1,5 @@
 """A room by itself as the core's rules read it, so that it can be judged again and again with its bodies elsewhere."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from catalogs import Catalogs

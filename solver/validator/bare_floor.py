@@ -1,7 +1,5 @@
 """How much floor of a room is empty: the largest square, and strips before a side. In whole lattice steps, by what could be in the way."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Final
 

@@ -4,8 +4,6 @@ It is found by the core (solver/core/validate/crossing.cpp). Where both bodies s
 `overlap` speaks of them. Bodies of kinds without a shape are passed over: what they are made of is not known.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from solver.validator.judging import Finding, RuleCase

@@ -7,8 +7,6 @@ parent is not in the room, lies on the floor or on any of the room's bodies. Fur
 with that parent; of other furniture nothing is said: a cupboard may hang.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from solver.scene import Decoration

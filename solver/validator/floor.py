@@ -1,7 +1,5 @@
 """The floor of rooms as the rules see it: what is clear of walls, what is kept free, and where the robot's square comes."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from itertools import islice
 from struct import Struct

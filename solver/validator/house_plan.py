@@ -3,8 +3,6 @@
 They are found by the core (solver/core/validate/plan.cpp). Bodies are not looked at, and nothing is moved for these rules.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from solver.scene import Opening

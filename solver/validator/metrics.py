@@ -1,7 +1,5 @@
 """Measures of a scene: counts, how much of the floor is covered, how much can be walked."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from struct import Struct
 from typing import Any, Final

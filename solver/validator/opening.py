@@ -4,8 +4,6 @@ It is found by the core (solver/core/validate/opening.cpp). Each front is opened
 lies on a lid is taken off; doors are closed and are walls.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 from operator import itemgetter

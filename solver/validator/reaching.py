@@ -1,7 +1,5 @@
 """The rule `unreachable`: a square as wide as the robot comes to every room and every use side."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Final
 

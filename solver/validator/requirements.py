@@ -1,7 +1,5 @@
 """The rule `missing_required`: a piece that a room's type requires is not there."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any, Final

@@ -1,7 +1,5 @@
 """All rules, in the order of the table in docs/scene.md."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from typing import Final
 

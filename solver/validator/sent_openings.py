@@ -1,7 +1,5 @@
 """The openings on a room's walls as the core reads them, and what is fitted to them; doors closed (solver/core/validate/room.hpp)."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from struct import Struct
 from typing import Final, NamedTuple

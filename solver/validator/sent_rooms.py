@@ -1,7 +1,5 @@
 """Rooms and storeys as the core reads them (solver/core/validate/room.hpp and walk.hpp)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The rules for where bodies stand, in words: one function each, a room at a time; found by solver/core/validate/standing.cpp."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Final
 

@@ -4,8 +4,6 @@ The work is the core's (solver/core/validate/walk.hpp): the square's centre is f
 lattice.py for why gaps of exactly the square's side pass.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct, pack

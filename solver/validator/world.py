@@ -1,7 +1,5 @@
 """A scene as the rules see it: rooms with their floor, walls, openings and bodies, all in exact numbers."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -3,8 +3,6 @@
 Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or layer tells what they are; curves are taken by their points.
 """
 
-from __future__ import annotations
-
 import math
 from codecs import BOM_UTF8
 from collections import Counter

@@ -4,8 +4,6 @@ Its frame: x east, y north, z up, in the project's unit. Read by ifcopenshell, a
 others are named. Spaces are drawn along inner faces, mostly. A piece is as large as the box around its body.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator, Sequence

@@ -3,8 +3,6 @@
 Placements are 4 x 4 matrices.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from importlib import import_module
 from itertools import product

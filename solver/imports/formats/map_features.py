@@ -3,8 +3,6 @@
 Comes in: features' properties. Goes out: the same in our words, or why a feature is left out. May import: drawn.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping, Sequence

@@ -4,8 +4,6 @@ A FeatureCollection with members of its own: `unit`, `y` (`up`, as on paper, or 
 docs/plans.md tells all of it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace

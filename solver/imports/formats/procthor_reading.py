@@ -3,8 +3,6 @@
 Its frame is left-handed: x east, y up, z north, m; yaw clockwise in degrees, 0 facing north. Rooms are drawn along wall lines.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice

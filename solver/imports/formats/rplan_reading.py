@@ -3,8 +3,6 @@
 Its y points down. The image is 18 m wide, so a pixel is 7 cm; doors, 12 pixels, come out at 0.84 m.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 

@@ -4,8 +4,6 @@ Nested transforms, `<use>` and `<svg>` are worked out, curves are taken as chord
 passed over.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator, Mapping, Set

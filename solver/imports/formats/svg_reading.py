@@ -3,8 +3,6 @@
 Its y points down, as ours points south. Names are ids, classes and labels of shapes and of the groups around them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median

@@ -3,8 +3,6 @@
 Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Rooms are drawn along inner faces, mostly.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator
