@@ -13,7 +13,6 @@ from functools import cached_property
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Final, NamedTuple, cast, get_type_hints
 
-import solver
 from catalogs import Catalogs
 from service import contract
 from service.effort import limited_to
@@ -29,6 +28,7 @@ from solver.plain import Document
 from solver.request import NO_ACCESS, Request
 from solver.scene import Scene
 from solver.scene_bodies import body_ids, check_id, check_ids
+from solver.view import report, view
 
 if TYPE_CHECKING:
     from solver.exports import Files
@@ -93,14 +93,18 @@ def furnish_plan(body: contract.FurnishBody, catalogs: Catalogs) -> FurnishedPla
 @_call("fix")
 def fix_scene(body: contract.FixBody, catalogs: Catalogs) -> Fixed:
     """Repairs a scene by moving as little as possible."""
+    from solver import fix
+
     check_size(body.scene)
     locked, moved = tuple(dict.fromkeys(body.locked)), tuple(dict.fromkeys(body.moved))
     fixed = None
     with limited_to(body.effort) as work:
         if body.dragging:
-            fixed = solver.fix_frame(body.scene, moved, locked=locked, previous=body.previous, catalogs=catalogs, clock=perf_counter)
+            from solver import fix_frame
+
+            fixed = fix_frame(body.scene, moved, locked=locked, previous=body.previous, catalogs=catalogs, clock=perf_counter)
         if fixed is None:
-            fixed = solver.fix(
+            fixed = fix(
                 body.scene, locked=locked, moved=moved, on_conflict=body.on_conflict, previous=body.previous, catalogs=catalogs,
                 clock=perf_counter,
             )  # fmt: skip
@@ -110,18 +114,22 @@ def fix_scene(body: contract.FixBody, catalogs: Catalogs) -> Fixed:
 @_call("drag")
 def take_in_hand(body: contract.DragBody, catalogs: Catalogs) -> contract.DragAnswer:
     """Prepares the room of a piece that is about to be dragged."""
+    from solver import prepare_drag
+
     check_id("id", body.id, body_ids(body.scene))
     check_ids(body_ids(body.scene), locked=body.locked)
     with limited_to():
-        taken = solver.prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
+        taken = prepare_drag(body.scene, body.id, locked=tuple(dict.fromkeys(body.locked)), catalogs=catalogs)
     return contract.DragAnswer(None if taken.opening is None else b64encode(taken.opening).decode("ascii"), taken.bodies)
 
 
 @_call("place")
 def place_pieces(body: contract.PlaceBody, catalogs: Catalogs, engine: str = "osqp") -> contract.PlaceAnswer:
     """Places a list of pieces, with their relations, in a room of the caller's own."""
+    from solver import place
+
     with limited_to(body.effort) as work:
-        answer = solver.place(
+        answer = place(
             body.room, body.pieces, alternatives=body.alternatives, wall_thickness=body.wall_thickness, robot_width=body.robot_width,
             height=body.height,
             catalogs=catalogs, engine=engine, clock=perf_counter,
@@ -136,13 +144,13 @@ def place_pieces(body: contract.PlaceBody, catalogs: Catalogs, engine: str = "os
 @_call("validate")
 def validate_scene(body: contract.ValidateBody, catalogs: Catalogs) -> contract.ValidateAnswer:
     """Lists which rules a scene breaks, and by how much."""
+    from solver import validate
     from solver.understanding import understood
     from solver.validator import access_of, metrics
-    from solver.view import report
 
     scene, flagged = body.scene, tuple(dict.fromkeys(body.flagged or ()))
     check_ids(body_ids(scene), flagged=flagged)
-    issues = solver.validate(scene, catalogs)
+    issues = validate(scene, catalogs)
     is_wanted = body.flagged is not None if body.report is None else body.report
     measured = metrics(scene, catalogs)
     words = contract.Lines(*report(scene, _areas(measured), issues, flagged)) if is_wanted else None
@@ -156,7 +164,6 @@ def validate_scene(body: contract.ValidateBody, catalogs: Catalogs) -> contract.
 def view_scene(body: contract.ViewBody, _: Catalogs) -> contract.Lines:
     """Writes a scene as readable YAML, and which body each line is."""
     from solver.validator import metrics
-    from solver.view import view
 
     return contract.Lines(*view(body.scene, _areas(metrics(body.scene))))
 
@@ -169,8 +176,10 @@ def _areas(measured: Document) -> dict[str, float]:
 @_call("explain")
 def explain_place(body: contract.ExplainBody, catalogs: Catalogs) -> Explained:
     """Says where a piece of a generated home was wished, and what holds it back from there."""
+    from solver import explain
+
     with limited_to():
-        return solver.explain(body.scene, body.id, catalogs=catalogs)
+        return explain(body.scene, body.id, catalogs=catalogs)
 
 
 @_call("import")
@@ -229,8 +238,10 @@ def export_files(document: object, catalogs: Catalogs, format: str) -> Files:
     Raises:
         FieldError: a field is wrong, or the format's library is not installed.
     """
+    from solver import export
+
     body = _read_export(document)
-    return solver.export(
+    return export(
         body.scene, format, free=cast(Freedom, body.free), strict=body.strict, scale=body.scale, called=body.called, catalogs=catalogs
     )
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Final
 
-import solver
 from service.effort import limited_to
 from solver.answers import Generated
 from solver.errors import FieldError
@@ -25,24 +24,28 @@ def made_house(document: object, catalogs: "Catalogs", engine: str = "osqp") -> 
         FieldError: a field is wrong.
     """
     if _is_restyling(document):
-        from service.contract import RestyleBody  # noqa: PLC0415 - the bodies of all calls
+        from service.contract import RestyleBody
+        from solver import restyle
 
         wish = read(RestyleBody, document)
         check_size(wish.scene)
-        return solver.restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter)
+        return restyle(wish.scene, style=wish.style, decorate=wish.decorate, catalogs=catalogs, clock=perf_counter)
     if isinstance(document, Mapping) and not {"scene", "reroll"}.isdisjoint(document):
-        from service.contract import RerollBody  # noqa: PLC0415 - the bodies of all calls
+        from service.contract import RerollBody
+        from solver import reroll
 
         body = read(RerollBody, document)
         check_size(body.scene)
         rooms, seed = tuple(dict.fromkeys(body.reroll)), draw_seed() if body.seed is None else body.seed
         with limited_to(body.effort) as work:
-            made = solver.reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
+            made = reroll(body.scene, rooms, seed=seed, catalogs=catalogs, clock=perf_counter)
         return replace(made, limited=work.limited())
+    from solver import generate
+
     request = read_request(document, "body")
     seeded = request if request.seed is not None else replace(request, seed=draw_seed())
     with limited_to() as work:
-        house = solver.generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
+        house = generate(seeded, catalogs=catalogs, engine=engine, clock=perf_counter)
     return replace(house, limited=work.limited())
 
 
