@@ -94,7 +94,7 @@ def test_a_request_file_may_count_rooms(tmp_path: Path, capfdbinary: Captured) -
 
 
 def test_errors_are_told_by_the_exit_status_and_with_their_seeds(capfdbinary: Captured) -> None:
-    text = stats(capfdbinary, "-n", "4", "--program", "studio", "--robot-width", "1.6", status=1)
+    text = stats(capfdbinary, "-n", "4", "--program", "studio", "--width", "5", "--depth", "5", "--robot-width", "1.6", status=1)
     broken = column(section(text, "Issues"), "studio")["unreachable"]
     assert re.fullmatch(r"\d+ in [1-4]", broken)
     assert re.search(r"^- studio, seed [0-3]: error unreachable: ", text, re.MULTILINE)
