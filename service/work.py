@@ -8,7 +8,7 @@ from typing import Final
 
 from starlette.responses import Response
 
-from catalogs import Catalogs
+from catalogs import Catalogs, yaml_reading  # noqa: F401 - loaded before processes are forked
 from service import calls, problems
 from service.effort import USUAL, Terms, on_terms
 from service.measures import ISSUES_HEADER, RETRIED_HEADER, WORK_HEADER

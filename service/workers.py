@@ -35,7 +35,7 @@ SIZE_BYTES: Final = 8
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES: Final[Any] = multiprocessing.get_context("forkserver" if _CAN_FORK else "spawn")
 _FLOWS: Final = ("drag", "explain", "export", "fix", "generate", "import_plan", "own_plan", "place", "restyle")
-PRELOADED: Final = (f"{__package__}.work", __name__, "catalogs.yaml_reading", *(f"{pipeline.__name__}.{flow}" for flow in _FLOWS))
+PRELOADED: Final = (f"{__package__}.work", __name__, *(f"{pipeline.__name__}.{flow}" for flow in _FLOWS))
 """What calls load when they are made: a process that has loaded all of it is copied within milliseconds."""
 if _CAN_FORK:
     _PROCESSES.set_forkserver_preload(list(PRELOADED))

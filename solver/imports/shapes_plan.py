@@ -141,23 +141,15 @@ def plan_of_shapes(
     thick: float | None = None
     told: list[Unread] = []
     if rooms or not outlines:
-        walls = [
-            DrawnWall(a, b, 0.0, one.where) for one in drawn_walls if not one.closed
-            for a, b in pairwise(one.points)
-        ]  # fmt: skip
+        walls = [DrawnWall(a, b, 0.0, one.where) for one in drawn_walls if not one.closed for a, b in pairwise(one.points)]
         found = _beside(rooms, loose, openings, unit)
         openings += passages_between(rooms, openings, gaps, unit)
     else:
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
     rooms += [replace(room, label=_label(room, texts)) for room in found]
-    told += _still_open([] if by_walls else loose, rooms, unit)
-    told += (
-        *_no_doors(nameless, openings),
-        *(one for room in rooms for one in _other_names(room, texts)),
-        *_names_outside(rooms, texts),
-        *_untold_layers(shapes, called),
-    )
+    told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
+    told += (*_left_names(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(drawn_walls), unread=(*unread, *told), turned=turn, solid=_solid_walls(drawn_walls),
@@ -165,6 +157,11 @@ def plan_of_shapes(
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
     return with_storeys_apart(plan, [(one.words, (one.x, one.z)) for one in texts if not one.means], unit)
+
+
+def _left_names(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
+    yield from (one for room in rooms for one in _other_names(room, texts))
+    yield from _names_outside(rooms, texts)
 
 
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
