@@ -139,15 +139,17 @@ def _interrupts_waiting() -> Iterator[None]:
 
 
 class _Work:
-    """What a process of the pool does, and whether it is at it."""
+    """What a process of the pool does, whether it is at it, and whether it was told to end meanwhile."""
 
     make: ClassVar[Callable[[Any], Any]]
     under_way = False
+    is_to_end = False
 
 
 def _hear(*_: object) -> None:
     """Ends a process of the pool at Ctrl-C, which a terminal tells to all, or SIGTERM; work under way leaves nothing half-written."""
     if _Work.under_way:
+        _Work.is_to_end = True
         raise KeyboardInterrupt
     os._exit(1)
 
@@ -191,4 +193,6 @@ def _made(part: Sequence[Any]) -> list[Any]:
     try:
         return [_Work.make(job) for job in part]
     finally:
+        if _Work.is_to_end:  # whatever compiled code on the way has made of the interrupt
+            os._exit(1)
         _Work.under_way = False  # an interrupt at this very line is an error of the job to the pool, which would wait for ever

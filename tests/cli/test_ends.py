@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -15,6 +17,29 @@ from service.pool import AHEAD
 from tests.cli.programs import GUARD_S, PROGRAM, ROOT, said
 
 SCENE = b'{"rooms": [{"id": "den", "width": 4, "depth": 3}]}'
+
+LOSES_INTERRUPTS = """
+import sys, time
+from pathlib import Path
+from service.pool import spread
+
+def lost(path):
+    Path(path).touch()
+    try:
+        while True:
+            time.sleep(0.01)
+    except KeyboardInterrupt:
+        raise ValueError("another error, as compiled code may make of it") from None
+
+def start():
+    pass
+
+if __name__ == "__main__":
+    try:
+        list(spread(lost, sys.argv[1:], 2, start))
+    except KeyboardInterrupt:
+        sys.exit(130)
+"""
 
 
 def in_shell(words: str, given: bytes = SCENE, **environment: str) -> subprocess.CompletedProcess[bytes]:
@@ -64,6 +89,18 @@ def test_ctrl_c_ends_any_number_of_homes(tmp_path: Path, workers: str) -> None:
     assert words.decode().rstrip().endswith("compose: ended")
     assert list(tmp_path.glob("*.part")) == []
     assert len(list(tmp_path.glob("*.yaml"))) < 100_000 > int(workers) * BATCH * AHEAD
+
+
+@pytest.mark.parametrize(("number", "told"), [(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)])
+def test_a_job_that_loses_the_interrupt_ends_all_the_same(tmp_path: Path, number: signal.Signals, told: Callable[[int, int], None]) -> None:
+    begun = [tmp_path / "one", tmp_path / "other"]
+    (tmp_path / "jobs.py").write_text(LOSES_INTERRUPTS)
+    command = [PROGRAM[0], str(tmp_path / "jobs.py"), *map(str, begun)]
+    with subprocess.Popen(command, start_new_session=True, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
+        while not all(path.exists() for path in begun) and run.poll() is None:
+            time.sleep(0.01)
+        told(run.pid, number)
+        assert run.wait(GUARD_S) == INTERRUPTED
 
 
 def test_ctrl_c_while_a_command_begins(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
