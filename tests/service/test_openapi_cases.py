@@ -31,6 +31,7 @@ CASES = int(os.environ.get("CASES", "15"))
 BEYOND_A_SCHEMA = (
     "runs at an angle",  # outlines
     "encloses nothing",
+    "the same corner",
     "which another one has too",  # ids
     "is given twice",
     "nothing in the scene has the id",
