@@ -48,7 +48,7 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
     batches = iter(lambda: list(islice(left, batch)), [])
     pending: deque[Pending] = deque()
     with _interrupts_noted() as noted, ExitStack() as pools:
-        pool, lost = _opened(pools, workers, make, start), 0
+        pool, lost = _opened(pools, noted, workers, make, start), 0
         while True:
             try:
                 first = _fill(pool, pending, batches, AHEAD * workers)
@@ -62,10 +62,8 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
                 if lost > MOST_LOST:
                     problem = "the processes ended again and again before anything was done, as for want of memory"
                     raise FieldError("--workers", problem, "fewer processes; what is done is kept") from None
-                for process in list(pool._processes.values()):  # one that was just being started, the pool does not end, but waits for
-                    process.terminate()
                 pools.close()
-                pool = _opened(pools, workers, make, start)
+                pool = _opened(pools, noted, workers, make, start)
                 pending = deque((part, future if _is_done(future) else None) for part, future in pending)
                 continue
             lost = 0
@@ -75,11 +73,21 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
                 raise KeyboardInterrupt
 
 
-def _opened(pools: ExitStack, workers: int, make: Callable[[Any], Any], start: Callable[[], None]) -> ProcessPoolExecutor:
+def _opened(
+    pools: ExitStack, noted: Sequence[int], workers: int, make: Callable[[Any], Any], start: Callable[[], None]
+) -> ProcessPoolExecutor:
     # Processes start empty: one that is a copy of this one would share whatever its threads hold.
     pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), _begin, (make, start))
-    pools.callback(pool.shutdown, cancel_futures=True)
+    pools.callback(_close, pool, noted)
     return pool
+
+
+def _close(pool: ProcessPoolExecutor, noted: Sequence[int]) -> None:
+    """Ends a pool; a process that was just being started when others were told to end, it would wait for."""
+    if noted or pool._broken:
+        for process in list(pool._processes.values()):
+            process.terminate()
+    pool.shutdown(cancel_futures=True)
 
 
 def _fill(pool: ProcessPoolExecutor, pending: deque[Pending], batches: Iterator[Sequence[Any]], most: int) -> Future[list[Any]] | None:
@@ -139,17 +147,15 @@ def _interrupts_waiting() -> Iterator[None]:
 
 
 class _Work:
-    """What a process of the pool does, whether it is at it, and whether it was told to end meanwhile."""
+    """What a process of the pool does, and whether it is at it."""
 
     make: ClassVar[Callable[[Any], Any]]
     under_way = False
-    is_to_end = False
 
 
 def _hear(*_: object) -> None:
     """Ends a process of the pool at Ctrl-C, which a terminal tells to all, or SIGTERM; work under way leaves nothing half-written."""
     if _Work.under_way:
-        _Work.is_to_end = True
         raise KeyboardInterrupt
     os._exit(1)
 
@@ -193,6 +199,4 @@ def _made(part: Sequence[Any]) -> list[Any]:
     try:
         return [_Work.make(job) for job in part]
     finally:
-        if _Work.is_to_end:  # whatever compiled code on the way has made of the interrupt
-            os._exit(1)
         _Work.under_way = False  # an interrupt at this very line is an error of the job to the pool, which would wait for ever

@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -18,25 +17,32 @@ from tests.cli.programs import GUARD_S, PROGRAM, ROOT, said
 
 SCENE = b'{"rooms": [{"id": "den", "width": 4, "depth": 3}]}'
 
-LOSES_INTERRUPTS = """
-import sys, time
+STARTS_LATE = """
+import os, sys, time
+from functools import partial
 from pathlib import Path
 from service.pool import spread
 
-def lost(path):
-    Path(path).touch()
+HERE = Path(sys.argv[1])
+if __name__ == "__mp_main__":
     try:
-        while True:
+        (HERE / "first").touch(exist_ok=False)
+    except FileExistsError:  # the second process: who starts it waits until it has read what it is sent, more than a pipe holds
+        (HERE / "second").touch()
+        while not (HERE / "told").exists():
             time.sleep(0.01)
-    except KeyboardInterrupt:
-        raise ValueError("another error, as compiled code may make of it") from None
 
-def start():
+def work(number):
+    (HERE / "pid.part").write_text(str(os.getpid()))
+    (HERE / "pid.part").rename(HERE / "pid")
+    time.sleep(600)
+
+def start(_):
     pass
 
 if __name__ == "__main__":
     try:
-        list(spread(lost, sys.argv[1:], 2, start))
+        list(spread(work, range(9), 2, partial(start, bytes(1 << 20))))
     except KeyboardInterrupt:
         sys.exit(130)
 """
@@ -91,16 +97,23 @@ def test_ctrl_c_ends_any_number_of_homes(tmp_path: Path, workers: str) -> None:
     assert len(list(tmp_path.glob("*.yaml"))) < 100_000 > int(workers) * BATCH * AHEAD
 
 
-@pytest.mark.parametrize(("number", "told"), [(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)])
-def test_a_job_that_loses_the_interrupt_ends_all_the_same(tmp_path: Path, number: signal.Signals, told: Callable[[int, int], None]) -> None:
-    begun = [tmp_path / "one", tmp_path / "other"]
-    (tmp_path / "jobs.py").write_text(LOSES_INTERRUPTS)
-    command = [PROGRAM[0], str(tmp_path / "jobs.py"), *map(str, begun)]
+def test_a_process_that_is_just_starting_ends_with_the_others(tmp_path: Path) -> None:
+    (tmp_path / "jobs.py").write_text(STARTS_LATE)
+    command = [PROGRAM[0], str(tmp_path / "jobs.py"), str(tmp_path)]
     with subprocess.Popen(command, start_new_session=True, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
-        while not all(path.exists() for path in begun) and run.poll() is None:
+        while not ((tmp_path / "pid").exists() and (tmp_path / "second").exists()):
+            assert run.poll() is None
             time.sleep(0.01)
-        told(run.pid, number)
-        assert run.wait(GUARD_S) == INTERRUPTED
+        run.send_signal(signal.SIGTERM)
+        stat = Path("/proc", (tmp_path / "pid").read_text(), "stat")
+        while stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z":
+            time.sleep(0.01)
+        (tmp_path / "told").touch()
+        try:
+            assert run.wait(GUARD_S) == INTERRUPTED
+        finally:
+            if run.poll() is None:
+                os.killpg(run.pid, signal.SIGKILL)
 
 
 def test_ctrl_c_while_a_command_begins(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:

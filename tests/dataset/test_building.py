@@ -295,7 +295,7 @@ def test_an_interrupt_at_the_end_of_a_job_ends_its_process() -> None:
         "        if value is False:\n"
         "            raise KeyboardInterrupt\n"
         "        super().__setattr__(name, value)\n"
-        "class Work(pool._Work, metaclass=Told):\n"
+        "class Work(metaclass=Told):\n"
         "    make = staticmethod(abs)\n"
         "pool._Work = Work\n"
         "try:\n"
