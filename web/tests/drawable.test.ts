@@ -25,7 +25,15 @@ describe("a scene that leaves things unsaid", () => {
     const [den] = bare.rooms;
     const above = { ...low, rooms: [{ ...den, level: 2 }] } as unknown as Scene;
     expect(drawable(above).levels).toMatchObject([{ index: 2, height: 2.3 }]);
-    expect(drawable({ ...above, rooms: [den, ...above.rooms] } as unknown as Scene).levels).toMatchObject([{ height: 2.8 }]);
+  });
+
+  it("has the storeys that it does not list one on another", () => {
+    const [den] = bare.rooms;
+    const on = (...levels: number[]): Scene => ({ ...bare, rooms: levels.map((level) => ({ ...den, id: `den_${level}`, level })) }) as unknown as Scene;
+    const standing = (scene: Scene) => drawable(scene).levels?.map(({ index, elevation, height }) => [index, elevation, height]);
+    expect(standing(on(1, 0, 2, 1))).toEqual([[0, 0, 2.8], [1, 2.8, 2.8], [2, 5.6, 2.8]]);
+    expect(standing({ ...on(0, 1), levels: [{ index: 0, elevation: -1, height: 4 }] } as unknown as Scene)).toEqual([[0, -1, 4], [1, 3, 2.8]]);
+    expect(standing({ ...on(0, 1), levels: [{ index: 1, elevation: 3, height: 3 }] } as unknown as Scene)).toEqual([[1, 3, 3], [0, 0, 2.8]]);
   });
 
   it("has the plain floor and the colour of its rooms' types, where the catalog knows them", () => {

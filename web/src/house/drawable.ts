@@ -4,7 +4,7 @@ import type { Catalog, Decoration, Furniture, Level, Room, Scene, Sides } from "
 const ALL: Sides = { north: true, south: true, east: true, west: true };
 const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
 const ACCENT = "#9aa5b5";
-const STOREY = { index: 0, elevation: 0, height: 2.8 } as const;
+const STOREY = { elevation: 0, height: 2.8 } as const;
 
 /** What a foreign scene may leave unsaid, as the wire has it. */
 type Unsaid<Whole> = { readonly [Key in keyof Whole]: Whole[Key] | null | undefined };
@@ -35,17 +35,21 @@ function drawableRoom(room: Room, catalog: Catalog | null): Room {
   };
 }
 
-/** The storey of a scene that lists none: where there is one alone, as high as the house is said to be. */
-function storeyOf(rooms: readonly Room[], height: number | undefined): Level {
-  const index = rooms[0]?.level ?? 0;
-  return rooms.every(({ level }) => level === index) ? { ...STOREY, index, height: height ?? STOREY.height } : STOREY;
+/** The storeys that a scene lists, and its rooms' others, each on what is beneath it; one alone as high as the house is said to be. */
+function storeysOf(rooms: readonly Room[], listed: readonly Level[], height: number = STOREY.height): readonly Level[] {
+  const indices = [...new Set(rooms.map(({ level }) => level))].sort((a, b) => a - b);
+  const unlisted = indices.filter((index) => listed.every((one) => one.index !== index));
+  return unlisted.reduce((known, index) => {
+    const elevation = Math.max(STOREY.elevation, ...known.filter((one) => one.index < index).map((one) => one.elevation + one.height));
+    return [...known, { index, elevation, height: listed.length === 0 && indices.length === 1 ? height : STOREY.height }];
+  }, listed);
 }
 
 /** The scene complete; with a catalog bodies take the colours of their kinds where they say none. */
 export function drawable(scene: Scene, catalog: Catalog | null = null): Scene {
   const said: Unsaid<Scene> = scene;
   const rooms = scene.rooms.map((room) => drawableRoom(room, catalog));
-  const levels = said.levels && said.levels.length > 0 ? said.levels : [storeyOf(rooms, said.size?.height)];
+  const levels = storeysOf(rooms, said.levels ?? [], said.size?.height);
   const size = said.size ?? {
     width: Math.max(0, ...rooms.map((room) => room.x + room.width)),
     depth: Math.max(0, ...rooms.map((room) => room.z + room.depth)),
