@@ -288,7 +288,7 @@ describe("single edits", () => {
     for (const act of [() => acts.nudge(0.05, 0), () => acts.turn(90), () => acts.remove()]) {
       act();
       const refusal = said.refused.pop();
-      expect(refusal?.conflicts.map(({ ids, message }) => [ids, message])).toEqual([[["den/held"], "The held is locked: it stays where it is"]]);
+      expect(refusal?.conflicts.map(({ ids, message }) => [ids, message])).toEqual([[["den/held"], "the held is locked: it stays where it is"]]);
     }
     await turn();
     expect([calls.length, said.refused.length]).toEqual([0, 0]);

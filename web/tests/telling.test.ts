@@ -65,6 +65,8 @@ describe("in English", () => {
     expect(tellSentence("bathroom_4 can only be entered through bathroom_3/door", HOME)).toBe("Bathroom 2 can only be entered through bathroom_3/door");
     expect(tell("kitchen_2/stove_1 stands 35 cm in the way of the door door_2 in kitchen_2", HOME)).toBe("the stove stands 35 cm in the way of door 2 in the kitchen");
     expect(tell("person_1 stands 5 cm in the way of the garage_door garage_door_1", HOME)).toBe("the person stands 5 cm in the way of the garage door");
+    expect(tellSentence("kitchen_2 (kitchen) has no stove: it was not asked for", HOME)).toBe("The kitchen has no stove: it was not asked for");
+    expect(tell("kitchen_2 (open) and bathroom_3 (bathroom)", HOME)).toBe("the kitchen (open) and bathroom 1");
     expect(tell("kept from going further east by the floor before passage_13: 3.83 a metre", HOME)).toBe("kept from going further east by the floor before passage 13: 3.83 a metre");
   });
 });

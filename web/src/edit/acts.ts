@@ -4,9 +4,9 @@ import type { Home } from "../state/home";
 import type { Editor } from "./editor";
 import { aligned, changedPiece, changedThing, clipped, laidAs, pasted, resizedIn, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
 import { say } from "../words/language";
+import { theWords } from "../words/telling";
 import { without } from "./scene_edits";
 import type { Draft } from "./wishes";
-import { pieceWords } from "./words";
 
 /** How far beside what was copied its copy is wished [m]. */
 const BESIDE = 0.1;
@@ -46,7 +46,7 @@ export class Acts {
     const room = held[0]?.room.id;
     if (!scene || room === undefined || this.canChange) return false;
     const conflicts = held.map(({ piece: { id, rotation } }) => ({
-      ids: [id], message: say("The {piece} is locked: it stays where it is", { piece: pieceWords(id) }),
+      ids: [id], message: say("{piece} is locked: it stays where it is", { piece: theWords(id) }),
       repairs: [{ action: "unlock", id, dx: 0, dz: 0, rotation: rotation ?? 0 } as const],
     }));
     this.editor.words.refused({ sent: scene, moved: [], room, conflicts, live: false });

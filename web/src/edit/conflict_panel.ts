@@ -31,8 +31,8 @@ export class ConflictPanel {
   #repairs(refusal: Refusal): HTMLElement {
     const row = document.createElement("div");
     row.className = "repairs";
-    const offered = refusal.conflicts.flatMap(({ repairs }) => repairs).slice(0, MOST_REPAIRS);
-    row.append(...offered.map((repair) => this.#button(repairWords(repair), () => this.onTake(refusal, repair))));
+    const offered = new Map(refusal.conflicts.flatMap(({ repairs }) => repairs).map((repair) => [`${repair.id} ${repairWords(repair)}`, repair]));
+    row.append(...[...offered.values()].slice(0, MOST_REPAIRS).map((repair) => this.#button(repairWords(repair), () => this.onTake(refusal, repair))));
     row.append(this.#button(say("Close"), () => this.show(null)));
     return row;
   }

@@ -3,7 +3,7 @@ import type { Explained, Furniture, Hold, Room } from "../contract";
 import { footprint, SIDES } from "./gaps";
 import { lengthWords } from "./lengths";
 import type { RulerLine } from "./rulers";
-import { pieceWords } from "./words";
+import { idWords as pieceWords } from "../words/telling";
 import { say, sayAny, sayNumber } from "../words/language";
 
 /** An arrow that holds with a cost of one a metre is so long; none is shorter or longer than this [m]. */

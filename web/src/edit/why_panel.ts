@@ -1,9 +1,8 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
-import { pieceWords } from "./words";
 import { capital, say, sayNumber } from "../words/language";
-import { tell } from "../words/telling";
+import { tell, theWords } from "../words/telling";
 
 const COST = say("The numbers are the room's cost: by how much it falls short of all that is wished for in it. Less is better.");
 
@@ -48,7 +47,7 @@ export class WhyPanel {
 
   #contents(answer: Explained, named: Named): HTMLElement[] {
     const heading = document.createElement("strong");
-    heading.textContent = say("Why the {piece} stands here", { piece: pieceWords(answer.id) });
+    heading.textContent = say("Why {piece} stands here", { piece: theWords(answer.id) });
     const notes = [...wishOf(answer), ...answer.notes.map(named)].map((note) => {
       const words = document.createElement("p");
       words.textContent = `${capital(note)}.`;

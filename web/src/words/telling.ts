@@ -19,7 +19,6 @@ const NUMBER = "-?\\d+(?:,\\d{3})*(?:\\.\\d+)?(?:e[+-]?\\d+)?";
 const QUOTED = /^(?:'[^']*'|"[^"]*")$/;
 /** Nothing is nested deeper than this. */
 const DEEPEST = 8;
-/** What has a number goes without "the": bedroom 2. */
 const NUMBERED = / \d+$/;
 /** A sentence has more letters of its own; no form has as many as `FAR`. */
 const SENTENCE = 12;
@@ -33,6 +32,8 @@ const IDS = /(?<![\p{L}\d_/'"])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\
 const OF_A_HOME = /\/|_\d+$/;
 /** A kind that the id after it begins with, too: the door door_2. */
 const KIND_BEFORE = /\bthe (\w+) (?=\1_\d+\b)/g;
+/** What may be a room's id with its type. */
+const TYPE_BEHIND = /(\S+) \((\w+)\)/g;
 
 const escaped = (text: string): string => text.replace(/[\\^$.*+?()[\]{}|/]/g, "\\$&");
 
@@ -62,6 +63,16 @@ export function idWords(id: string): string {
   const name = id.split("/").at(-1) ?? id;
   const [, kind = name, number = "1"] = /^(.*?)_(\d+)$/.exec(name) ?? [];
   return number === "1" ? sayName(kind) : `${sayName(kind)} ${number}`;
+}
+
+/** Words as they stand in a sentence: what has a number goes without "the": bedroom 2. */
+function withThe(words: string): string {
+  return TOLD || NUMBERED.test(words) ? words : `the ${words}`;
+}
+
+/** The same within a sentence. */
+export function theWords(id: string): string {
+  return withThe(idWords(id));
 }
 
 /** What a room is called, numbered where there are several of its type; null for what is no room's id. */
@@ -109,10 +120,11 @@ function numbers(english: string): string {
 /** What the service says of a scene, or of none that is known. */
 export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { rooms: [] }): string {
   const told = formed(said, (id) => roomWords(id, rooms) ?? (ID.test(id) ? idWords(id) : null), 0);
-  return told ?? said.replace(KIND_BEFORE, "").replace(IDS, (id) => {
-    const room = roomWords(id, rooms);
-    const words = room ?? idWords(id);
-    return TOLD || (room === null && !OF_A_HOME.test(id)) || NUMBERED.test(words) ? words : `the ${words}`;
+  if (told !== null) return told;
+  const untyped = said.replace(TYPE_BEHIND, (whole, id, type) => (rooms.some((one) => one.id === id && one.type === type) ? id : whole) as string);
+  return untyped.replace(KIND_BEFORE, "").replace(IDS, (id) => {
+    const words = roomWords(id, rooms);
+    return words === null && !OF_A_HOME.test(id) ? idWords(id) : withThe(words ?? idWords(id));
   });
 }
 
