@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { Catalog, Scene } from "../src/contract";
 import { drawable } from "../src/house/drawable";
+import { bodiesOf } from "../src/house/frame";
+import { piece, room, scene } from "./rooms";
 
 const bare = {
   seed: null, size: null, wall_thickness: 0, levels: [], dynamic: [],
@@ -32,6 +34,8 @@ describe("a scene that leaves things unsaid", () => {
     const on = (...levels: number[]): Scene => ({ ...bare, rooms: levels.map((level) => ({ ...den, id: `den_${level}`, level })) }) as unknown as Scene;
     const standing = (scene: Scene) => drawable(scene).levels?.map(({ index, elevation, height }) => [index, elevation, height]);
     expect(standing(on(1, 0, 2, 1))).toEqual([[0, 0, 2.8], [1, 2.8, 2.8], [2, 5.6, 2.8]]);
+    const [body] = bodiesOf(scene([room("attic", [0, 0, 4, 3], { level: 1, furniture: [piece("trunk", { y: 0.5 })] }), room("den", [0, 0, 4, 3])], { levels: [] }));
+    expect(body?.y, "also where it is edited").toBe(3.3);
     expect(standing({ ...on(0, 1), levels: [{ index: 0, elevation: -1, height: 4 }] } as unknown as Scene)).toEqual([[0, -1, 4], [1, 3, 2.8]]);
     expect(standing({ ...on(0, 1), levels: [{ index: 1, elevation: 3, height: 3 }] } as unknown as Scene)).toEqual([[1, 3, 3], [0, 0, 2.8]]);
   });

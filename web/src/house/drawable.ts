@@ -1,10 +1,10 @@
 /** A scene of somebody else's need not say all that is drawn; what it leaves unsaid is drawn like this. Never sent anywhere. */
-import type { Catalog, Decoration, Furniture, Level, Room, Scene, Sides } from "../contract";
+import type { Catalog, Decoration, Furniture, Room, Scene, Sides } from "../contract";
+import { STOREY, storeysOf } from "./frame";
 
 const ALL: Sides = { north: true, south: true, east: true, west: true };
 const FLOORING = { type: "plain", color: "#c9c2b6" } as const;
 const ACCENT = "#9aa5b5";
-const STOREY = { elevation: 0, height: 2.8 } as const;
 
 /** What a foreign scene may leave unsaid, as the wire has it. */
 type Unsaid<Whole> = { readonly [Key in keyof Whole]: Whole[Key] | null | undefined };
@@ -35,21 +35,11 @@ function drawableRoom(room: Room, catalog: Catalog | null): Room {
   };
 }
 
-/** The storeys that a scene lists, and its rooms' others, each on what is beneath it; one alone as high as the house is said to be. */
-function storeysOf(rooms: readonly Room[], listed: readonly Level[], height: number = STOREY.height): readonly Level[] {
-  const indices = [...new Set(rooms.map(({ level }) => level))].sort((a, b) => a - b);
-  const unlisted = indices.filter((index) => listed.every((one) => one.index !== index));
-  return unlisted.reduce((known, index) => {
-    const elevation = Math.max(STOREY.elevation, ...known.filter((one) => one.index < index).map((one) => one.elevation + one.height));
-    return [...known, { index, elevation, height: listed.length === 0 && indices.length === 1 ? height : STOREY.height }];
-  }, listed);
-}
-
 /** The scene complete; with a catalog bodies take the colours of their kinds where they say none. */
 export function drawable(scene: Scene, catalog: Catalog | null = null): Scene {
   const said: Unsaid<Scene> = scene;
   const rooms = scene.rooms.map((room) => drawableRoom(room, catalog));
-  const levels = storeysOf(rooms, said.levels ?? [], said.size?.height);
+  const levels = [...storeysOf({ ...scene, rooms })].map(([index, storey]) => ({ index, ...storey }));
   const size = said.size ?? {
     width: Math.max(0, ...rooms.map((room) => room.x + room.width)),
     depth: Math.max(0, ...rooms.map((room) => room.z + room.depth)),

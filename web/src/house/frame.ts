@@ -46,9 +46,19 @@ export function words(name: string): string {
   return sayName(name);
 }
 
-/** Each level's floor height and storey height [m]. */
-export function storeysOf(scene: Scene): Map<number, Storey> {
-  return new Map((scene.levels ?? []).map((level) => [level.index, { elevation: level.elevation, height: level.height }]));
+/** A storey of which nothing is said [m]. */
+export const STOREY: Storey = { elevation: 0, height: 2.8 };
+
+/** Each level's floor height and storey height [m]; one not listed is on what is beneath it, and as high as the house is said to be where it is alone. */
+export function storeysOf({ rooms, levels, size }: Scene): Map<number, Storey> {
+  const storeys = new Map((levels ?? []).map(({ index, elevation, height }): [number, Storey] => [index, { elevation, height }]));
+  const indices = [...new Set(rooms.map(({ level }) => level))].sort((a, b) => a - b);
+  const height = storeys.size === 0 && indices.length === 1 ? size?.height ?? STOREY.height : STOREY.height;
+  for (const index of indices.filter((one) => !storeys.has(one))) {
+    const tops = [...storeys].filter(([one]) => one < index).map(([, beneath]) => beneath.elevation + beneath.height);
+    storeys.set(index, { elevation: Math.max(STOREY.elevation, ...tops), height });
+  }
+  return storeys;
 }
 
 /** The style that a scene is furnished in; null where it does not say. */
