@@ -90,6 +90,33 @@ def test_its_numbers_are_explained_and_it_leaves_the_middle_of_the_house_free(vi
     assert around["left"] > (stage["left"] + stage["right"]) / 2
 
 
+MARKS = """() => ['.ruler-words, .piece-label.chosen', '.handle, #tools, .views, .compass'].map(names =>
+    [...document.querySelectorAll(names)].filter(one => one.checkVisibility()).map(one => {
+        const {left, top, right, bottom} = one.getBoundingClientRect();
+        return [one.textContent.trim(), left, top, right, bottom];
+    }))"""
+"""What is written over the house, and what else lies there, with the rectangles that they take."""
+
+
+def test_where_little_is_seen_no_mark_of_it_lies_over_another_nor_under_a_control(visit: Visit) -> None:
+    """As at a zoom of 200 %."""
+    page = visit.page
+    page.set_viewport_size({"width": 640, "height": 400})
+    made = visit.open(DECORATED)
+    sofa = next(piece for piece in furniture_of(made) if piece.endswith("/sofa_1"))
+    page.evaluate("id => document.querySelector(`#yaml button[data-id='${id}']`).click()", sofa)
+    visit.settle()
+    with page.expect_response(lambda response: response.url.endswith("/explain")):
+        page.keyboard.press("h")
+    expect(page.locator("#why")).to_be_visible()
+    visit.settle()
+    marks, controls = page.evaluate(MARKS)
+    assert len(marks) >= 3 and len(controls) >= 3
+    for number, (words, *a) in enumerate(marks):
+        for other, *b in [*controls, *marks[:number]]:
+            assert not (a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]), f"{words} over {other}"
+
+
 def test_what_lies_on_a_piece_of_another_size_is_laid_on_it_anew(visit: Visit) -> None:
     """Of a way that puts another size of pieces that things lie on: nothing on them meets or hangs over, and no rule is broken."""
     page = visit.page

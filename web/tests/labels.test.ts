@@ -43,6 +43,29 @@ describe("a layout beside what lies over the canvas", () => {
   });
 });
 
+describe("a layout on a small canvas", () => {
+  const canvas = { width: 320, height: 90 };
+  const within = ({ x, y }: { x: number; y: number }, width: number, height: number): boolean =>
+    x - width / 2 >= 0 && x + width / 2 <= canvas.width && y - height / 2 >= 0 && y + height / 2 <= canvas.height;
+
+  it("takes what is shown in any case beside what lies from top to bottom, and nothing off the canvas", () => {
+    const column = { x: 160, y: 45, width: 10, height: 90 };
+    const [place] = layOut([{ ...wish(160, 45, 1), stays: true }], [column], canvas);
+    expect(Math.abs((place?.x ?? 160) - 160)).toBeGreaterThanOrEqual(45);
+    const crowd = Array.from({ length: 12 }, (_, i) => wish(40 + i * 20, 10, i));
+    const placed = layOut(crowd, [], canvas).flatMap((one) => one ?? []);
+    expect(placed.length).toBeGreaterThan(3);
+    for (const one of placed) expect(within(one, 80, 20), JSON.stringify(one)).toBe(true);
+  });
+
+  it("has the words of a line on it, clear of what lies at its edge", () => {
+    const bar = { x: 160, y: 75, width: 320, height: 30 };
+    const place = onLine([{ x: 160, y: 50 }, { x: 160, y: 88 }], 1, { width: 90, height: 18 }, [bar], canvas);
+    expect(within(place, 90, 18)).toBe(true);
+    expect(place.y + 9).toBeLessThanOrEqual(60);
+  });
+});
+
 describe("what corners enclose", () => {
   it("is as large whichever way they run, also where they turn inwards", () => {
     const corner = (x: number, y: number) => ({ x, y });

@@ -110,8 +110,9 @@ export class Numbers {
   explain(answer: Explained | null): void {
     const found = this.home.find(answer?.id ?? null);
     this.rulers.show("why", answer && found ? whyLines(answer, found.room, found.piece, this.#ground(found.room)) : []);
-    if (answer) this.rulers.show("gaps", []); // one thing at a time
-    else this.show(null);
+    if (!answer) return this.show(null);
+    this.rulers.show("gaps", []); // one thing at a time
+    this.#handles.show(null, null);
   }
 
   /** Lets go of a handle. Tells whether one was held. */

@@ -1,6 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
-import { keptInside, onLine, type Kept, type LabelPlace } from "../view/label_layout";
+import { onLine, type Kept, type LabelPlace } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
 export type RulerLook = "gap" | "guide" | "tape" | "hold" | "wish";
@@ -95,7 +95,7 @@ export class Rulers {
 
   #place(): void {
     const written: Kept[] = [];
-    const handles = this.viewport.overlaid.of("handles");
+    const above = ["tools", "handles"].flatMap((name) => this.viewport.overlaid.of(name));
     for (const { line, stroke, label } of this.#drawn) {
       const [from, to] = [line.from, line.to].map((spot) => this.viewport.project(new Vector3(...spot)));
       const isSeen = from !== null && to !== null && from !== undefined && to !== undefined;
@@ -106,7 +106,7 @@ export class Rulers {
       if (label) label.hidden = this.#isAside(from, to) || (line.look === "gap" && Math.hypot(to.x - from.x, to.y - from.y) < SHORTEST);
       if (!label || label.hidden) continue;
       const extent = { width: (line.words?.length ?? 0) * WORDS.letter + WORDS.beside, height: WORDS.height };
-      const place = keptInside({ ...onLine([from, to], line.at ?? 0.5, extent, [...handles, ...written]), ...extent }, this.viewport.size);
+      const place = onLine([from, to], line.at ?? 0.5, extent, [...above, ...written], this.viewport.size);
       label.style.transform = `translate(-50%, -50%) translate(${place.x.toFixed(1)}px, ${place.y.toFixed(1)}px)`;
       written.push({ ...place, ...extent });
     }

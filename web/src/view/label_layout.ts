@@ -32,31 +32,38 @@ export function areaWithin(corners: readonly LabelPlace[]): number {
 const GAP = 3;
 /** Tried in turn, in label heights. */
 const NUDGES = [0, -0.5, 0.5, -1, 1, -1.5, 1.5, -2, 2, 2.5];
-const FURTHER = [-2.5, 3, -3, 3.5, -3.5, 4, -4];
+/** Tried where it must be shown, along and up: in label widths and heights. */
+const FURTHER = [...[-2.5, 3, -3, 3.5, -3.5, 4, -4].map((up) => [0, up] as const), ...[0, -1, 1, -2, 2, -3, 3, -4, 4].flatMap((up) => [[0.75, up], [-0.75, up]] as const)];
 
-function covers(a: LabelWish, y: number, b: Kept): boolean {
-  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(y - b.y) < (a.height + b.height) / 2 + GAP;
+function covers(a: Kept, b: Kept): boolean {
+  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 + GAP && Math.abs(a.y - b.y) < (a.height + b.height) / 2 + GAP;
 }
 
-/** Where a label whose middle is on the canvas is on it as a whole. */
-export function keptInside({ x, y, width, height }: Kept, canvas: { readonly width: number; readonly height: number }): LabelPlace {
+
+/** How wide and high the canvas is [CSS pixels]; null: it has no end. */
+type Canvas = { readonly width: number; readonly height: number } | null;
+
+/** Where a label is on the canvas as a whole. */
+export function keptInside({ x, y, width, height }: Kept, canvas: Canvas): LabelPlace {
+  if (!canvas) return { x, y };
   const within = (at: number, size: number, room: number): number => Math.max(size / 2 + GAP, Math.min(room - size / 2 - GAP, at));
   return { x: within(x, width, canvas.width), y: within(y, height, canvas.height) };
 }
 
-/** Places for the wishes, in their order; null where every nudge would cover another label or what is kept clear. */
-export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = []): (LabelPlace | null)[] {
+/** Places for the wishes, in their order, on the canvas; null where every nudge would cover another label or what is kept clear. */
+export function layOut(wishes: readonly LabelWish[], kept: readonly Kept[] = [], canvas: Canvas = null): (LabelPlace | null)[] {
   const order = [...wishes.keys()].sort((a, b) => (wishes[b]?.importance ?? 0) - (wishes[a]?.importance ?? 0));
   const taken: Kept[] = [...kept];
   const places: (LabelPlace | null)[] = wishes.map(() => null);
   for (const i of order) {
     const wish = wishes[i];
     if (!wish) continue;
-    const ys = [...NUDGES, ...(wish.stays ? FURTHER : [])].map((nudge) => wish.y + nudge * (wish.height + GAP));
-    const y = ys.find((tried) => !taken.some((other) => covers(wish, tried, other)));
-    if (y === undefined) continue;
-    taken.push({ ...wish, y });
-    places[i] = { x: wish.x, y };
+    const nudges = [...NUDGES.map((up) => [0, up] as const), ...(wish.stays ? FURTHER : [])];
+    const tried = nudges.map(([along, up]) => keptInside({ ...wish, x: wish.x + along * wish.width, y: wish.y + up * (wish.height + GAP) }, canvas));
+    const place = tried.find((one) => !taken.some((other) => covers({ ...wish, ...one }, other)));
+    if (!place) continue;
+    taken.push({ ...wish, ...place });
+    places[i] = place;
   }
   return places;
 }
@@ -73,21 +80,21 @@ export function clearest<Place extends LabelPlace>(
   return before && counts.get(before) === least ? before : places.find((place) => counts.get(place) === least);
 }
 
-/** Where along its line a label is tried, in shares of it from its wished place, and how far beside it, in label heights. */
+/** Where along its line a label is tried, in shares of it from its wished place, and how far beside, above and beneath it, in label heights. */
 const [ALONG, BESIDE] = [[0, -0.15, 0.15, -0.3, 0.3], [1, 2, 3, 4, 5]];
 
-/** Where a label of a line goes: on it, as near its wished place as nothing lies over it; beside that place where all of the line is covered. */
+/** Where a label of a line goes: on it, as near its wished place as nothing lies over it; beside, above or beneath that place where all of the line is covered. */
 export function onLine(
-  [from, to]: readonly [LabelPlace, LabelPlace], at: number, extent: Pick<Kept, "width" | "height">, kept: readonly Kept[],
+  [from, to]: readonly [LabelPlace, LabelPlace], at: number, extent: Pick<Kept, "width" | "height">, kept: readonly Kept[], canvas: Canvas = null,
 ): LabelPlace {
   const [dx, dy] = [to.x - from.x, to.y - from.y];
   const long = Math.hypot(dx, dy) || 1;
   const on = (share: number): LabelPlace => ({ x: from.x + dx * share, y: from.y + dy * share });
   const middle = on(at);
-  const beside = BESIDE.flatMap((step) => [1, -1].map((side): LabelPlace => {
-    const away = (side * step * extent.height) / long;
-    return { x: middle.x - dy * away, y: middle.y + dx * away };
-  }));
-  const places = [...ALONG.map((share) => at + share).filter((share) => share >= 0 && share <= 1).map(on), ...beside];
-  return places.find((place) => !kept.some((other) => covers({ ...place, ...extent, importance: 0 }, place.y, other))) ?? middle;
+  const aways = BESIDE.flatMap((step) => [step * extent.height, -step * extent.height]);
+  const beside = aways.map((away): LabelPlace => ({ x: middle.x - (dy / long) * away, y: middle.y + (dx / long) * away }));
+  const above = aways.map((away): LabelPlace => ({ x: middle.x, y: middle.y + away }));
+  const places = [...ALONG.map((share) => at + share).filter((share) => share >= 0 && share <= 1).map(on), ...beside, ...above];
+  const inside = [...places, middle].map((place) => keptInside({ ...place, ...extent }, canvas));
+  return inside.find((place) => !kept.some((other) => covers({ ...place, ...extent }, other))) ?? (inside.at(-1) as LabelPlace);
 }

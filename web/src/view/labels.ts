@@ -4,7 +4,7 @@ import { words, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
 import { roomHolding } from "../house/room_at";
 import { hang, hide, labelElement, moveTo, type LabelElement } from "./label_elements";
-import { keptInside, layOut, type Kept, type LabelWish } from "./label_layout";
+import { keptInside, layOut, type LabelWish } from "./label_layout";
 import { aheadBy, RANK, sizeSeen, type Asked } from "./label_wishes";
 import type { MarkWords } from "./mark_words";
 import { RoomLabels } from "./room_labels";
@@ -41,7 +41,6 @@ export class Labels {
   #all = false;
   #withDecorations = false;
   #asked = false;
-  #kept: readonly Kept[] = [];
   #bodies: ReadonlyMap<string, PlacedBody> = new Map();
 
   constructor(readonly layer: HTMLElement, readonly viewport: Viewport) {
@@ -77,9 +76,10 @@ export class Labels {
 
   #keepClear(overlays: readonly HTMLElement[]): void {
     const { left, top } = this.layer.getBoundingClientRect();
-    this.#kept = overlays.map((element) => element.getBoundingClientRect())
+    const kept = overlays.map((element) => element.getBoundingClientRect())
       .map(({ x, y, width, height }) => ({ x: x - left + width / 2, y: y - top + height / 2, width, height }))
       .filter(({ width }) => width > 0);
+    this.viewport.overlaid.set("tools", kept);
     this.#follow(); // the house behind them need not be drawn again
   }
 
@@ -151,7 +151,7 @@ export class Labels {
       .filter((wish) => this.#onCanvas(wish))
       .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
     const named = asked.filter(({ isDot }) => !isDot);
-    const found = layOut(named, [...this.#kept, ...this.viewport.overlaid.all]);
+    const found = layOut(named, this.viewport.overlaid.all, this.viewport.size);
     const places = new Map(named.map((wish, i) => [wish, found[i] ?? null]));
     const shown = new Set<LabelElement>();
     for (const wish of asked) {
