@@ -175,3 +175,23 @@ def test_a_file_that_is_being_written_is_said_and_not_written_twice(visit: Visit
         assert files.pop() == file
         visit.open(SMALL.format(3))
     assert files == []
+
+
+def test_a_home_that_comes_while_a_piece_is_dragged_shows_nothing_of_the_drag(visit: Visit) -> None:
+    answer, page = visit.open(SMALL.format(3)), visit.page
+    spots = {piece: page.evaluate("id => compose.whereIs(id)", piece) for piece in furniture_of(answer)}
+    spot = next(spot for spot in spots.values() if spot)
+    page.mouse.move(spot["x"], spot["y"])
+    page.mouse.down()
+    page.mouse.move(spot["x"] + 20, spot["y"] + 10, steps=4)
+    expect(page.locator("#gaps")).to_be_visible()
+    visit.after(lambda: page.keyboard.press("r"))
+    expect(page.locator("#gaps")).to_be_hidden()
+    expect(page.locator(".ruler-words")).to_have_count(0)
+    places = page.evaluate("compose.places")
+    page.mouse.move(spot["x"] + 60, spot["y"] + 30)
+    page.mouse.up()
+    visit.settle()
+    assert page.evaluate("compose.places") == places
+    assert visit.state()["selected"] is None
+    assert visit.console == []

@@ -53,8 +53,9 @@ export class ThingDrag {
   cancel(): void {
     const held = this.#held;
     this.#held = null;
-    if (!held) return;
-    this.stage.house?.place(held.id, { x: held.room.x + held.thing.x, z: held.room.z + held.thing.z });
+    const found = held && this.acts.thing(held.id);
+    if (!found) return; // another home may be shown by now, and have one of its own
+    this.stage.house?.place(held.id, { x: found.room.x + found.thing.x, z: found.room.z + found.thing.z });
     this.stage.viewport.castShadows();
   }
 }

@@ -211,6 +211,10 @@ export class Workbench {
     const [before, house] = [this.#drawn, this.stage.house];
     this.#drawn = house;
     this.#why.hide(); // it spoke of where things stood before
+    if (how === "new") {
+      this.editor.forget();
+      this.#hand.cancel();
+    }
     this.#measure();
     if (!house || !this.home.scene) return;
     house.mark("locked", [...this.home.locked]);
@@ -218,10 +222,7 @@ export class Workbench {
     this.#offer();
     if (how !== "live" && this.#floorSwitch.checked) this.#showFloor();
     else this.#floor.draw(this.home.scene);
-    if (how === "new") {
-      this.editor.forget();
-      this.#hand.cancel();
-    } else this.#slideFrom(before?.bodies ?? house.bodies, house, this.home.scene);
+    if (how !== "new") this.#slideFrom(before?.bodies ?? house.bodies, house, this.home.scene);
   }
 
   /** Lets every body that is not in hand slide to where the scene has it. */
