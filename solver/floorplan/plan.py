@@ -2,12 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, Final
 
 from catalogs.schema import Catalogs
 from solver.floorplan.openings import Cut, OpenedHouse, door_places, pane_of
 from solver.floorplan.tiling import Joint, Layout
-from solver.geometry import OPPOSITE, Rect, half_m, to_m
+from solver.geometry import ALONG_X, OPPOSITE, Rect, half_m, to_m
+from solver.records import changed
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
 
 DOOR_HEIGHT: Final = 2.1
@@ -95,7 +97,7 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
         flooring=Flooring(kind.flooring, drawing.catalogs.floorings[kind.flooring].color),
         accent=kind.accent,
         wall_thickness=tuple(to_m(walls.outer) if wall in outside else None for wall in CLOCKWISE) if own else None,
-        exterior_walls=Sides(**{wall: wall in outside for wall in WALLS}),
+        exterior_walls=_sides(*(wall in outside for wall in WALLS)),
         wall_flags=flags,
         openings=openings,
     )
@@ -141,9 +143,13 @@ def _wall_flags(layout: Layout) -> list[Sides]:
         covered[side] = covered.get(side, 0) + high - low
     sides = []
     for i, rect in enumerate(layout.rooms):
-        drawn = {wall: covered.get((i, wall), 0) < rect.along(wall)[1] - rect.along(wall)[0] for wall in WALLS}
-        sides.append(Sides(**drawn))
+        width, depth = rect.width, rect.depth
+        sides.append(_sides(*(covered.get((i, wall), 0) < (width if wall in ALONG_X else depth) for wall in WALLS)))
     return sides
+
+
+_sides: Final = lru_cache(maxsize=16)(Sides)
+"""Every set of walls once, in the order of WALLS."""
 
 
 def _cut(plan: FloorPlan, opening_id: str) -> Cut:
@@ -169,4 +175,9 @@ def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPla
     drawing = plan.drawing
     moved = _cut(plan, opening_id)._replace(centre=position_mm)
     cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)
-    return written(replace(drawing, cuts=cuts), plan.notes)
+    drawing = replace(drawing, cuts=cuts)
+    ids, heights, rooms = drawing.ids(), _heights(drawing, moved), list(plan.rooms)
+    for room in moved.sides:
+        written_anew = _opening(drawing, moved, room, ids, heights)
+        rooms[room] = changed(rooms[room], openings=tuple(written_anew if one.id == opening_id else one for one in rooms[room].openings))
+    return replace(plan, rooms=tuple(rooms), drawing=drawing)
