@@ -4,7 +4,7 @@ A proof speaks of one placement: each room's part holds a mark of it (`of`), and
 equal requests give equal bytes.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from hashlib import sha256
 from typing import Any, Final
@@ -20,6 +20,20 @@ MARK_LENGTH: Final = 12
 ACCESS: Final = "access"
 """What a profile of access makes of the whole home."""
 _POSE: Final = "%s" + 6 * " %.4f"
+_MOST_WRITTEN: Final = 20_000
+
+
+class _Lengths(dict[int, str]):
+    """Half millimetres as they are written into a mark, m; degrees are 2000 of them."""
+
+    def __missing__(self, halves: int) -> str:
+        if len(self) >= _MOST_WRITTEN:
+            self.clear()
+        text = self[halves] = f"{halves / 2000:.4f}"
+        return text
+
+
+_WRITTEN: Final = _Lengths()
 
 
 def certificate(
@@ -53,23 +67,23 @@ def room_certificate(arrangement: Arrangement, room: Room) -> dict[str, Any]:
 
 def mark_of(room: Room) -> str:
     """Returns a mark that a room has in common with no other placement of furniture in it."""
-    said = [
-        f"{room.width:.4f} {room.depth:.4f}",
-        *map(_POSE.__mod__, sorted(_poses(room))),
-    ]
+    rows = rows_in(room, FurnitureRows)
+    poses = map(_POSE.__mod__, sorted(_poses(room))) if rows is None else _poses_told(rows)
+    said = [f"{room.width:.4f} {room.depth:.4f}", *poses]
     return sha256("\n".join(said).encode(errors="surrogatepass")).hexdigest()[:MARK_LENGTH]
 
 
-def _poses(room: Room) -> list[tuple[str, float, float, float, float, float, float]]:
-    """Returns the id, place, rotation, width and depth of each piece of furniture."""
-    rows = rows_in(room, FurnitureRows)
-    if rows is None:
-        poses = ((one.id, one.x + 0.0, one.y + 0.0, one.z + 0.0, one.rotation + 0.0, one.width, one.depth) for one in room.furniture)
-        return list(poses)
-    return [
-        (name, (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000, turn, *look.size[:2])
-        for name, look, (_, _, _, _, turn, _, _, _, x0, z0, x1, z1, low, *_) in zip(rows.ids, rows.looks, rows.rows, strict=True)
-    ]
+def _poses(room: Room) -> Iterator[tuple[str, float, float, float, float, float, float]]:
+    """Yields the id, place, rotation, width and depth of each piece of furniture."""
+    for one in room.furniture:
+        yield one.id, one.x + 0.0, one.y + 0.0, one.z + 0.0, one.rotation + 0.0, one.width, one.depth
+
+
+def _poses_told(rows: FurnitureRows) -> Iterator[str]:
+    """Yields the same of pieces that are told as rows, written, in the same order."""
+    said = _WRITTEN
+    for name, (_, _, _, _, turn, _, _, _, x0, z0, x1, z1, low, wide, deep, _) in sorted(zip(rows.ids, rows.rows, strict=True)):
+        yield f"{name} {said[x0 + x1]} {said[2 * low]} {said[z0 + z1]} {said[2000 * turn]} {said[2 * wide]} {said[2 * deep]}"
 
 
 def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:
