@@ -5,6 +5,7 @@ A home has some five hundred bodies, and whoever judges, counts or writes it nee
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from itertools import chain
 from struct import Struct
 from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeAlias, TypeVar
 
@@ -90,7 +91,7 @@ class BodyRows:
     @property
     def turns(self) -> Sequence[int]:
         """The rotation of each, degrees."""
-        return [turn for (turn,) in _TURN.iter_unpack(self.content)]
+        return [*chain.from_iterable(_TURN.iter_unpack(self.content))]
 
     @cached_property
     def ids(self) -> Sequence[str]:
@@ -144,7 +145,7 @@ class FurnitureRows(BodyRows):
     @property
     def colours(self) -> Sequence[str]:
         """The colour of each."""
-        return [self._by_kind[kind] for (kind,) in KIND.iter_unpack(self.content)]
+        return [*map(self._by_kind.__getitem__, chain.from_iterable(KIND.iter_unpack(self.content)))]
 
 
 class DecorationRows(BodyRows):

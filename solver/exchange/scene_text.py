@@ -3,12 +3,12 @@
 The fields' types say how values are written, as in writer.py.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from functools import lru_cache
 from itertools import accumulate, chain, pairwise
 from json.encoder import encode_basestring as quoted
 from struct import Struct, pack, unpack_from
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, TypeVar
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furniture_ids, rows_in
 from solver.exchange import json_text
@@ -17,8 +17,9 @@ from solver.exchange.writer import shape_of, write, write_degrees, write_number,
 from solver.fields import EXTRA
 from solver.plain import Wrong, plain
 from solver.records import LATER
-from solver.scene import Decoration, Furniture, Opening, Scene
+from solver.scene import Decoration, Furniture, Opening, Scene, Sides
 
+Key = TypeVar("Key", bound=Hashable)
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
 _TOLD: Final = "\0"
@@ -102,7 +103,7 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
         return ()
     from solver.core import ask  # noqa: PLC0415 - whoever has rows has loaded it
 
-    looks, texts = dict[Look, int](), dict[str, int]()
+    looks, texts = _Numbered[Look](), _Numbered[str]()
     rows = [_as_asked(one, looks, texts) for one in told]
     contents = [text.encode() for text in texts]
     head = _HEADER.pack(len(looks), len(contents), len(rows), 0), pack(f"<{len(contents)}q", *map(len, contents))
@@ -111,18 +112,22 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
     return [answer[start:end] for start, end in pairwise(ends)]
 
 
-def _as_asked(told: BodyRows, looks: dict[Look, int], texts: dict[str, int]) -> bytes:
+class _Numbered(dict[Key, int]):
+    """Numbers for keys, as they come."""
+
+    def __missing__(self, key: Key) -> int:
+        number = self[key] = len(self)
+        return number
+
+
+def _as_asked(told: BodyRows, looks: _Numbered[Look], texts: _Numbered[str]) -> bytes:
     """Returns bodies as the core reads them; looks and texts are numbered as they come."""
     carriers = furniture_ids(told.room) if isinstance(told, DecorationRows) else ()
-    worn = [
-        number
-        for look, color in zip(told.looks, told.colours, strict=True)
-        for number in (looks.setdefault(look, len(looks)), texts.setdefault(_TEXTS[color], len(texts)))
-    ]
-    ids = [texts.setdefault(quoted(name), len(texts)) for name in carriers]
-    before = texts.setdefault(quoted(f"{told.room.id}/")[:-1], len(texts))
-    counts = _BODIES.pack(len(told), len(ids), before)
-    return b"".join([counts, told.content, pack(f"<{len(worn)}i", *worn), pack(f"<{len(ids)}q", *ids)])
+    colours = map(texts.__getitem__, map(_TEXTS.__getitem__, told.colours))
+    worn = chain.from_iterable(zip(map(looks.__getitem__, told.looks), colours, strict=True))
+    ids = map(texts.__getitem__, map(quoted, carriers))
+    counts = _BODIES.pack(len(told), len(carriers), texts[quoted(f"{told.room.id}/")[:-1]])
+    return b"".join([counts, told.content, pack(f"<{2 * len(told)}i", *worn), pack(f"<{len(carriers)}q", *ids)])
 
 
 class _LookTexts(dict[Look, bytes]):
@@ -165,6 +170,19 @@ def _whole(value: Any) -> str:
     return "null" if value is None else repr(int(value))
 
 
+class _Sides(dict[int, tuple[Sides, str]]):
+    """Yes or no by wall as JSON, by identity: rooms share what they say."""
+
+    def text(self, sides: Sides) -> str:
+        """Returns what is written of them."""
+        kept = self.get(id(sides))
+        if kept is None or kept[0] is not sides:
+            if len(self) >= MOST_TEXTS:
+                self.clear()
+            kept = self[id(sides)] = sides, _record(sides)
+        return kept[1]
+
+
 class _Texts(dict[Any, str]):
     """Texts as JSON; those that are met often are kept."""
 
@@ -177,13 +195,24 @@ class _Texts(dict[Any, str]):
         return text
 
 
+class _Numbers(dict[Any, str]):
+    """Numbers as JSON; those that are met often are kept. Zero is zero, whatever its sign, and has a point."""
+
+    def __missing__(self, value: Any) -> str:
+        if len(self) >= MOST_TEXTS:
+            self.clear()
+        text = self[value] = _number(value)
+        return text
+
+
 _TEXTS: Final = _Texts()
+_NUMBERS: Final = _Numbers()
 _LOOKS: Final = _LookTexts()
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
-    Furniture: _record, Opening: _record, FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
+    Furniture: _record, Opening: _record, Sides: _Sides().text, FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
 }  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
-    write_number: _number, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
+    write_number: _NUMBERS.__getitem__, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
 }  # fmt: skip
 """What writes as text what a function of the document's writer writes."""
