@@ -160,8 +160,10 @@ def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
         return None
     centre = start + opening.position * 1000
     low, high = _down(centre - width / 2) - side, _up(centre + width / 2) + side
-    rect = _clipped(strip_at(line[0], line[1], (low, high), depth), room)
-    return Zone(rect, above, opening.id) if rect else None
+    rect = strip_at(line[0], line[1], (low, high), depth)
+    if not room.contains(rect):
+        rect = rect.common(room)
+    return Zone(rect, above, opening.id) if rect.x0 < rect.x1 and rect.z0 < rect.z1 else None
 
 
 def _clipped(rect: Rect, room: Rect) -> Rect | None:

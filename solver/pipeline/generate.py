@@ -214,10 +214,14 @@ def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], s
 def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet, and how many dear pieces it leaves out."""
     room_type = setting.catalogs.rooms.get(room.type)
-    requires, gone = room_type.requires if room_type else (), {label for label, _ in arrangement.left_out}
-    dear = sum(spec.skip_cost >= DEAR and f"{spec.piece}_1" in gone for spec in room_type.pieces) if room_type and gone else 0
-    names = names_placed(arrangement, setting.catalogs) if requires else []
-    return dear + sum(not any(names.count(name) >= number for name, number in either.items()) for either in requires)
+    if room_type is None:
+        return 0
+    gone = {label for label, _ in arrangement.left_out}
+    missing = sum(f"{spec.piece}_1" in gone for spec in room_type.pieces if spec.skip_cost >= DEAR) if gone else 0
+    names = names_placed(arrangement, setting.catalogs) if room_type.requires else []
+    for either in room_type.requires:
+        missing += not any(names.count(name) >= number for name, number in either.items())
+    return missing
 
 
 def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:

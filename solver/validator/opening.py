@@ -4,9 +4,7 @@ It is found by the core (solver/core/validate/opening.cpp). Each front is opened
 lies on a lid is taken off; doors are closed and are walls.
 """
 
-from collections.abc import Iterator, Sequence
-from itertools import groupby
-from operator import itemgetter
+from collections.abc import Iterator
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
@@ -63,7 +61,7 @@ def _opened(case: RuleCase) -> Iterator[_Opened]:
     return _OPENED.iter_unpack(case.judged.opened)
 
 
-def _fronts(case: RuleCase, body: int) -> Sequence[KindFront]:
+def _fronts(case: RuleCase, body: int) -> tuple[KindFront, ...]:
     return case.kinds.fronts(case.room.pieces[body][0]).each
 
 
@@ -83,14 +81,14 @@ def certified_fronts(case: RuleCase) -> dict[str, dict[str, Any]]:
     """Returns what a certificate says of a room's fronts, by piece and front: 1 where it opens wholly, else the share and what it meets."""
     said: dict[str, dict[str, Any]] = {}
     names = furniture_ids(case.room.room) if case.judged.opened else ()
-    for body, rows in groupby(_opened(case), itemgetter(2)):
-        fronts = _fronts(case, body)
-        said.setdefault(names[body], {}).update((fronts[told[3]][0], _certified(case, told)) for told in rows)
+    before, fronts, own = -1, tuple[KindFront, ...](), dict[str, Any]()
+    for told in _opened(case):
+        _, meets, body, number = told
+        if body != before:
+            before, fronts, own = body, _fronts(case, body), said.setdefault(names[body], {})
+        own[fronts[number][0]] = 1 if meets == _NOTHING else _certified(_travel(case, told))
     return said
 
 
-def _certified(case: RuleCase, told: _Opened) -> int | dict[str, Any]:
-    if told[1] == _NOTHING:
-        return 1
-    one = _travel(case, told)
+def _certified(one: FrontTravel) -> dict[str, Any]:
     return {"opens": round(one.share, 3), "meets": one.meets}

@@ -1,6 +1,5 @@
 """The rule `missing_required`: a piece that a room's type requires is not there."""
 
-from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
@@ -23,13 +22,13 @@ def missing_required(case: RuleCase) -> Iterator[Finding]:
     known = case.kinds.rooms.get(place.room.type)
     if known is None or not known.requires:
         return
-    there = Counter(furniture_names(place.room))
+    there = furniture_names(place.room)
     for line in known.requires:
-        if any(there[name] >= count for name, count in line.items()):
+        if any(there.count(name) >= count for name, count in line.items()):
             continue
         wanted = " or ".join(name if count == 1 else f"{count} {name}" for name, count in line.items())
         reason = _reason(case.world.scene.certificate, place, _labels(known, line))
-        have = sum(there[name] for name in line)
+        have = sum(map(there.count, line))
         short = f"has only {have} of {wanted}" if have else f"has no {wanted}"
         yield Finding((), 0, f"{place.room.id} ({place.room.type}) {short}: {reason}")
 
