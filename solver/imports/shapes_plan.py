@@ -17,7 +17,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from catalogs.synonyms import RoomNames
-from solver.geometry import bounds_of_points
+from solver.geometry import bounds_of_points, doubled_area
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.nameless_shapes import told_by_form
@@ -34,7 +34,7 @@ from solver.imports.shape_openings import (
 )
 from solver.imports.storeys_beside import storey_called, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
-from solver.imports.units import GAPS, PlanUnit, assumed
+from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
 
@@ -85,39 +85,65 @@ UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
 
 
 class DrawnText(NamedTuple):
-    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room."""
+    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2."""
 
     words: str
     x: float
     z: float
     means: str = ""
+    area: float = 0.0
+
+
+class DrawnSheet(NamedTuple):
+    """What a drawing draws: shapes; texts, which name the rooms that they stand in; arcs of doors' leaves."""
+
+    shapes: Sequence[DrawnShape]
+    texts: Sequence[DrawnText]
+    swings: Sequence[DrawnSwing]
 
 
 def text_at(words: str, spot: Spot, names: RoomNames) -> DrawnText:
     """Returns a text as it is drawn at a point, looked up among the names of rooms."""
-    lines = (line.strip() for line in words.splitlines())
+    whole, area = without_area(words)
+    lines = (line.strip() for line in whole.splitlines())
     said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line) or storey_called(line) is not None)
     meaning = names.meaning(said) if said and names.is_plain(said) else None
-    return DrawnText(said, *spot, meaning.key if meaning else "")
+    return DrawnText(said, *spot, meaning.key if meaning else "", area)
 
 
-def plan_of_shapes(
-    shapes: Sequence[DrawnShape], texts: Sequence[DrawnText], swings: Sequence[DrawnSwing], metres: UnitTold, unread: Sequence[Unread]
-) -> DrawnPlan:
+def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unread: Sequence[Unread] = ()) -> DrawnPlan:
     """Returns the plan that shapes draw; where they draw no rooms, those between their walls.
 
-    Texts name the rooms that they stand in, swings are of doors' leaves. `metres` tells the length of the unit by the openings, m; None
-    where nothing does. `unread` is what is left out already.
+    `metres` is the length of the unit, where the caller says it; else the areas that are written in rooms tell it, where they differ from
+    what `told` tells by the openings. `unread` is what is left out already.
 
     Raises:
         FieldError: there are more shapes than in any home.
     """
+    plan = _plan(sheet, (lambda _: PlanUnit(metres)) if metres else told, unread)
+    unit = None if metres else told_by_areas([(_area(room), one) for room in plan.rooms if (one := _said_area(room, sheet.texts))], plan)
+    return plan if unit is None else _plan(sheet, lambda _: unit, unread)
+
+
+def _said_area(room: DrawnRoom, texts: Sequence[DrawnText]) -> float:
+    """Returns the area that is written in a room, m2; 0 where none or several are."""
+    said = {one.area for one in texts if one.area and room.holds(one.x, one.z)}
+    return said.pop() if len(said) == 1 else 0.0
+
+
+def _area(room: DrawnRoom) -> float:
+    outer, *inner = (abs(doubled_area(points)) / 2 for points in (room.points, *room.holes))
+    return outer - sum(inner)
+
+
+def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> DrawnPlan:
+    shapes, texts, swings = sheet
     called = [one for one in shapes if one.sort is not None]
     check_count("shapes", len(called) + len(swings), MOST_POINTS)
     check_count("points of shapes", sum(len(one.points) for one in called), MOST_DRAWN)
     check_count("texts", len(texts), MOST_POINTS)
     turn = turn_of(next((some for sort in ("room", "wall", None) if (some := [one.points for one in shapes if one.sort == sort])), []))
-    shapes, texts, swings = _turned(shapes, texts, swings, turn)
+    shapes, texts, swings = _turned(sheet, turn)
     names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
     is_swung = any(one.sort for one in swings) or any(one.sort in ("door", "opening") for one in shapes)
     nameless = [one for one in swings if not one.sort]
@@ -251,17 +277,15 @@ def _still_open(loose: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres:
     return [Unread(f"layer {name!r:.60}", f"{count} open outlines of rooms, which enclose none") for name, count in sorted(counts.items())]
 
 
-def _turned(
-    shapes: Sequence[DrawnShape], texts: Sequence[DrawnText], swings: Sequence[DrawnSwing], turn: float
-) -> tuple[Sequence[DrawnShape], Sequence[DrawnText], Sequence[DrawnSwing]]:
+def _turned(sheet: DrawnSheet, turn: float) -> DrawnSheet:
     """Returns what is drawn turned back by some degrees, so that walls run along x and z."""
     if not turn:
-        return shapes, texts, swings
-    return (
-        [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in shapes],
-        [DrawnText(one.words, *turned_by((one.x, one.z), turn), one.means) for one in texts],
+        return sheet
+    return DrawnSheet(
+        [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in sheet.shapes],
+        [DrawnText(one.words, *turned_by((one.x, one.z), turn), one.means, one.area) for one in sheet.texts],
         [one._replace(hinge=turned_by(one.hinge, turn), ends=(turned_by(one.ends[0], turn), turned_by(one.ends[1], turn)))
-         for one in swings],
+         for one in sheet.swings],
     )  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """Second step: how long the file's unit is, by what the file says or by how wide its doors are."""
 
 import math
+import re
 from collections.abc import Sequence
 from statistics import median
 from typing import Final, NamedTuple
@@ -18,6 +19,19 @@ LIKELY_ROOM: Final = (1.5, 8.0)
 """Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
 LIKELY_DOOR: Final = 0.9
 """So wide, m, are most doors, where no unit makes them so."""
+LEAST_AREAS: Final = 2
+"""So many rooms at least tell a unit by the areas that are written in them."""
+NEARLY: Final = 0.06
+"""By this share a length differs that is taken from areas: they count to walls' faces or without their plaster."""
+SURELY: Final = 0.02
+"""The same where rooms are drawn along walls' faces; but a unit that has a name is kept within more."""
+SQUARE_FOOT: Final = 0.3048**2
+AREA: Final = re.compile(
+    r"(?:\b[AF]\s*[:=]\s*)?(?<![\d.,])(?P<size>\d{1,4}(?:[.,]\d{1,3})?)\s*"
+    r"(?:(?:m\s?[²2]|m\^2|㎡|qm|sq\.?\s?m|м\s?[²2]|кв\.?\s?м)(?![\w/])|(?P<feet>sq\.?\s?f(?:t|eet)|ft\s?[²2]|sf)(?!\w))\.?",
+    re.IGNORECASE,
+)
+"""An area in a text: 24,5 m², 12.30 m2, 130 sq ft."""
 DOORS: Final = "doors' median width"
 GAPS: Final = "the median gap in walls"
 
@@ -94,6 +108,31 @@ def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> PlanU
     return PlanUnit(
         metres, f"the file says a unit of {said:.5g} m, but {DOORS} would be {size * said:.3g} m; it is {size * metres:.2f} m in {name}"
     )
+
+
+def without_area(words: str) -> tuple[str, float]:
+    """Returns a text without the area in it, and that, m2; 0 where it says none."""
+    found = AREA.search(words)
+    if not found:
+        return words, 0.0
+    return AREA.sub("", words), float(found["size"].replace(",", ".")) * (SQUARE_FOOT if found["feet"] else 1.0)
+
+
+def told_by_areas(rooms: Sequence[tuple[float, float]], plan: DrawnPlan) -> PlanUnit | None:
+    """Returns the unit in which rooms are as large as what is written in them, if most agree on one, and that is not the plan's.
+
+    Each room is given by its area as it is drawn and as it is written, m2.
+    """
+    lengths = [math.sqrt(said / drawn) for drawn, said in rooms if drawn]
+    if len(lengths) < LEAST_AREAS:
+        return None
+    middle, within = median(lengths), SURELY if plan.drawn == "inner" else NEARLY
+    alike = sum(abs(one - middle) <= NEARLY * middle for one in lengths)
+    metres = next((length for length in UNITS.values() if abs(length - middle) <= within * length), middle)
+    known, is_named = plan.metres or 0.0, plan.metres in UNITS.values()
+    if 3 * alike < 2 * len(lengths) or abs(known - metres) <= (NEARLY if is_named else within) * metres:
+        return None
+    return PlanUnit(metres, f"in a unit of {metres:.5g} m {alike} rooms are as large as what is written in them")
 
 
 def assumed(openings: Sequence[DrawnOpening], told: str = DOORS) -> PlanUnit:

@@ -19,8 +19,8 @@ from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import DrawnText, UnitTold, is_passed, plan_of_shapes, sort_within, text_at
-from solver.imports.units import PlanUnit, told_by_doors
+from solver.imports.shapes_plan import DrawnSheet, DrawnText, UnitTold, is_passed, plan_of_shapes, sort_within, text_at
+from solver.imports.units import told_by_doors
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
 """What `$INSUNITS` says."""
@@ -83,7 +83,7 @@ def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | N
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         names = room_names_of(catalogs or load_catalogs())
         unit = METRES.get(drawing.header.get("$INSUNITS", 0))
-        return _plan(space, lambda found: PlanUnit(metres) if metres else told_by_doors(found, unit), names)
+        return _plan(space, lambda found: told_by_doors(found, unit), metres, names)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
 
@@ -223,7 +223,7 @@ def _opened(space: Any) -> Iterator[_Entity]:
             yield _Entity(one, names[0], sort, f"{kind} {number} on layer {names[0]}")
 
 
-def _plan(space: Any, metres: UnitTold, names: RoomNames) -> DrawnPlan:
+def _plan(space: Any, told: UnitTold, metres: float | None, names: RoomNames) -> DrawnPlan:
     make_path = import_module("ezdxf.path").make_path
     shapes: list[DrawnShape] = []
     texts: list[DrawnText] = []
@@ -248,7 +248,7 @@ def _plan(space: Any, metres: UnitTold, names: RoomNames) -> DrawnPlan:
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
-    return plan_of_shapes([shape for shape in shapes if shape.points], texts, swings, metres, unread)
+    return plan_of_shapes(DrawnSheet([shape for shape in shapes if shape.points], texts, swings), told, metres, unread)
 
 
 def _is_quarter(one: Any, kind: str) -> bool:

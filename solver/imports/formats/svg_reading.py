@@ -28,7 +28,7 @@ from solver.imports.formats.svg_elements import (
 )
 from solver.imports.plain_values import a_number, one_of
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import UnitTold, plan_of_shapes, sort_within, text_at
+from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, sort_within, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
@@ -63,7 +63,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
     stated = [element for element in elements if "data-room" in element.said and element.lines]
     names = None if stated and openings else room_names_of(catalogs or load_catalogs())
-    plan = _shapes_plan(elements, names, lambda found: PlanUnit(metres) if metres else _unit_of(said, found))
+    plan = _shapes_plan(elements, names, lambda found: _unit_of(said, found), metres)
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
     unit = _unit_of(said, openings) if openings or stated else PlanUnit(plan.metres, plan.unit_words)
@@ -192,7 +192,7 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
         )  # fmt: skip
 
 
-def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres: UnitTold) -> DrawnPlan:
+def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, told: UnitTold, metres: float | None) -> DrawnPlan:
     """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
     texts = [text_at(one.words, one.lines[0].points[0], names) for one in elements if one.words and names]
     shapes: list[DrawnShape] = []
@@ -211,7 +211,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, metres
             width = _stroke(element) if sort == "wall" and (not closed or _styled(element, "fill") == "none") else 0.0
             named = "/".join(element.names[:1])
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
-    return plan_of_shapes(shapes, texts, swings, metres, ())
+    return plan_of_shapes(DrawnSheet(shapes, texts, swings), told, metres)
 
 
 def _stroke(element: SvgElement) -> float:
