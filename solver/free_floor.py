@@ -4,12 +4,25 @@ Within reach is exact, by the core: solver/core/floor/free_floor.hpp.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from struct import Struct
 from typing import Final, NamedTuple
 
-from solver.core import borrowed
-from solver.free_places import FLAT_MM, RECT_BYTES, Block, decorations_in, furniture_in, nearest_place, rect_rows
+from solver.body_rows import FurnitureRows, rows_in
+from solver.core import ask, borrowed
+from solver.free_places import (
+    FLAT_MM,
+    RECT,
+    Block,
+    PlacedBody,
+    bodies_told,
+    decorations_in,
+    furniture_in,
+    is_told,
+    nearest_place,
+    rect_rows,
+)
 from solver.geometry import Rect, wall_faced
 from solver.pieces import Space
 from solver.scene import WALLS, Room
@@ -44,13 +57,17 @@ class Goal(NamedTuple):
 class FreeFloor:
     """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides, the `goals`.
 
-    `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in.
+    `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in, `goals` are rows. `told` is the
+    room whose furniture and small things are rows: what of them is in the way, the core tells.
     """
 
-    def __init__(self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = ()) -> None:
-        self.space, self.blocks = space, list(blocks)
+    def __init__(
+        self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = (), told: Room | None = None
+    ) -> None:
+        self.space, self._blocks, self._told = space, list(blocks), told
         self._goals = b"".join([goal.row() for goal in goals])
         self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
+        self._bodies += self._taken_between(-math.inf, HEADROOM_MM, loose=True)
         outer, through = space.walked
         self._outer, self._doors = len(outer), len(outer) + len(through)
         self._doorways = b"".join([DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in (*outer, *through)])
@@ -62,25 +79,31 @@ class FreeFloor:
 
         `uses` are by name of piece the sides it is used from, and whether all of them have to be within reach.
         """
-        furniture = furniture_in(room)
-        goals = [
-            Goal(piece.block.rect, tuple(wall_faced(side, piece.rotation) for side in sides), need_all)
-            for piece in furniture
-            for sides, need_all in [uses.get(piece.key[1], ((), False))]
-            if sides
-        ]
-        high = [one for one in (*furniture, *decorations_in(room)) if one.key[4] * 1000 > FLAT_MM]
         kept_free = [Block(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
-        standing = (one.block for one in high if one.key[0] == "furniture" or not one.rests)
-        in_the_way = [block.rect for block in standing if block.low < HEADROOM_MM]
-        return cls(space, in_the_way, goals, [*kept_free, *(one.block for one in high)])
+        if is_told(room):
+            return cls(space, (), _goals_in(_rects_told(room), uses), kept_free, room)
+        furniture = furniture_in(room)
+        goals = _goals_in(((one.block.rect, one.rotation, one.key[1]) for one in furniture), uses)
+        standing = [one.block for one in furniture if is_high(one)]
+        things = [one for one in decorations_in(room) if is_high(one)]
+        in_the_way = (block.rect for block in (*standing, *(one.block for one in things if not one.rests)) if block.low < HEADROOM_MM)
+        return cls(space, in_the_way, goals, [*kept_free, *standing, *(one.block for one in things)])
+
+    def _taken_between(self, low: float, high: float, loose: bool = False) -> bytes:
+        """Returns the footprints of what is told as rows and taken between two heights; `loose`: of things those on the floor."""
+        return b"" if self._told is None else ask("taken_between", *bodies_told(self._told), numbers=[low, high, loose])
+
+    @cached_property
+    def _blocks_told(self) -> list[Block]:
+        told = () if self._told is None else (*furniture_in(self._told), *decorations_in(self._told))
+        return [one.block for one in told if is_high(one)]
 
     def add(self, block: Block, in_the_way: bool = True, is_goal: bool = False) -> None:
         """Notes that somebody or something is there; who sits is not in the way of those who walk.
 
         `is_goal`: it has to be come to, from any side.
         """
-        self.blocks.append(block)
+        self._blocks.append(block)
         self._taken.clear()
         if in_the_way:
             self._bodies += rect_rows([block.rect])
@@ -89,19 +112,23 @@ class FreeFloor:
 
     def obstacles(self, own: Block) -> list[Rect]:
         """Returns what is taken at the heights of a body."""
+        return [Rect(*row) for row in RECT.iter_unpack(self._taken_at(own))]
+
+    def _taken_at(self, own: Block) -> bytes:
         low, high = own.low, own.high
-        return [rect for rect, bottom, top, _ in self.blocks if bottom < high and low < top]
+        known = self._taken.get((low, high))
+        if known is None:
+            rects = [rect for rect, bottom, top, _ in self._blocks if bottom < high and low < top]
+            known = self._taken[low, high] = rect_rows(rects) + self._taken_between(low, high)
+        return known
 
     def nearest(self, own: Block, gap_mm: int = 0) -> Rect | None:
         """Returns the free place nearest to a body with a gap all around, the gap included, or None where there is none."""
-        heights = own.low, own.high
-        if heights not in self._taken:
-            self._taken[heights] = rect_rows(self.obstacles(own))
-        return nearest_place(own.rect.shrunk(-gap_mm), self.space.clear, self._taken[heights])
+        return nearest_place(own.rect.shrunk(-gap_mm), self.space.clear, self._taken_at(own))
 
     def is_free(self, own: Block, but: str) -> bool:
         """Tells whether a space is empty, the body of one id aside."""
-        others = (block for block in self.blocks if block.id != but)
+        others = (block for block in (*self._blocks, *self._blocks_told) if block.id != but)
         return not any(own.rect.overlaps(block.rect) and block.between(own.low, own.high) for block in others)
 
     def connects(self, more: Sequence[Rect] = (), goals: Sequence[Goal] = ()) -> bool:
@@ -111,11 +138,31 @@ class FreeFloor:
         besides its own.
         """
         bodies, asked = self._bodies + rect_rows(more), b"".join([self._goals, *(goal.row() for goal in goals)])
-        counts = len(bodies) // RECT_BYTES, self._doors, len(asked) // _GOAL.size
+        counts = len(bodies) // RECT.size, self._doors, len(asked) // _GOAL.size
         header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, self._outer)
         request = b"".join([header, bodies, self._doorways, asked])
         with borrowed() as core:
             return bool(core.call("connects", core.write(request), len(request)))
+
+
+def is_high(body: PlacedBody) -> bool:
+    """Tells whether a body is more than one that one stands on."""
+    return body.key[4] * 1000 > FLAT_MM
+
+
+def _rects_told(room: Room) -> Iterator[tuple[Rect, float, str]]:
+    """Yields the footprint, rotation and name of each piece of furniture that is told as rows."""
+    rows = rows_in(room, FurnitureRows)
+    for row, look in zip(rows.rows, rows.looks, strict=True) if rows else ():
+        yield Rect(*row[8:12]), row[4], look.name
+
+
+def _goals_in(pieces: Iterable[tuple[Rect, float, str]], uses: Mapping[str, tuple[Sequence[str], bool]]) -> Iterator[Goal]:
+    """Yields what has to be come to of pieces, each told by its footprint, rotation and name."""
+    for rect, rotation, name in pieces:
+        if name in uses:
+            sides, need_all = uses[name]
+            yield Goal(rect, tuple(wall_faced(side, rotation) for side in sides), need_all)
 
 
 def sides_seen(walls: Iterable[str]) -> int:

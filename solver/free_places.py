@@ -18,8 +18,7 @@ from solver.scene import Decoration, Dynamic, Furniture, Room
 FLAT_MM: Final = 20
 """Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules)."""
 
-_RECT: Final = Struct("<4q")
-RECT_BYTES: Final = _RECT.size
+RECT: Final = Struct("<4q")
 _NEAREST: Final = Struct("<9q2i")
 _new: Final = tuple.__new__
 """What a named tuple's own constructor calls, in half its time: a room has fifty bodies."""
@@ -86,6 +85,17 @@ def furniture_as_told(room: Room) -> bytes:
     ])  # fmt: skip
 
 
+def is_told(room: Room) -> bool:
+    """Tells whether all furniture and small things of a room are told as rows."""
+    return rows_in(room, FurnitureRows) is not None and (rows_in(room, DecorationRows) is not None or not room.decorations)
+
+
+def bodies_told(room: Room) -> tuple[bytes, bytes]:
+    """Returns the rows of such a room's furniture and small things: the core's."""
+    pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
+    return pieces.content if pieces else b"", things.content if things else b""
+
+
 def decorations_in(room: Room) -> list[PlacedBody]:
     """Returns a room's decorations."""
     if (rows := rows_in(room, DecorationRows)) is not None:
@@ -115,11 +125,11 @@ def nearest_place(own: Rect, area: Rect, blocks: Sequence[Rect] | bytes, reach: 
     west, then along z, then north.
     """
     rows = blocks if isinstance(blocks, bytes) else rect_rows(blocks)
-    request = _NEAREST.pack(*own, *area, -1 if reach is None else reach, len(rows) // RECT_BYTES, 0) + rows
+    request = _NEAREST.pack(*own, *area, -1 if reach is None else reach, len(rows) // RECT.size, 0) + rows
     with borrowed() as core:
         at = core.write(request)
         found = core.call("nearest_place", at, len(request))
-        return Rect(*_RECT.unpack(core.read(at, _RECT.size))) if found else None
+        return Rect(*RECT.unpack(core.read(at, RECT.size))) if found else None
 
 
 def rect_rows(rects: Sequence[Rect]) -> bytes:

@@ -16,10 +16,13 @@ from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, c
 from solver.certificate import mark_of
 from solver.exchange import dump_scene, dump_text, write_scene
 from solver.exports.table_rows import rows_of
-from solver.free_places import decorations_in, furniture_in
+from solver.free_floor import FreeFloor
+from solver.free_places import block_of, decorations_in, furniture_in
+from solver.pipeline.room_spaces import spaces_in
 from solver.request import Request
-from solver.scene import Level, Room, Scene
+from solver.scene import Dynamic, Level, Room, Scene
 from solver.scene_bodies import counted
+from solver.streams import Stream
 from solver.validator import check, metrics
 from solver.validator.kinds import kinds_of
 from solver.validator.sent_rooms import NumberedKinds, room_bytes
@@ -62,6 +65,24 @@ def test_rows_are_kept_and_nothing_is_made_before_it_is_asked_for(homes: tuple[S
         assert furniture_in(room) == furniture_in(other)
         assert decorations_in(room) == decorations_in(other)
         assert mark_of(room) == mark_of(other)
+
+
+def test_the_floor_that_is_left_is_alike(homes: tuple[Scene, Scene]) -> None:
+    told, made = homes
+    space, uses, verdicts = spaces_in(made), KNOWN.use_sides(), set[bool]()
+    for k, (room, other) in enumerate(zip(told.rooms, made.rooms, strict=True)):
+        floor, same = (FreeFloor.of_room(one, space(one), uses) for one in (room, other))
+        stream = Stream(k, "floor", room.id)
+        for _ in range(20):
+            x, z, low = (stream.uniform(0.0, most) for most in (room.width, room.depth, 2.4))
+            own = block_of(Dynamic("somebody", "person", x=x, y=low, z=z, width=0.5, depth=0.4, height=0.3))
+            assert floor.nearest(own, 60) == same.nearest(own, 60)
+            assert sorted(floor.obstacles(own)) == sorted(same.obstacles(own))
+            assert floor.connects([own.rect]) == same.connects([own.rect])
+            of = stream.pick(furniture_ids(room)) if furniture_ids(room) else ""
+            assert floor.is_free(own, of) == same.is_free(own, of)
+            verdicts.add(floor.is_free(own, of))
+    assert verdicts == {True, False}
 
 
 def test_a_home_is_written_alike(homes: tuple[Scene, Scene]) -> None:

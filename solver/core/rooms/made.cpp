@@ -148,22 +148,24 @@ class Making {
 
   void add_standing() {
     for (const PlacedRow& one : placed_) {
-      StandingRow row = {};
+      i64 size[3];
+      room_.size_of(one.way, size);
+      ToldBody row = {};
       row.kind = one.way.kind;
       row.on = one.way.is_on ? standing(one.way.parent) : -1;
       row.under = one.way.is_under ? standing(one.way.parent) : -1;
-      row.wall = static_cast<Wall>(one.wall);
+      row.wall = static_cast<i32>(one.wall);
       row.rotation = static_cast<i32>(one.rotation);
       row.number = 1;
-      for (const StandingRow& other : standing_) row.number += name_of(other) == name_of(row);
+      for (const ToldBody& other : standing_) row.number += name_of(other) == name_of(row);
       row.rect = one.footprint;
       row.low = one.way.bottom;
-      room_.size_of(one.way, row.size);
+      row.width = size[0], row.depth = size[1], row.height = size[2];
       standing_.add(row);
     }
   }
 
-  i32 name_of(const StandingRow& row) const { return room_.type.kinds[row.kind].name; }
+  i32 name_of(const ToldBody& row) const { return room_.type.kinds[row.kind].name; }
 
   void add_left_out() {
     for (const placement::LeftOut& one : whole_.left_out) {
@@ -205,7 +207,7 @@ class Making {
   WholeRoom whole_ = {};
   MadeRoom made_ = {};
   List<PlacedRow> placed_;
-  List<StandingRow> standing_;
+  List<ToldBody> standing_;
   List<LeftOutRow> left_out_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "placement/confirm.hpp"
+#include "plain/told_body.hpp"
 #include "rooms/asking.hpp"
 
 namespace rooms {
@@ -34,15 +35,6 @@ struct PlacedRow {
   i64 piece, rotation, wall;
   Rect footprint;
   furnish::Candidate way;
-};
-
-// The same piece as a body: `on` and `under` are numbers of pieces that stand, -1 nobody; `number` counts those of one name.
-struct StandingRow {
-  i32 kind, on, under;
-  Wall wall;
-  i32 rotation, colour, number, unused;
-  Rect rect;
-  i64 low, size[3];
 };
 
 // A piece left out: its smallest way to stand, and by wall the longest stretch that is free at its depth and height, mm.

@@ -81,7 +81,7 @@ struct Look {
 // Bodies of one sort in a room.
 struct Told {
   Bytes before;
-  Span<BodyRow> bodies;
+  Span<ToldBody> bodies;
   Span<Worn> worn;
   Span<i64> carriers;
 };
@@ -134,7 +134,7 @@ class Writing {
 
   Told read_bodies() {
     const BodiesRow& row = reader_.take<BodiesRow>(1)[0];
-    Told told{text(row.before), reader_.take<BodyRow>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
+    Told told{text(row.before), reader_.take<ToldBody>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
     for (const Worn& worn : told.worn) {
       if (worn.look < 0 || worn.look >= looks_.size()) fail(Failure::bad_request);
     }
@@ -157,7 +157,7 @@ class Writing {
   }
 
   void fill(const Told& told, i32 number, Gap gap) {
-    const BodyRow& body = told.bodies[number];
+    const ToldBody& body = told.bodies[number];
     switch (gap) {
       case Gap::id: return own_id(told, number);
       case Gap::on: return id(told, body.on);

@@ -2,20 +2,13 @@
 // what bodies that look alike have in common comes from Python (solver/exchange/body_text.py): text with gaps.
 #pragma once
 
-#include "plain/rects.hpp"
 #include "plain/tables.hpp"
+#include "plain/told_body.hpp"
 
 namespace text {
 
 // What fills a gap: ids as texts, null where there is none; metres; degrees; a wall's name or null; a text of the request.
 enum class Gap : i64 { id = 0, on = 1, under = 2, wall = 3, x = 4, y = 5, z = 6, rotation = 7, colour = 8, none = 9 };
-
-// Furniture or a thing. `on` and `under` count what carries things, then the bodies told with it.
-struct BodyRow {
-  i32 kind, on, under, wall, rotation, colour, number, unused;
-  Rect rect;
-  i64 low, width, depth, height;
-};
 
 // The look of a body, and its colour, a text.
 struct Worn {

@@ -23,7 +23,7 @@ static Body body_of(const BodyRow& row) {
   return body;
 }
 
-static BodyRow body_row(const ThingRow& thing, const ThingLook& look, Sort sort) {
+static BodyRow body_row(const ToldBody& thing, const ThingLook& look, Sort sort) {
   constexpr f64 MM = 1000.0;
   const auto middle = [](i64 low, i64 high) { return static_cast<f64>(low + high) / (2.0 * MM); };
   const auto metres = [](i64 length) { return static_cast<f64>(length) / MM; };
@@ -39,7 +39,7 @@ static BodyRow body_row(const ThingRow& thing, const ThingLook& look, Sort sort)
 
 // Reads bodies that are sent as they were put there; their ids are numbered from `first` on.
 static void read_things(Reader& reader, i32 count, Sort sort, i32 first, List<BodyRow>& rows) {
-  const Span<ThingRow> things = reader.take<ThingRow>(count);
+  const Span<ToldBody> things = reader.take<ToldBody>(count);
   const Span<ThingLook> looks = reader.take<ThingLook>(count);
   const i32 before = rows.size();
   for (i32 i = 0; i < count; i++) rows.add(body_row(things[i], looks[i], sort)).name = first + i;

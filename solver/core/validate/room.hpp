@@ -2,7 +2,7 @@
 #pragma once
 
 #include "plain/lists.hpp"
-#include "plain/rects.hpp"
+#include "plain/told_body.hpp"
 #include "validate/validate.hpp"
 
 namespace validate {
@@ -139,14 +139,7 @@ struct Body {
   bool rests() const { return row->sort == Sort::decoration && (row->on >= 0 || row->wall >= 0 || row->y != 0.0); }
 };
 
-// Furniture or a small thing as it was put into the room, mm. `on` and `under` count the furniture, then the things; -1 is nobody.
-struct ThingRow {
-  i32 kind_there, on, under, wall, rotation, colour, number, unused;
-  Rect rect;
-  i64 low, width, depth, height;
-};
-
-// How one of them is turned, and its kind in this room.
+// How a body is turned that is told as it was put into the room, and its kind in this room.
 struct ThingLook {
   f64 cosine, sine, cosine_size, sine_size;
   Turn turn;
