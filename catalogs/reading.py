@@ -1,7 +1,7 @@
 """Reading: YAML files -> plain documents -> checked, frozen `Catalogs`; every fault with its file, key and line."""
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from hashlib import blake2b
@@ -171,6 +171,12 @@ def _reader(of: Any) -> TypeAdapter[Any]:
     return TypeAdapter(of)
 
 
+@cache
+def _schema(of: Any) -> Mapping[str, Any]:
+    """Returns the JSON Schema of a type, made when something is first refused by it."""
+    return _reader(of).json_schema()
+
+
 def read_entries(path: Path, of: Any) -> Any:
     """Reads a file as a type: entries by name, or one.
 
@@ -185,7 +191,7 @@ def read_entries(path: Path, of: Any) -> Any:
         key = _key_above(path, fault.line) if fault.line else ""
         raise CatalogError(str(path), key, fault.line or 1, f"is not YAML: {fault}") from fault
     except ValidationError as error:
-        raise located(path, misfit(error, _reader(of).json_schema())) from error
+        raise located(path, misfit(error, _schema(of))) from error
 
 
 def _key_above(path: Path, line: int) -> str:

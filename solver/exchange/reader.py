@@ -55,6 +55,12 @@ def adapter(of: Any) -> TypeAdapter[Any]:
     return TypeAdapter(of)
 
 
+@lru_cache
+def _schema(of: Any) -> Mapping[str, Any]:
+    """Returns the JSON Schema of a type, made when something is first refused by it: it takes as long as to read fifty scenes."""
+    return adapter(of).json_schema()
+
+
 def read(of: type[Read], document: object, root: str = "body", error: type[FieldError] = FieldError) -> Read:
     """Reads a document as a type that `solver.fields` describes.
 
@@ -71,7 +77,7 @@ def read(of: type[Read], document: object, root: str = "body", error: type[Field
     try:
         made = reader.validate_python(document)
     except ValidationError as wrong:
-        (field, problem, allowed), *more = refusals(wrong, reader.json_schema(), document)
+        (field, problem, allowed), *more = refusals(wrong, _schema(of), document)  # type: ignore[arg-type]
         raise error(field or root, problem, allowed, tuple(more)) from None
     return made
 
