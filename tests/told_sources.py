@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import islice, product
 from pathlib import Path
 from typing import TypeVar
@@ -54,9 +54,10 @@ class Source:
         found = (node for node in ast.walk(self.tree) if isinstance(node, ast.ImportFrom) and node.module)
         return {name.asname or name.name: str(node.module) for node in found for name in node.names}
 
-    def nodes(self, of: type[Node]) -> Iterator[tuple[Node, list[ast.AST]]]:
-        """Everything of a kind, and what encloses it, from the module on."""
-        yield from _nodes(of, self.tree, [self.tree])
+    @cached_property
+    def calls(self) -> list[tuple[ast.Call, list[ast.AST]]]:
+        """Its calls, and what encloses each, from the module on."""
+        return list(_nodes(ast.Call, self.tree, [self.tree]))
 
     def texts(self, node: ast.expr, within: list[ast.AST], depth: int = 0) -> list[str] | None:
         """Returns what an expression can be as a text; None where that is not told here."""
@@ -102,15 +103,13 @@ class Source:
             if isinstance(scope, ast.FunctionDef) and name in (taken := [one.arg for one in scope.args.args]):
                 given = [(call.args[taken.index(name)], around) for call, around in self._calls_of(scope.name, taken.index(name))]
                 return _both(*(self.texts(one, around, depth) for one, around in given))
-            if isinstance(scope, ast.FunctionDef | ast.Module):
-                found = [value for node in ast.walk(scope) for value in _given(node, name)]
-                if found:
-                    return _both(*(self.texts(one, within, depth) for one in found))
+            if isinstance(scope, ast.FunctionDef | ast.Module) and (found := _given_within(scope).get(name)):
+                return _both(*(self.texts(one, within, depth) for one in found))
         other = self.modules.get(self.imported.get(name, ""))
         return other._named(name, [other.tree], depth) if other and other is not self else None
 
     def _calls_of(self, name: str, at: int) -> Iterator[tuple[ast.Call, list[ast.AST]]]:
-        for call, around in self.nodes(ast.Call):
+        for call, around in self.calls:
             if (
                 isinstance(call.func, ast.Name)
                 and call.func.id == name
@@ -125,7 +124,7 @@ class Source:
         other = self.modules.get(self.imported.get(node.value.id, ""), self)
         for one in ast.walk(other.tree):
             if isinstance(one, ast.ClassDef) and one.name == node.value.id:
-                found = [value for line in one.body for value in _given(line, node.attr)]
+                found = [value for line in one.body for name, value in _given(line) if name == node.attr]
                 return _both(*(other.texts(value, [other.tree, one], depth) for value in found)) if found else None
         return None
 
@@ -153,7 +152,7 @@ def told_at(modules: Iterable[Source], places: Iterable[Place]) -> Iterator[tupl
     """Yields where a text is handed over, and all that it can be; None where that cannot be read."""
     by_name = {(place.of, place.name): place for place in places}
     for module in modules:
-        for call, within in module.nodes(ast.Call):
+        for call, within in module.calls:
             name = getattr(call.func, "id", getattr(call.func, "attr", ""))
             place = by_name.get((type(call.func), name))
             for at in place.told if place else ():
@@ -165,7 +164,7 @@ def told_under(modules: Iterable[Source], keys: Iterable[str]) -> Iterator[tuple
     """Yields where a text is put under one of these keys of a mapping, and all that it can be; None where that cannot be read."""
     wanted = set(keys)
     for module in modules:
-        for made, within in module.nodes(ast.Dict):
+        for made, within in _nodes(ast.Dict, module.tree, [module.tree]):
             for key, value in zip(made.keys, made.values, strict=True):
                 if isinstance(key, ast.Constant) and key.value in wanted:
                     yield f"{module.path.name}:{made.lineno} {key.value}", module.texts(value, within)
@@ -187,20 +186,30 @@ def _ways(node: ast.expr) -> list[ast.expr]:
     return node.value.values if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Dict) else []
 
 
-def _given(node: ast.AST, name: str) -> Iterator[ast.expr]:
-    """Yields what a statement gives a name."""
+@cache
+def _given_within(scope: ast.AST) -> dict[str, list[ast.expr]]:
+    """Returns what is given to each name anywhere in a scope."""
+    found: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(scope):
+        for name, value in _given(node):
+            found.setdefault(name, []).append(value)
+    return found
+
+
+def _given(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
+    """Yields the names that a statement gives something, and what it gives them."""
     targets: list[ast.expr] = []
     if isinstance(node, ast.Assign):
         targets, value = node.targets, node.value
     elif isinstance(node, ast.AnnAssign | ast.NamedExpr | ast.AugAssign) and node.value:
         targets, value = [node.target], node.value
     for target in targets:
-        if isinstance(target, ast.Name) and target.id == name:
-            yield value
-        if isinstance(target, ast.Tuple):
-            at = next((k for k, one in enumerate(target.elts) if isinstance(one, ast.Name) and one.id == name), None)
+        if isinstance(target, ast.Name):
+            yield target.id, value
+        for at, one in enumerate(target.elts) if isinstance(target, ast.Tuple) else ():
             ways = [value.body, value.orelse] if isinstance(value, ast.IfExp) else [value]
-            yield from (way.elts[at] for way in ways if at is not None and isinstance(way, ast.Tuple))
+            if isinstance(one, ast.Name):
+                yield from ((one.id, way.elts[at]) for way in ways if isinstance(way, ast.Tuple))
 
 
 def _both(*ways: list[str] | None) -> list[str] | None:
