@@ -138,6 +138,11 @@ class Synonym(Entry):
     means: Literal["kind", "other", "nothing"] = "kind"
 
 
+DrawnName = Literal[
+    "garage_door", "window", "door", "passage", "opening", "wall", "room", "label", "furniture", "outdoors",
+    "basement", "ground", "first", "second", "attic",
+]  # fmt: skip
+"""What drawings name: what is drawn, in the order in which it counts, and storeys from the lowest on."""
 Weight = Annotated[float, Field(strict=True, ge=-100, le=100, allow_inf_nan=False)]
 OfType = dict[Annotated[str, ROOM_TYPE], Weight]
 Mark = Literal[

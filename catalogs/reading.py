@@ -14,7 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 from catalogs.access_profiles import AccessProfile
 from catalogs.checks import faults, holding_faults
 from catalogs.decoration_types import Decorating, DecorationKind
-from catalogs.entries import Dweller, Evidence, Mark, Preset, Synonym
+from catalogs.entries import DrawnName, Dweller, Evidence, Mark, Preset, Synonym
 from catalogs.faults import CatalogError, Fault
 from catalogs.insides import insides_of
 from catalogs.misfits import misfit
@@ -42,6 +42,7 @@ _SECTIONS: Final[dict[str, Any]] = {
     "habits": dict[str, Habit],
     "synonyms": dict[str, Synonym],
     "room_names": dict[str, Synonym],
+    "drawn_names": dict[DrawnName, Synonym],
     "access": dict[str, AccessProfile],
     "guessing": dict[Mark, Evidence],
 }
@@ -51,7 +52,7 @@ _SHAPE_FILE: Final[Any] = dict[str, ShapeParts]
 """What each file of shapes/ holds: shapes by name, whatever the file is called."""
 _LOOKS: Final[Any] = {
     "fingerprint": True, "assets": True, "shapes": True, "materials": True, "synonyms": True, "room_names": True, "habits": True,
-    "access": True, "guessing": True,
+    "access": True, "guessing": True, "drawn_names": True,
     "styles": {"__all__": {"materials"}},
     "furniture": {"__all__": {"shape", "friction", "moves", "labels"}},
     "decorations": {"__all__": {"shape", "friction", "moves", "labels"}},

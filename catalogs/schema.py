@@ -24,6 +24,7 @@ from catalogs.entries import (
     Colour,
     ComfortFloor,
     Cost,
+    DrawnName,
     Dweller,
     Entry,
     Evidence,
@@ -243,6 +244,7 @@ class Catalogs(Entry):
     """Written out for every kind of furniture and decoration that has one."""
     synonyms: dict[str, Synonym] = Field(default_factory=dict)
     room_names: dict[str, Synonym] = Field(default_factory=dict)
+    drawn_names: dict[DrawnName, Synonym] = Field(default_factory=dict)
     guessing: dict[Mark, Evidence] = Field(default_factory=dict)
     habits: dict[str, Habit] = Field(default_factory=dict)
     access: dict[str, AccessProfile] = Field(default_factory=dict)

@@ -5,9 +5,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 from math import log
-from typing import Final, Literal, NamedTuple, TypeAlias
+from typing import Final, Literal, NamedTuple, TypeAlias, get_args
 from unicodedata import combining, normalize
 
+from catalogs.entries import DrawnName
 from catalogs.schema import Catalogs
 
 KindSize: TypeAlias = tuple[float, float, float]
@@ -278,3 +279,54 @@ def room_names_of(catalogs: Catalogs) -> RoomNames:
 
 def _may_end(phrase: str) -> bool:
     return len(phrase) >= LEAST_ENDING or not phrase.isascii()
+
+
+BETWEEN_WORDS: Final = re.compile(r"[\W_]+")
+"""What parts the words of a layer's name."""
+STOREYS: Final[tuple[DrawnName, ...]] = ("basement", "ground", "first", "second", "attic")
+
+
+class DrawnNames:
+    """What layers, blocks and groups of drawings are called, and titles; and the names of rooms, which texts in drawings are."""
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self.rooms = room_names_of(catalogs)
+        entries = {key: catalogs.drawn_names[key] for key in get_args(DrawnName) if key in catalogs.drawn_names}
+        told = {means: [word for one in entries.values() if one.means == means for word in one.known_as] for means in ("other", "nothing")}
+        self._passed, self._without = told["other"], told["nothing"]
+        self._sorts = {key: one.known_as for key, one in entries.items() if one.means == "kind" and key not in STOREYS}
+        storeys = [(word, rank) for rank, key in enumerate(STOREYS) if key in entries for word in entries[key].known_as]
+        self._storeys = sorted(storeys, key=lambda one: -len(one[0]))
+        self.sort_within = lru_cache(maxsize=_MANY)(self._sort_within)
+        """What the names around a shape tell, the outermost first: the nearest that tells anything counts."""
+
+    def is_passed(self, names: Sequence[str]) -> bool:
+        """Tells whether a name is one of what is passed over."""
+        return any(word in _spaced(name) for name in names for word in self._passed)
+
+    def _sort_within(self, names: tuple[str, ...]) -> str | None:
+        for name in reversed(names):
+            small = _spaced(name)
+            for word in self._without:
+                small = small.replace(word, "")
+            if self.is_passed((name,)):
+                return None
+            found = [sort for sort, words in self._sorts.items() if any(word in small for word in words)]
+            if found:
+                return "label" if "label" in found else "opening" if {"window", "door"} <= {*found} else found[0]
+        return None
+
+    def storey(self, title: str) -> int | None:
+        """Returns which storey a title tells by the longest word in it, from the lowest on; None where it tells none."""
+        small = _spaced(title)
+        return next((rank for word, rank in self._storeys if word in small), None)
+
+
+def _spaced(name: str) -> str:
+    return f" {BETWEEN_WORDS.sub(' ', name.lower())} "
+
+
+@lru_cache(maxsize=4)
+def drawn_names_of(catalogs: Catalogs) -> DrawnNames:
+    """Returns what catalogs tell that drawings name."""
+    return DrawnNames(catalogs)

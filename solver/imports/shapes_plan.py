@@ -6,7 +6,6 @@ Outlines that stay open, and other layers, are passed over, and told.
 """
 
 import math
-import re
 from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -16,7 +15,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from catalogs.synonyms import RoomNames
+from catalogs.synonyms import DrawnNames
 from solver.geometry import bounds_of_points, doubled_area
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
@@ -32,45 +31,12 @@ from solver.imports.shape_openings import (
     openings_of,
     to_lines,
 )
-from solver.imports.storeys_beside import storey_called, with_storeys_apart
+from solver.imports.storeys_beside import StoreyTitle, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
 
-WORDS: Final[dict[str, tuple[str, ...]]] = {
-    "garage_door": ("garage door", "garagedoor", "garagentor", "porte de garage"),
-    "window": (
-        "window", "fenster", "fenetre", "fenêtre", "ventana", "finestr", "janela", "kozijn", "raam", " ramen", "fönster", "fonster",
-        "okn", "окно", "окна", "вікн", "glaz", "vindu", "ikkuna", "pencere", "ablak", "窓", "窗", "창",
-    ),
-    "door": (
-        "door", "tür", "tuer", "porte", "puerta", "porta", "deur", "dörr", "drzwi", "двер", "dør", " ovi ", " ovet ", "kapı", "kapi ",
-        "dveř", "dvere", "ajtó", "ドア", "扉", "门 ", "門 ", "门窗", "門窗", "문 ",
-    ),
-    "passage": ("passage", "durchgang"),
-    "opening": (
-        "opening", "öffnung", "oeffnung", "ouverture", "menuiserie", "apertura", "infiss", "serrament", "carpinter", "abertura",
-        "esquadria", "проем", "проём", "建具", "开口",
-    ),
-    "wall": (
-        "wall", "wand", "wänd", "waend", "mauer", "mur", "pared", "parete", "muro", "tabique", "cloison", "vägg", "vagg", "ścian",
-        "scian", "стен", "стін", "partition", "bearing", "væg", "vegg", "seinä", "seina", "duvar", " zdi", "stěn", "příčk", "pricky",
-        " falak", "壁 ", "墙", "墻", "벽",
-    ),
-    "room": (
-        "room", "space", "raum", "räum", "raeum", "zimmer", "piece", "pièce", "habitacion", "habitación", "stanza", "stanze", "locale",
-        "ruimte", "pomieszcz", "помещ", "приміщ", "zone", "místnost", "mistnost", "mahal", " odalar ", "部屋", "房间", "房間",
-    ),
-    "label": (" tag ", " tags ", " iden ", "stempel", "label", "etikett", "etiquet", "etichett"),
-}  # fmt: skip
-"""What a layer or a shape is, by words in its name; the first that fits, but an opening where doors and windows are named.
-
-Of labels, such as the stamps of rooms, texts alone count."""
-BETWEEN_WORDS: Final = re.compile(r"[\W_]+")
-PASSED: Final = ("furn", "möbel", "mobil", "meuble", "mueble", "arredo", "dimension", "hatch")
-"""Words of layers that hold none of these, whatever they lie within."""
-NO_DOOR: Final = ("outdoor", "indoor")
 MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 HOUSE: Final = 12.0
@@ -85,13 +51,17 @@ UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
 
 
 class DrawnText(NamedTuple):
-    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2."""
+    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2.
+
+    `storey` is which one it tells, as a title does, from the lowest on.
+    """
 
     words: str
     x: float
     z: float
     means: str = ""
     area: float = 0.0
+    storey: int | None = None
 
 
 class DrawnSheet(NamedTuple):
@@ -102,13 +72,13 @@ class DrawnSheet(NamedTuple):
     swings: Sequence[DrawnSwing]
 
 
-def text_at(words: str, spot: Spot, names: RoomNames) -> DrawnText:
+def text_at(words: str, spot: Spot, known: DrawnNames) -> DrawnText:
     """Returns a text as it is drawn at a point, looked up among the names of rooms."""
-    whole, area = without_area(words)
+    (whole, area), names = without_area(words), known.rooms
     lines = (line.strip() for line in whole.splitlines())
-    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line) or storey_called(line) is not None)
+    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line) or known.storey(line) is not None)
     meaning = names.meaning(said) if said and names.is_plain(said) else None
-    return DrawnText(said, *spot, meaning.key if meaning else "", area)
+    return DrawnText(said, *spot, meaning.key if meaning else "", area, known.storey(said))
 
 
 def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unread: Sequence[Unread] = ()) -> DrawnPlan:
@@ -182,7 +152,9 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
     )  # fmt: skip
-    return with_storeys_apart(plan, [(one.words, (one.x, one.z)) for one in texts if not one.means], unit)
+    return with_storeys_apart(
+        plan, [StoreyTitle(one.storey, one.words, one.x, one.z) for one in texts if one.storey is not None and not one.means], unit
+    )
 
 
 def _left_names(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
@@ -283,29 +255,10 @@ def _turned(sheet: DrawnSheet, turn: float) -> DrawnSheet:
         return sheet
     return DrawnSheet(
         [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in sheet.shapes],
-        [DrawnText(one.words, *turned_by((one.x, one.z), turn), one.means, one.area) for one in sheet.texts],
+        [one._replace(x=spot[0], z=spot[1]) for one in sheet.texts for spot in (turned_by((one.x, one.z), turn),)],
         [one._replace(hinge=turned_by(one.hinge, turn), ends=(turned_by(one.ends[0], turn), turned_by(one.ends[1], turn)))
          for one in sheet.swings],
     )  # fmt: skip
-
-
-def is_passed(names: Sequence[str]) -> bool:
-    """Tells whether a name is one of what is passed over."""
-    return any(word in name.lower() for name in names for word in PASSED)
-
-
-def sort_within(names: Sequence[str]) -> str | None:
-    """Returns what the names around a shape tell, the outermost first: the nearest that tells anything counts."""
-    for name in reversed(names):
-        small = f" {BETWEEN_WORDS.sub(' ', name.lower())} "
-        for word in NO_DOOR:
-            small = small.replace(word, "")
-        if is_passed((name,)):
-            return None
-        found = [sort for sort, words in WORDS.items() if any(word in small for word in words)]
-        if found:
-            return "label" if "label" in found else "opening" if {"window", "door"} <= {*found} else found[0]
-    return None
 
 
 def _thickness(walls: Sequence[DrawnShape]) -> float | None:

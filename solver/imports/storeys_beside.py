@@ -3,7 +3,7 @@
 Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn, shape_openings.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
@@ -16,15 +16,15 @@ APART: Final = 1.0
 """Groups of rooms of different storeys lie farther from one another, m."""
 LEAST_ROOMS: Final = 3
 """A group of fewer rooms is none: a shed belongs to the nearest."""
-TITLES: Final = (
-    ("basement", "cellar", "keller", "untergesch", "souterrain", "sous-sol", "sótano", "sotano", "kjeller", "källare", "подвал", "地下"),
-    ("ground", "erdgesch", "parterre", "rez-de", "rez de", "rdc", "planta baja", "piano terra", "begane", "parter", "térreo", "terreo"),
-    ("first", "1st", "upper", "obergesch", "1. og", "1er", "1ère", "étage", "etage", "planta alta", "primer", "primo",
-     "verdieping", "piętro"),
-    ("second", "2nd", "2. og", "2e ", "2ème", "segund", "secondo"),
-    ("attic", "loft", "dachgesch", "comble", "ático", "buhardilla", "mansard", "zolder", "poddasz"),
-)  # fmt: skip
-"""Words of titles of storeys, from the lowest on; of one that says none there is none."""
+
+
+class StoreyTitle(NamedTuple):
+    """Which storey a text tells, from the lowest on, its words, and where it stands."""
+
+    rank: int
+    words: str
+    x: float
+    z: float
 
 
 class DrawnGroup(NamedTuple):
@@ -34,10 +34,10 @@ class DrawnGroup(NamedTuple):
     rooms: frozenset[int]
 
 
-def with_storeys_apart(plan: DrawnPlan, texts: Sequence[tuple[str, Spot]], metres: float | None) -> DrawnPlan:
+def with_storeys_apart(plan: DrawnPlan, texts: Sequence[StoreyTitle], metres: float | None) -> DrawnPlan:
     """Returns a plan of one level whose rooms lie in several groups with each on a level of its own; any other as it is.
 
-    `texts` are words and where they stand, `metres` is the length of the unit.
+    `metres` is the length of the unit.
     """
     groups = _groups(
         [DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(plan.rooms)], APART / (metres or 1.0)
@@ -45,7 +45,7 @@ def with_storeys_apart(plan: DrawnPlan, texts: Sequence[tuple[str, Spot]], metre
     storeys = [group for group in groups if len(group.rooms) >= LEAST_ROOMS]
     if len(storeys) < 2:
         return plan
-    titles = [next(_titles(storey, storeys, texts), (0, "")) for storey in storeys]
+    titles = [_title(storey, storeys, texts) for storey in storeys]
     is_titled = len({rank for rank, words in titles if words}) == len(storeys)
     order = sorted(range(len(storeys)), key=lambda at: titles[at] if is_titled else (storeys[at].box[0], -storeys[at].box[3]))
     boxes = [storeys[at].box for at in order]
@@ -66,11 +66,6 @@ def with_storeys_apart(plan: DrawnPlan, texts: Sequence[tuple[str, Spot]], metre
     )
 
 
-def storey_called(words: str) -> int | None:
-    """Returns which storey a title tells, from the lowest on; None where it tells none."""
-    return next((rank for rank, known in enumerate(TITLES) if any(word in words.lower() for word in known)), None)
-
-
 def _groups(groups: Sequence[DrawnGroup], apart: float) -> list[DrawnGroup]:
     """Returns groups, those one whose boxes lie no farther apart."""
     found: list[DrawnGroup] = []
@@ -84,14 +79,14 @@ def _groups(groups: Sequence[DrawnGroup], apart: float) -> list[DrawnGroup]:
     return found if len(found) == len(groups) else _groups(found, apart)
 
 
-def _titles(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[tuple[str, Spot]]) -> Iterator[tuple[int, str]]:
-    """Yields which storey each text says that is nearest to a group, and its words; the nearest first."""
-    near = [
-        (_away(storey.box, (*spot, *spot)), words)
-        for words, spot in texts
-        if min(storeys, key=lambda one: _away(one.box, (*spot, *spot))) is storey
-    ]
-    yield from ((rank, words) for _, words in sorted(near) if (rank := storey_called(words)) is not None)
+def _title(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[StoreyTitle]) -> tuple[int, str]:
+    """Returns which storey the nearest title tells that is nearest to a group, and its words; none: no words."""
+
+    def away(one: StoreyTitle, group: DrawnGroup) -> float:
+        return _away(group.box, (one.x, one.z, one.x, one.z))
+
+    near = [(away(one, storey), one) for one in texts if min(storeys, key=lambda group: away(one, group)) is storey]
+    return next(((one.rank, one.words) for _, one in sorted(near)), (0, ""))
 
 
 def _away(a: DrawnBox, b: DrawnBox) -> float:

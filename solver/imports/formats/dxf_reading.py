@@ -13,13 +13,13 @@ from itertools import islice, pairwise
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.synonyms import RoomNames, room_names_of
+from catalogs.synonyms import DrawnNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import DrawnSheet, DrawnText, UnitTold, is_passed, plan_of_shapes, sort_within, text_at
+from solver.imports.shapes_plan import DrawnSheet, DrawnText, UnitTold, plan_of_shapes, text_at
 from solver.imports.units import told_by_doors
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
@@ -77,22 +77,22 @@ def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
     try:
-        drawing = _drawing(content)
+        names = drawn_names_of(catalogs or load_catalogs())
+        drawing = _drawing(content, names)
         space = drawing.modelspace()
         if len(space) > MOST_ENTITIES:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
-        names = room_names_of(catalogs or load_catalogs())
         unit = METRES.get(drawing.header.get("$INSUNITS", 0))
         return _plan(space, lambda found: told_by_doors(found, unit), metres, names)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
 
 
-def _drawing(content: bytes) -> Any:
+def _drawing(content: bytes, names: DrawnNames) -> Any:
     """Returns the drawing in a file, with as many parts as a plan may have at most."""
     tags = import_module("ezdxf.lldxf.tagger")
     if not content.startswith(BINARY):
-        return import_module("ezdxf.filemanagement").read(StringIO("\n".join(_looked_at(_text(content).split("\n")))))
+        return import_module("ezdxf.filemanagement").read(StringIO("\n".join(_looked_at(_text(content).split("\n"), names))))
     if sum(tag.code == 0 for tag in tags.binary_tags_loader(content, errors="ignore")) > MOST_PARTS:
         raise SyntaxFault(MANY)
     return import_module("ezdxf.document").Drawing.load(tags.binary_tags_loader(content, errors="ignore"))
@@ -108,14 +108,14 @@ def _text(content: bytes) -> str:
         return content.decode(told.encoding, "replace")
 
 
-def _looked_at(lines: list[str]) -> list[str]:
+def _looked_at(lines: list[str], names: DrawnNames) -> list[str]:
     """Returns a file's lines but for what is never looked at, most of some files: sections that draw nothing, furniture's blocks."""
     zeros = {code for code in set(lines[::2]) if _begins_a_part(code)}
     starts = [2 * at for at, code in enumerate(lines[::2]) if code in zeros]
     if len(starts) > MOST_PARTS:
         raise SyntaxFault(MANY)
     parts = [(start, end, lines[start + 1]) for start, end in pairwise((*starts, len(lines))) if start + 1 < end]
-    opened = _blocks_to_open(lines[start:end] for start, end, kind in parts if kind == "INSERT")
+    opened = _blocks_to_open((lines[start:end] for start, end, kind in parts if kind == "INSERT"), names)
     section, block, kept = "", "", lines[: starts[0] if starts else None]
     for start, end, kind in parts:
         if kind in ("SECTION", "EOF"):
@@ -130,10 +130,10 @@ def _looked_at(lines: list[str]) -> list[str]:
     return kept
 
 
-def _blocks_to_open(inserts: Iterable[list[str]]) -> set[str]:
+def _blocks_to_open(inserts: Iterable[list[str]], names: DrawnNames) -> set[str]:
     """Returns the names of blocks, in small letters, that neither their names nor the layers they are inserted on tell to hold nothing."""
-    named = {(_said(8, one), _said(2, one)) for one in inserts}
-    told = {name.lower() for layer, name in named if not is_passed((name,)) and (not is_passed((layer,)) or sort_within((name,)))}
+    named, passed = {(_said(8, one), _said(2, one)) for one in inserts}, names.is_passed
+    told = {name.lower() for layer, name in named if not passed((name,)) and (not passed((layer,)) or names.sort_within((name,)))}
     return told | SPACES
 
 
@@ -164,13 +164,13 @@ class _Entity(NamedTuple):
 class _Blocks:
     """Which blocks hold something on a layer, or a block, whose name tells what it is: a whole house may be one block."""
 
-    def __init__(self, blocks: Any) -> None:
-        self._blocks = blocks
+    def __init__(self, blocks: Any, names: DrawnNames) -> None:
+        self._blocks, self._names = blocks, names
         self._known: dict[str, bool] = {}
 
     def __call__(self, names: tuple[str, ...], block: str, depth: int) -> bool:
         """Tells whether a block does that lies under some names, none of which says that it holds none."""
-        return not is_passed(names) and self._holds(block, depth)
+        return not self._names.is_passed(names) and self._holds(block, depth)
 
     def _holds(self, name: str, depth: int) -> bool:
         if name not in self._known:
@@ -181,16 +181,17 @@ class _Blocks:
 
     def _tells(self, part: Any, depth: int) -> bool:
         inner = (part.dxf.layer, *((part.dxf.name,) if part.dxftype() == "INSERT" else ()))
-        return bool(sort_within(inner)) or (len(inner) > 1 and not is_passed(inner) and self._holds(inner[1], depth + 1))
+        is_told = bool(self._names.sort_within(inner))
+        return is_told or (len(inner) > 1 and not self._names.is_passed(inner) and self._holds(inner[1], depth + 1))
 
 
-def _opened(space: Any) -> Iterator[_Entity]:
+def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
     """Yields what is drawn; of blocks of doors, windows, openings, walls and rooms, and those that hold layers of them, what is in them.
 
     Raises:
         SyntaxFault: with its blocks it is more than in any plan.
     """
-    holds = _Blocks(space.doc.blocks)
+    holds, sort_within = _Blocks(space.doc.blocks, known), known.sort_within
     ahead = [(one, (one.dxf.layer,), f"{one.dxf.handle or number}", 0) for number, one in enumerate(space)][::-1]
     made = len(ahead)
     while ahead:
@@ -223,13 +224,13 @@ def _opened(space: Any) -> Iterator[_Entity]:
             yield _Entity(one, names[0], sort, f"{kind} {number} on layer {names[0]}")
 
 
-def _plan(space: Any, told: UnitTold, metres: float | None, names: RoomNames) -> DrawnPlan:
+def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -> DrawnPlan:
     make_path = import_module("ezdxf.path").make_path
     shapes: list[DrawnShape] = []
     texts: list[DrawnText] = []
     swings: list[DrawnSwing] = []
     passed: Counter[tuple[str, str]] = Counter()
-    for one, layer, sort, where in _opened(space):
+    for one, layer, sort, where in _opened(space, names):
         kind = one.dxftype()
         if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
             swings += [DrawnSwing(*arc, where, sort) for arc in arcs]

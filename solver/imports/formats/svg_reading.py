@@ -9,7 +9,7 @@ from statistics import median
 from typing import Final, Literal
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.synonyms import RoomNames, room_names_of
+from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
@@ -28,7 +28,7 @@ from solver.imports.formats.svg_elements import (
 )
 from solver.imports.plain_values import a_number, one_of
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, sort_within, text_at
+from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
@@ -62,7 +62,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     elements, said = list(drawn_elements(root)), said_of(root)
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
     stated = [element for element in elements if "data-room" in element.said and element.lines]
-    names = None if stated and openings else room_names_of(catalogs or load_catalogs())
+    names = None if stated and openings else drawn_names_of(catalogs or load_catalogs())
     plan = _shapes_plan(elements, names, lambda found: _unit_of(said, found), metres)
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
@@ -192,16 +192,18 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
         )  # fmt: skip
 
 
-def _shapes_plan(elements: Sequence[SvgElement], names: RoomNames | None, told: UnitTold, metres: float | None) -> DrawnPlan:
+def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told: UnitTold, metres: float | None) -> DrawnPlan:
     """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
-    texts = [text_at(one.words, one.lines[0].points[0], names) for one in elements if one.words and names]
     shapes: list[DrawnShape] = []
     swings: list[DrawnSwing] = []
-    for element in elements if names else []:
+    if names is None:
+        return plan_of_shapes(DrawnSheet((), (), ()), told, metres)
+    texts = [text_at(one.words, one.lines[0].points[0], names) for one in elements if one.words]
+    for element in elements:
         if element.tag == "text" or not element.lines:
             continue
-        sort = sort_within(element.names)
-        label = _label(element, names, sort == "room") if names and sort in (None, "room") else ""
+        sort = names.sort_within(element.names)
+        label = _label(element, names.rooms, sort == "room") if sort in (None, "room") else ""
         for line in element.lines:
             if sort in (*SWUNG, None) and line.swing:
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where, sort))
