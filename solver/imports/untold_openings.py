@@ -29,7 +29,7 @@ UNTOLD: Final = "the file says no more than that it is an opening"
 
 
 def told_apart(openings: Sequence[Joined], rooms: Sequence[NamedRoom], catalogs: Catalogs, notes: PlanNotes) -> list[Joined]:
-    """Returns openings, each untold one as what it most likely is; notes what was guessed.
+    """Returns openings, each untold one as what it most likely is; notes what was guessed, of those alike with the place of the first.
 
     Where the file tells of some that they are windows, it tells so of all.
     """
@@ -42,9 +42,12 @@ def told_apart(openings: Sequence[Joined], rooms: Sequence[NamedRoom], catalogs:
         outer = [at for at, (kind, _) in enumerate(found) if may_be[at] and kind in ("window", "passage")]
         for at in sorted(outer, key=lambda at: (_rank(openings[at], rooms, catalogs), openings[at].high - openings[at].low))[:1]:
             found[at] = "door", "no other leads outside"
+    told: dict[tuple[OpeningKind, str], list[str]] = {}
     for one, (kind, why) in zip(openings, found, strict=True):
         if why:
-            notes.guess(one.drawn.where, "kind", kind, f"{UNTOLD}; {why}" if one.drawn.unsaid else why)
+            told.setdefault((kind, f"{UNTOLD}; {why}" if one.drawn.unsaid else why), []).append(one.drawn.where)
+    for (kind, words), places in told.items():
+        notes.guess(places[0], "kind", kind, words if len(places) == 1 else f"{words}: {len(places)} in all")
     return [replace(one, drawn=replace(one.drawn, kind=kind)) for one, (kind, _) in zip(openings, found, strict=True)]
 
 

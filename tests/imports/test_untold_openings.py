@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from io import StringIO
 from typing import Any
 
@@ -51,7 +52,11 @@ def kinds(answer: PlanImport) -> dict[str, list[tuple[str, float, str | None]]]:
 
 
 def guessed(answer: PlanImport) -> list[str]:
-    return [str(one["taken"]) for one in answer.guesses if one["what"] == "kind"]
+    """What was guessed, as often as it was: those alike are told in one line."""
+    told = [(str(one["taken"]), str(one["message"])) for one in answer.guesses if one["what"] == "kind"]
+    assert len({(kind, re.sub(r": \d+ in all", "", words)) for kind, words in told}) == len(told)
+    counts = [re.search(r": (\d+) in all$", words) for _, words in told]
+    return [kind for (kind, _), count in zip(told, counts, strict=True) for _ in range(int(count[1]) if count else 1)]
 
 
 SOUTH = (3000, -50, 4400, -50)
