@@ -33,6 +33,28 @@ def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
     visit.settle()
 
 
+def test_words_of_an_address_that_mean_nothing_are_told_and_the_home_is_shown(visit: Visit) -> None:
+    answer = visit.open(SMALL.format(3) + "&preset=foo&colour=red")
+    expect(visit.page.get_by_role("alert")).to_contain_text("preset, colour: the home is shown without")
+    assert visit.count("rooms") == len(answer["scene"]["rooms"])
+    assert "preset" not in visit.page.url
+    visit.after(lambda: visit.page.get_by_role("button", name="Random").click())
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+
+
+def test_a_plan_that_was_not_drawn_is_asked_for_again(visit: Visit) -> None:
+    visit.open(SMALL.format(3))
+    intercept(visit.page, "**/export/svg", lambda route: route.abort())
+    visit.page.keyboard.press("4")
+    again = visit.page.get_by_role("button", name="Try again")
+    expect(again).to_be_visible()
+    visit.page.unroute("**/export/svg")
+    again.click()
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+    visit.settle()
+    expect(visit.page.locator("#stage .plan-sheet svg")).to_have_count(1)
+
+
 def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
     visit.open(SMALL.format(3))
     busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}

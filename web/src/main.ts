@@ -1,10 +1,11 @@
 /** The page, wired together: a request goes to the service, its answer to the canvas, the text and the status bar. */
-import { anotherSeed, FIRST, queryFromRequest, requestFromQuery, withoutGaps } from "./address";
+import { anotherSeed, FIRST, queryFromRequest, requestFromQuery, unreadIn } from "./address";
 import { Asking } from "./asking";
-import type { GenerateAnswer, HouseRequest, Scene } from "./contract";
+import type { HouseRequest, Scene } from "./contract";
 import { drawable } from "./house/drawable";
 import { Drawing } from "./draw/drawing";
 import { OtherRooms } from "./edit/others";
+import { Remaking } from "./edit/remaking";
 import { Workbench } from "./edit/workbench";
 import { carriedIn, carriedTo, linkTo } from "./memory/carrying";
 import { Entries, entry } from "./memory/entries";
@@ -26,7 +27,7 @@ import { RoomPanel } from "./panel/room";
 import { ShortfallPanel } from "./panel/shortfalls";
 import { showShown } from "./panel/status";
 import { PlanFiles } from "./plan/plan_files";
-import { catalog, furnish, generate, isAbort, readFile, report, reroll, restyle, ServiceProblem, view, type GivenFile, type Look } from "./service";
+import { catalog, furnish, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
 import { listenToPreferences, turnOver } from "./panel/preferences";
 import { isTyped } from "./panel/typing";
@@ -57,7 +58,7 @@ class Page {
   readonly #others = new OtherRooms(element("others"), {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
     portray: (scene, into) => this.#stage.portrayRoom(scene, into),
-    take: (answer, before) => this.#take(answer, before),
+    take: (answer, before) => this.#remaking.take(answer, before),
     failed: (reason) => this.#asking.notice.show(reason),
   });
   readonly #imported = new ImportReport(element("imported"), element("imported_list"));
@@ -66,8 +67,12 @@ class Page {
   readonly #keeping: Keeping;
   readonly #saved: SavedPanel;
   readonly #workbench: Workbench;
+  readonly #remaking = new Remaking(this.#home, this.#asking, {
+    inTurn: (change) => this.#workbench.editor.inTurn(change),
+    read: () => this.#reads,
+    furnished: (made, of) => this.#imported.guessed(made, of),
+  });
   #wanted: HouseRequest = requestFromQuery(location.search);
-  #look: Look = {};
   #learnt = false;
   #written = new AbortController();
   #reads: Promise<void> = Promise.resolve();
@@ -83,7 +88,7 @@ class Page {
     this.#saved.onOpen = (id) => this.#openSaved(id);
     this.#home.on("shown", (how) => { if (how === "new") this.#saved.holds(null); });
     this.#saved.onFailure = (reason) => this.#asking.notice.show(reason);
-    this.#controls.onRestyle = (wish) => this.#restyle(wish);
+    this.#controls.onRestyle = (wish) => this.#remaking.restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#controls.onBegin = (request) => this.#submit(request);
     this.#reading.onChoose = (id, adds) => this.#chooseInText(id, adds);
@@ -91,13 +96,13 @@ class Page {
     this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
-    this.#stage.onFailure = (reason) => this.#asking.notice.show(reason);
+    this.#stage.onFailure = (reason, again) => this.#asking.notice.show(reason, again && (() => { this.#asking.notice.hide(); again(); }));
     new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), this.#asking.beside);
     element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);
     this.#stage.onAlso = (id) => this.#home.toggleChosen(id);
     this.#stage.onRoom = (id) => this.#home.selectRoom(id);
-    this.#rooms.onReroll = (id) => this.#reroll(id);
+    this.#rooms.onReroll = (id) => this.#remaking.reroll(id);
     this.#rooms.onOthers = (id) => { if (this.#home.settled) void this.#others.show(this.#home.settled.scene, id); };
     this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
@@ -122,11 +127,11 @@ class Page {
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], (reason) => this.#asking.notice.show(reason));
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
-    for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#furnish());
+    for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#remaking.furnish());
     element("draw_new").addEventListener("click", () => this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
     element("random").addEventListener("click", () => this.#random());
-    element("decorate_now").addEventListener("click", () => this.#restyle({ decorate: true }));
+    element("decorate_now").addEventListener("click", () => this.#remaking.restyle({ decorate: true }));
     element("reset").addEventListener("click", () => this.#submit(FIRST));
     window.addEventListener("popstate", () => this.#openAddress());
     document.addEventListener("keydown", (event) => this.#key(event));
@@ -156,7 +161,7 @@ class Page {
     if (!file && saved !== null) return this.#openSaved(saved);
     if (!file) this.#controls.show(request);
     if (file) this.#openFile(file, "keep");
-    else void this.#ask(request, "keep", carriedIn(location.hash));
+    else void this.#ask(request, "keep", carriedIn(location.hash), Object.keys(unreadIn(location.search)));
   }
 
   /** Shows a home that the browser keeps, as it was left; where it does not, what the address asks for. */
@@ -202,8 +207,8 @@ class Page {
     acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
   }
 
-  /** Asks for a house, and shows it with the changes that a link carried. */
-  #ask(request: HouseRequest, history: History, carried: string | null = null): Promise<void> {
+  /** Asks for a house, and shows it with the changes that a link carried; what its address says beside is told. */
+  #ask(request: HouseRequest, history: History, carried: string | null = null, unread: readonly string[] = []): Promise<void> {
     this.#wanted = request;
     return this.#asking.run(say("Laying out the house"), async (signal) => {
       const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
@@ -211,6 +216,7 @@ class Page {
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing, made: request, file: null }, "new");
       if (carried !== null) await this.#change(scene, carried, signal);
+      if (unread.length > 0 && !this.#asking.notice.isShown) this.#asking.notice.show(new ServiceProblem("Part of the address is not known", say("{words}: the home is shown without.", { words: unread.join(", ") })));
       await this.#reads;
     });
   }
@@ -234,21 +240,6 @@ class Page {
     return linkTo(shown, shown.made, isEdited, location.href.replace(/#.*/, ""), generate);
   }
 
-  /** Gives the home that is shown another style or other decorations, in turn with the edits; the furniture stays. */
-  #restyle(wish: Look): void {
-    if (!this.#home.settled) return;
-    const look = (this.#look = { ...this.#look, ...wish }); // a choice withdraws the question before it, and not what that asked for
-    void this.#asking.run(say("Changing style and decorations"), async (signal) => {
-      await this.#workbench.editor.inTurn(async () => {
-        const before = this.#home.settled;
-        if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing } = await restyle(before.scene, look, signal);
-        this.#home.show({ scene, issues, conflicts: [], timing, made: before.made ? withoutGaps({ ...before.made, ...look }) : null }, "step");
-      }).finally(() => { if (this.#look === look) this.#look = {}; });
-      await this.#reads;
-    });
-  }
-
   /** Asks once for what the service knows; without it a house is shown all the same, its bodies as boxes. */
   async #learn(signal: AbortSignal): Promise<void> {
     if (this.#learnt) return;
@@ -261,31 +252,6 @@ class Page {
     } catch (reason) {
       if (isAbort(reason)) throw reason;
     }
-  }
-
-  /** Makes something of the home that is shown, as a step in turn with the edits: none made before or meanwhile is lost. */
-  #inTurn(said: string, make: (scene: Scene, signal: AbortSignal) => Promise<GenerateAnswer>): void {
-    void this.#asking.run(said, async (signal) => {
-      await this.#workbench.editor.inTurn(async () => {
-        const before = this.#home.settled?.scene;
-        if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing } = await make(before, signal);
-        this.#home.show({ scene, issues, conflicts: [], timing }, "step");
-      });
-      await this.#reads;
-    });
-  }
-
-  #reroll(room: string): void {
-    this.#inTurn(say("Furnishing the room anew"), (scene, signal) => reroll(scene, [room], signal));
-  }
-
-  /** Shows a room as it was chosen among others, unless the home has changed since. */
-  #take({ scene, issues, timing_ms: timing }: GenerateAnswer, before: Scene): void {
-    void this.#workbench.editor.inTurn(() => {
-      if (this.#home.settled?.scene === before) this.#home.show({ scene, issues, conflicts: [], timing }, "step");
-      return Promise.resolve();
-    });
   }
 
   #openFile(file: GivenFile, history: History): void {
@@ -308,15 +274,6 @@ class Page {
     this.#saved.holds(saved);
     this.#imported.show(read);
     await this.#reads;
-  }
-
-  /** Furnishes the rooms that stand empty, and says what they were taken for. */
-  #furnish(): void {
-    this.#inTurn(say("Furnishing empty rooms"), async (scene, signal) => {
-      const made = await furnish(scene, [], signal);
-      this.#imported.guessed(made, scene);
-      return made;
-    });
   }
 
   /** Shows a home that was drawn, as a step from what was shown before; its empty rooms furnished first, if that is wished. */

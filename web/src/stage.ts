@@ -53,8 +53,8 @@ export class Stage {
   readonly #looking: Looking;
   /** Told when the same home is drawn anew: another storey is looked at. */
   onRedrawn: () => void = () => undefined;
-  /** Told why a plan was not drawn. */
-  onFailure: (reason: unknown) => void = () => undefined;
+  /** Told why a plan or the floor was not found, and what asks for the plan again. */
+  onFailure: (reason: unknown, again?: () => void) => void = () => undefined;
   readonly sheet: PlanSheet;
   /** Null where the page has no place for it, as in a frame. */
   readonly beside: PlanBeside | null;
@@ -71,9 +71,9 @@ export class Stage {
     this.#looking = new Looking(this.#viewport, this.#labels, async (scene, signal) => (await floor(scene, [], signal)).rooms);
     this.#looking.onFailure = (reason) => this.onFailure(reason);
     const draw: DrawPlan = (scene, scale, signal) => planOf(this.storeys.planned(scene), scale, signal);
-    this.sheet = new PlanSheet(this.#viewport, draw, (reason) => this.onFailure(reason));
+    this.sheet = new PlanSheet(this.#viewport, draw, (reason, again) => this.onFailure(reason, again));
     const place = document.getElementById("beside");
-    this.beside = place && new PlanBeside(place, element("camera_split"), draw, (reason) => this.onFailure(reason));
+    this.beside = place && new PlanBeside(place, element("camera_split"), draw, (reason, again) => this.onFailure(reason, again));
     if (this.beside) {
       this.beside.onSelect = (id) => { if (this.adds && id !== null) this.onAlso(id); else this.onSelect(id); };
       this.beside.onAlso = (id) => this.onAlso(id);

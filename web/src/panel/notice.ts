@@ -50,6 +50,10 @@ export class Notice {
     if (status === 401) this.#field().focus();
   }
 
+  get isShown(): boolean {
+    return !this.host.hidden;
+  }
+
   hide(): void {
     this.host.hidden = true;
     this.#countDown(0);

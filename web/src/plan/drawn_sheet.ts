@@ -34,7 +34,7 @@ export abstract class DrawnSheet {
   #text = "";
   #scale = 0;
 
-  constructor(readonly draw: DrawPlan, readonly failed: (reason: unknown) => void) {
+  constructor(readonly draw: DrawPlan, readonly failed: (reason: unknown, again: () => void) => void) {
     this.host.className = "plan-sheet";
     this.host.setAttribute("aria-hidden", "true");
     this.host.hidden = true;
@@ -56,7 +56,7 @@ export abstract class DrawnSheet {
     this.host.ariaBusy = "true";
     this.#scale = readableAt(this.pixels(scene)).scale;
     this.draw(scene, this.#scale, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {
-      if (!isAbort(reason)) this.failed(reason);
+      if (!isAbort(reason)) this.failed(reason, () => this.again());
     }).finally(() => { if (!signal.aborted) this.host.ariaBusy = "false"; });
   }
 

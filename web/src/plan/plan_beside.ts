@@ -18,7 +18,7 @@ export class PlanBeside extends DrawnSheet {
   #chosen: readonly string[] = [];
 
   /** `button` shows it and puts it away; which of the two is remembered. */
-  constructor(within: HTMLElement, readonly button: HTMLElement, draw: DrawPlan, failed: (reason: unknown) => void) {
+  constructor(within: HTMLElement, readonly button: HTMLElement, draw: DrawPlan, failed: DrawnSheet["failed"]) {
     super(draw, failed);
     within.append(this.host);
     this.onDrawn = () => { this.select(this.#chosen); };

@@ -16,7 +16,7 @@ export class PlanSheet extends DrawnSheet {
   #measuredOf: SVGSVGElement | null = null;
   #reach: readonly DOMRect[] = [];
 
-  constructor(readonly viewport: Viewport, draw: DrawPlan, failed: (reason: unknown) => void) {
+  constructor(readonly viewport: Viewport, draw: DrawPlan, failed: DrawnSheet["failed"]) {
     super(draw, failed);
     viewport.canvas.before(this.host);
     viewport.onFrame(() => this.#follow());
