@@ -10,9 +10,10 @@ import ctypes
 import functools
 from collections import deque
 from collections.abc import Callable, Sequence
+from itertools import accumulate, chain
 from math import prod
 from pathlib import Path
-from struct import Struct
+from struct import Struct, pack
 from struct import error as StructError
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakSet, finalize
@@ -27,6 +28,8 @@ WASM = Path(__file__).with_name("core.wasm")
 FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
 """What the core says of why it ended a call: `enum class Failure` of plain/memory.hpp."""
 MEMORY_FULL = 1
+_PLACE = Struct("<2q")
+"""Where bytes begin, and how many they are: `SentBytes` of plain/tables.hpp."""
 MOST_IDLE = {False: 32, True: 2}
 """Instances kept for the next that asks: small ones, and roomy ones."""
 ROOMY_BYTES = 3 << 20
@@ -252,6 +255,16 @@ class CoreInstance:
         address = self.reserve(len(content))
         ctypes.memmove(self._base + address, content, len(content))
         return address
+
+    def send(self, contents: Sequence[bytes]) -> int:
+        """Writes pieces of bytes, each of a multiple of 8, and a list of where they are; returns its address."""
+        sizes = [*map(len, contents)]
+        begins = accumulate(sizes[:-1], initial=self.write(b"".join(contents)))
+        return self.write(pack(f"<{2 * len(sizes)}q", *chain.from_iterable(zip(begins, sizes, strict=False))))
+
+    def told(self, address: int, count: int) -> list[tuple[int, bytes]]:
+        """Returns what such a list tells of: addresses, and copies of the bytes."""
+        return [(at, self.read(at, size)) for at, size in _PLACE.iter_unpack(self.read(address, _PLACE.size * count))]
 
     def read(self, address: int, size: int) -> bytes:
         """Returns a copy of bytes of the memory.

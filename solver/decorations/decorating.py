@@ -35,17 +35,13 @@ def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> l
         TooMuch: the call may not have so much work.
         CoreFailed: an error within the core.
     """
-    known = compiled_decorating(settings)
-    made = []
+    known, wanted = compiled_decorating(settings), list(bare)
+    demand(PAIR_WORK * sum(count_furniture(one.room) ** 2 for one in wanted))
+    rows = [decorated_rows(room, space, known, settings, stream.state) for room, space, stream in wanted]
     with borrowed() as core:
-        decorating = core.write(known.data)
-        begun = core.mark()
-        for room, space, stream in bare:
-            demand(PAIR_WORK * count_furniture(room) ** 2)
-            rows = decorated_rows(room, space, known, settings, stream.state)
-            packed = core.call("decorate", decorating, len(known.data), core.write(rows), len(rows))
-            answer = core.read(packed & 0xFFFFFFFF, packed >> 32)
-            core.release(begun)
-            stream.state = stream_after(answer)
-            made.append(told(room, rows_told(answer, room, known)))
-    return made
+        sent = core.send(rows)
+        core.call("decorate", core.write(known.data), len(known.data), sent, len(rows))
+        answers = [answer for _, answer in core.told(sent, len(rows))]
+    for one, answer in zip(wanted, answers, strict=True):
+        one.stream.state = stream_after(answer)
+    return [told(one.room, rows_told(answer, one.room, known)) for one, answer in zip(wanted, answers, strict=True)]

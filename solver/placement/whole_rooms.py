@@ -6,7 +6,8 @@ Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from struct import Struct
+from math import inf
+from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from solver.body_rows import BODY
@@ -14,7 +15,7 @@ from solver.core import CoreInstance, borrowed
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Residuals, RowNames, StandingRows, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
-from solver.placement.budget import Budget
+from solver.placement.budget import ROOM_WORK, Budget, charge
 from solver.placement.layout import COVERED, NO_WAY, SPENT
 from solver.placement.left_out import WALLS, clear_size, named_parent, room_needed
 from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
@@ -27,6 +28,7 @@ _PLACED: Final = Struct("<7q168s")
 _LEFT_OUT: Final = Struct("<9q")
 _WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
 """By `enum Why`."""
+_new: Final = tuple.__new__
 _WALL_NAMES: Final = (*NUMBERED_WALLS, None)
 
 
@@ -71,27 +73,25 @@ def place_wanted(rooms: Sequence[WantedRows], tidy: bool = False) -> list[Arrang
         OptimumRefuted: OSQP finds another optimum than one that was proven.
     """
     with borrowed(roomy=True) as core:
-        types: dict[bytes, int] = {}
-        answers = []
-        for room in rooms:
-            if room.type_rows not in types:
-                types[room.type_rows] = core.write(room.type_rows)
-            answers.append(_made(core, room, types[room.type_rows], tidy))
+        answers = _made(core, rooms, tidy)
         residuals = _residuals(core, answers)
     return [_arrangement(room, answer, said) for room, answer, said in zip(rooms, answers, residuals, strict=True)]
 
 
-def _made(core: CoreInstance, room: WantedRows, type_at: int, tidy: bool) -> _Answer:
-    sent = core.write(room.room_rows)
-    budget = Budget()
-    packed = core.call("make_room", type_at, len(room.type_rows), sent, len(room.room_rows), tidy, budget.left)
-    address, size = packed & 0xFFFFFFFF, packed >> 32
-    data = core.read(address, size)
-    made = _Made(*_MADE.unpack_from(data))
-    budget.left -= made.spent
-    if made.failed:
-        raise AssertionError(f"{room.space.room}: nothing that holds was found")
-    return _Answer(made, data, address + size - 8 * made.problem)
+def _made(core: CoreInstance, rooms: Sequence[WantedRows], tidy: bool) -> list[_Answer]:
+    """Makes rooms one after the other: each may cost what a room may, and all of them what is left of the call's work."""
+    types = {rows: number for number, rows in enumerate(dict.fromkeys(room.type_rows for room in rooms))}
+    numbers = core.write(pack(f"<{len(rooms)}i", *[types[room.type_rows] for room in rooms]))
+    sent, wanted = core.send([*types]), core.send([room.room_rows for room in rooms])
+    core.call("make_rooms", sent, numbers, wanted, len(rooms), tidy, ROOM_WORK, Budget(inf).left)
+    answers = []
+    for room, (at, data) in zip(rooms, core.told(wanted, len(rooms)), strict=True):
+        made = _new(_Made, _MADE.unpack_from(data))
+        if made.failed:
+            raise AssertionError(f"{room.space.room}: nothing that holds was found")
+        answers.append(_Answer(made, data, at + len(data) - 8 * made.problem))
+    charge(sum(one.made.spent for one in answers))
+    return answers
 
 
 def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals | None]:

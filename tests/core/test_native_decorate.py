@@ -26,8 +26,9 @@ def request(seed: int) -> tuple[bytes, bytes]:
 def answer(known: bytes, room: bytes) -> bytes:
     """Returns what the core as it is built says."""
     with borrowed() as core:
-        packed = core.call("decorate", core.write(known), len(known), core.write(room), len(room))
-        return core.read(packed & 0xFFFFFFFF, packed >> 32)
+        sent = core.send([room])
+        core.call("decorate", core.write(known), len(known), sent, 1)
+        return core.told(sent, 1)[0][1]
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import pytest
 
 from solver.core import CoreFailed, borrowed
@@ -20,8 +22,9 @@ def request(seed: int) -> tuple[bytes, bytes]:
 def answer(known: bytes, room: bytes) -> bytes:
     """Returns what the core as it is built says."""
     with borrowed() as core:
-        packed = core.call("make_room", core.write(known), len(known), core.write(room), len(room), 1, ROOM_WORK)
-        return core.read(packed & 0xFFFFFFFF, packed >> 32)
+        sent = core.send([room])
+        core.call("make_rooms", core.send([known]), core.write(bytes(4)), sent, 1, 1, ROOM_WORK, inf)
+        return core.told(sent, 1)[0][1]
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:

@@ -3,8 +3,11 @@
 
 using namespace decorate;
 
-// Returns the answer's size, bytes, in the upper half, and where it begins in the lower.
-extern "C" __attribute__((export_name("decorate"))) i64 entry_decorate(u8* catalog, i64 catalog_size, u8* room, i64 room_size) {
-  const Bytes answer = decorate_room({catalog, catalog_size}, {room, room_size});
-  return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data));
+// Decorates rooms one after the other; the answer of each takes the place of its rows.
+extern "C" __attribute__((export_name("decorate"))) void entry_decorate(u8* catalog, i64 catalog_size, SentBytes* rooms, i32 count) {
+  for (i32 i = 0; i < count; i++) {
+    const arena::Mark begun = arena::mark();
+    const Bytes answer = moved_down(begun, decorate_room({catalog, catalog_size}, rooms[i].bytes()));
+    rooms[i] = {reinterpret_cast<u64>(answer.data), answer.size};
+  }
 }

@@ -8,6 +8,22 @@ struct Bytes {
   i64 size;
 };
 
+// Bytes of the memory as the host tells of them, and is told.
+struct SentBytes {
+  u64 address;
+  i64 size;
+
+  Bytes bytes() const { return {reinterpret_cast<u8*>(static_cast<unsigned long>(address)), size}; }
+};
+
+// Moves an answer down to where the work on it began, whose memory is given back.
+inline Bytes moved_down(arena::Mark begun, Bytes answer) {
+  arena::release(begun);
+  u8* kept = static_cast<u8*>(arena::reserve(answer.size));
+  __builtin_memmove(kept, answer.data, static_cast<unsigned long>(answer.size));
+  return {kept, answer.size};
+}
+
 // Rows of another table: the first, and how many.
 struct Range {
   i32 first;

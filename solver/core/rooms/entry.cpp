@@ -1,14 +1,13 @@
 // What the host calls to make rooms.
 #include "rooms/made.hpp"
 
-#define EXPORT(name) __attribute__((export_name(#name)))
-
-extern "C" {
-
-// Returns the answer's size, bytes, in the upper half, and where it begins in the lower: where the memory's top was before the call.
-EXPORT(make_room)
-i64 entry_make_room(u8* type_rows, i64 type_size, u8* room_rows, i64 room_size, i32 tidy, f64 budget) {
-  const Bytes answer = rooms::made_room({type_rows, type_size}, {room_rows, room_size}, tidy != 0, budget);
-  return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data));
-}
+// Makes rooms one after the other, each of one of the types by its number; the answer of each takes the place of its rows. Each may cost so
+// much work, all of them together `left`.
+extern "C" __attribute__((export_name("make_rooms"))) void entry_make_rooms(
+    SentBytes* types, i32* numbers, SentBytes* rooms, i32 count, i32 tidy, f64 each, f64 left) {
+  for (i32 i = 0; i < count; i++) {
+    const Bytes answer = rooms::made_room(types[numbers[i]].bytes(), rooms[i].bytes(), tidy != 0, least(each, most(left, 0.0)));
+    left -= reinterpret_cast<const rooms::MadeRoom*>(answer.data)->spent;
+    rooms[i] = {reinterpret_cast<u64>(answer.data), answer.size};
+  }
 }

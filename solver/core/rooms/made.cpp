@@ -216,11 +216,7 @@ class Making {
 Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy, f64 budget) {
   const arena::Mark mark = arena::mark();
   const WantingRoom room = read(type_rows, room_rows);
-  const Bytes answer = Making(room, tidy).answer(budget);
-  arena::release(mark);  // the answer moves down to where the work began
-  u8* kept = static_cast<u8*>(arena::reserve(answer.size));
-  __builtin_memmove(kept, answer.data, static_cast<unsigned long>(answer.size));
-  return {kept, answer.size};
+  return moved_down(mark, Making(room, tidy).answer(budget));
 }
 
 }  // namespace rooms
