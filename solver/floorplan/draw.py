@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
 from operator import itemgetter
+from typing import NamedTuple
 
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
@@ -67,33 +68,51 @@ def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> Flo
     check_forced(request, len(layout.rooms), catalogs.rooms)
     shared = joints(layout)
     access_plan = plan_access(layout, shared)
-    fitness = Fitness(layout, shared, access_plan, catalogs.rooms)
+    fitness = Fitness(layout, shared, access_plan, catalogs)
     types, more = classify(fitness, request)
-    typed = RoomAccess(types, shared, access_plan, catalogs.rooms)
-    typed = typed if request.force_types else _sane_ways(fitness, typed)
-    entrance = entrance_of(layout, typed.types, catalogs.rooms)
-    return _opened(layout, typed, entrance, catalogs, (*notes, *more))
+    ways = _ways(layout, RoomAccess(types, shared, access_plan, catalogs.rooms))
+    return _opened(layout, ways if request.force_types else _sane_ways(fitness, ways), catalogs, (*notes, *more))
 
 
-def _sane_ways(fitness: Fitness, typed: RoomAccess) -> RoomAccess:
+class _Ways(NamedTuple):
+    """Rooms with types, the room and wall by which one comes in, and from there the tree of doors."""
+
+    typed: RoomAccess
+    entrance: tuple[int, str]
+    tree: tuple[tuple[Joint, int], ...]
+
+    @property
+    def strain(self) -> float:
+        """What it costs to walk through rooms that nobody should walk through."""
+        types, rooms = self.typed.types, self.typed.rooms
+        costs = [passing_cost(types[joint.other(entered)], types[entered], rooms) for joint, entered in self.tree]
+        return sum(cost for cost in costs if cost >= THROUGH_OTHER)
+
+
+def _ways(layout: Layout, typed: RoomAccess) -> _Ways:
+    entrance = entrance_of(layout, typed.types, typed.rooms)
+    return _Ways(typed, entrance, door_tree(entrance[0], typed))
+
+
+def _sane_ways(fitness: Fitness, ways: _Ways) -> _Ways:
     """Lets two rooms change types while fewer are then entered through one that nobody should walk through."""
 
-    def strain(one: RoomAccess) -> tuple[float, float]:
-        tree = door_tree(entrance_of(fitness.layout, one.types, one.rooms)[0], one)
-        ways = [passing_cost(one.types[joint.other(entered)], one.types[entered], one.rooms) for joint, entered in tree]
-        rooms = sum(fitness.shape(i, name) + fitness.company(i, name, one.types) for i, name in enumerate(one.types) if i in free)
-        return sum(way for way in ways if way >= THROUGH_OTHER), rooms
+    def suits(types: tuple[str, ...]) -> float:
+        return sum(fitness.shape(i, name) + fitness.company(i, name, types) for i, name in enumerate(types) if i in free)
 
+    typed, strain = ways.typed, ways.strain
     free = [i for i, name in enumerate(typed.types) if name != "hallway" and not typed.rooms[name].outdoor]
-    best = strain(typed), typed
-    while best[0][0]:
-        types = best[1].types
-        swapped = [tuple(types[{i: j, j: i}.get(k, k)] for k in range(len(types))) for i, j in combinations(free, 2)]
-        tried = min(((strain(one), one) for one in (replace(typed, types=types) for types in swapped)), key=itemgetter(0), default=best)
-        if tried[0][0] >= best[0][0]:
+    while strain:
+        types = ways.typed.types
+        swapped = (tuple(types[{i: j, j: i}.get(k, k)] for k in range(len(types))) for i, j in combinations(free, 2))
+        tried = (_ways(fitness.layout, replace(typed, types=own)) for own in swapped)
+        less, _, found = min(
+            ((one.strain, suits(one.typed.types), one) for one in tried), key=itemgetter(0, 1), default=(strain, 0.0, ways)
+        )
+        if less >= strain:
             break
-        best = tried
-    return best[1]
+        strain, ways = less, found
+    return ways
 
 
 def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:
@@ -101,15 +120,16 @@ def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPl
     home = plan_home(request, catalogs, walls)
     entrance = entrance_of(home.layout, home.types, catalogs.rooms, by_hallway=False)
     typed = home.access(joints(home.layout), catalogs, entrance[0])
-    return _opened(home.layout, typed, entrance, catalogs, home.notes)
+    return _opened(home.layout, _Ways(typed, entrance, door_tree(entrance[0], typed)), catalogs, home.notes)
 
 
-def _opened(layout: Layout, typed: RoomAccess, entrance: tuple[int, str], catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
+def _opened(layout: Layout, ways: _Ways, catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
     """Cuts doors and windows into the walls of typed rooms."""
+    typed, entrance, tree = ways
     rects = set_apart(layout, [catalogs.rooms[name].outdoor for name in typed.types])
     if rects != layout.rooms:
         typed = replace(typed, shared=trimmed(typed.shared, rects, layout.walls.door_wall))
-    tree = door_tree(entrance[0], typed)
+        tree = door_tree(entrance[0], typed)
     cuts, garages = open_walls(OpenedHouse(layout, rects, typed.types, catalogs.rooms, catalogs.profile), tree, entrance)
     drawing = Drawing(layout, rects, typed.types, typed.shared, cuts, catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))

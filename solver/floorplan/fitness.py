@@ -4,10 +4,11 @@ All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from math import log
 from typing import Final, NamedTuple
 
-from catalogs.schema import RoomType
+from catalogs.schema import Catalogs, RoomType
 from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
 from solver.floorplan.tiling import Joint, Layout, neighbours
 
@@ -40,22 +41,29 @@ class _Limits(NamedTuple):
     short: int
     aspect: float
     dark: float
-    garage_door: bool
+    cars: int
     street: bool
+    wet: bool
+
+
+@lru_cache(maxsize=4)
+def _limits(catalogs: Catalogs) -> Mapping[str, _Limits]:
+    """Returns the limits of all room types."""
+    return {name: _limits_of(kind) for name, kind in catalogs.rooms.items()}
 
 
 def _limits_of(kind: RoomType) -> _Limits:
     area, plan = kind.area, kind.plan
-    least = area.min[0], area.min[1]
+    least, cars = (area.min[0], area.min[1]), cars_of(kind) if plan.garage_door else 0
     dark = DARK if plan.habitable else 0.0
-    return _Limits(least, area.typical, area.max, round(kind.short_side * 1000), kind.aspect, dark, plan.garage_door, plan.street)
+    return _Limits(least, area.typical, area.max, round(kind.short_side * 1000), kind.aspect, dark, cars, plan.street, plan.wet)
 
 
 class Fitness:
     """Costs of types in the rooms of one layout; remembers what it has computed."""
 
-    def __init__(self, layout: Layout, shared: Sequence[Joint], access_plan: AccessPlan, rooms: Mapping[str, RoomType]) -> None:
-        self.layout, self.access_plan, self.rooms = layout, access_plan, rooms
+    def __init__(self, layout: Layout, shared: Sequence[Joint], access_plan: AccessPlan, catalogs: Catalogs) -> None:
+        self.layout, self.access_plan, self.rooms = layout, access_plan, catalogs.rooms
         by_room = neighbours(len(layout.rooms), tuple(shared))
         self.beside = [tuple(joint.other(i) for joint in by_room[i]) for i in range(len(layout.rooms))]
         self.outside = [tuple(exposed) for exposed in layout.exposed]
@@ -63,21 +71,19 @@ class Fitness:
         for child, parent in enumerate(access_plan.parent):
             if parent is not None:
                 self.children.setdefault(parent, []).append(child)
-        self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
-        self.wet = frozenset(name for name, kind in rooms.items() if kind.plan.wet)
         more = layout.walls.more
         sides = [sorted((rect.width - more, rect.depth - more)) for rect in layout.rooms]
         self.area = [short * long / 1e6 for short, long in sides]
         self._sides = [(short, long) for short, long in sides]
         self._shape: dict[tuple[int, str], float] = {}
-        self._limits: dict[str, _Limits] = {}
+        self._limits = _limits(catalogs)
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
         known = self._shape.get((room, name))
         if known is None:
-            limits = self._limits.get(name) or self._limits.setdefault(name, _limits_of(self.rooms[name]))
-            known = self._area(room, limits) + self._form(room, limits) + self._outside(room, name, limits)
+            limits = self._limits[name]
+            known = self._area(room, limits) + self._form(room, limits) + self._outside(room, limits)
             self._shape[room, name] = known
         return known
 
@@ -92,11 +98,11 @@ class Fitness:
         short, long = self._sides[room]
         return (8.0 if short < limits.short else 0.0) + max(0.0, long / short - limits.aspect)
 
-    def _outside(self, room: int, name: str, limits: _Limits) -> float:
+    def _outside(self, room: int, limits: _Limits) -> float:
         sides = self.outside[room]
         cost = 0.0 if sides else limits.dark
-        if limits.garage_door:
-            rect, need = self.layout.rooms[room], CAR_DOOR_MM * self.cars[name] + 400
+        if limits.cars:
+            rect, need = self.layout.rooms[room], CAR_DOOR_MM * limits.cars + 400
             wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
             return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
         return cost + (IMPOSSIBLE if limits.street and not sides else 0.0)
@@ -125,8 +131,9 @@ class Fitness:
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
-        if name in self.wet:
-            return 0.0 if any(types[i] in self.wet for i in self.beside[room]) else WET_APART
+        if self._limits[name].wet:
+            beside = (types[i] for i in self.beside[room])
+            return 0.0 if any(other is not None and self._limits[other].wet for other in beside) else WET_APART
         if name == "dining_room":
             return 0.0 if any(types[i] == "kitchen" for i in self.beside[room]) else TABLE_APART
         return 0.0

@@ -47,7 +47,7 @@ class Answer(NamedTuple):
 def room_rows(scope: Scope, zones: Sequence[Zone], area: float, state: int, counts_only: bool = False) -> bytes:
     """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's. `counts_only`: pieces are only counted."""
     openings, exterior = scope.openings, scope.exterior
-    walls = sum(1 << i for i, wall in enumerate(WALLS) if getattr(exterior, wall))
+    walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
     rows = [_ROOM.pack(state, area, *scope.clear, scope.gap_mm, walls, len(openings), len(zones), counts_only)]
     rows += [_OPENED.pack(_OPENING.get(one.kind, -1), _WALL[one.wall], *one.interval, one.across) for one in openings]
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == "outline") for zone in zones]
