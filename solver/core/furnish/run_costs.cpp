@@ -16,33 +16,35 @@ constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 4.0;
 // Floor before a run that is not left to others (guideline 7: walkways of 36 inches), and beside its ends.
 constexpr i64 BEFORE_MM = 700, ASIDE_MM = 600;
 
-static i32 count(u64 items) { return __builtin_popcountll(items); }
-
-// Of all items at once: what is drawn is guessed by no processor, so that nothing here branches on it.
-f64 landing_cost(const Drawn& drawn) {
-  const u64 cut = 1ULL << drawn.first, worktop = drawn.traits.items(WORKTOP_TRAIT), landing = drawn.traits.items(LANDING_TRAIT);
-  const i32 landed = count(landing & worktop << 1 & ~cut) + count(landing & (worktop & ~cut) >> 1);
-  return LANDING_COST * (2 * count(landing) - landed);
-}
-
-f64 end_cost(const Drawn& drawn) {
-  const u64 ends_row = drawn.form == Form::opposite ? 1ULL << drawn.first : 0, end = drawn.traits.items(END_TRAIT);
-  const u64 within = ((1ULL << drawn.items.size) - 1) & ~end;
-  const i32 across = drawn.items.size - drawn.first, opposite = drawn.form == Form::opposite;
-  const i32 alone = opposite * ((drawn.first == 1) + (across == 1));
-  return END_COST * count(end & within << 1 & ~ends_row & (within & ~ends_row) >> 1) + LANDING_COST * alone;
+f64 row_cost(const Drawn& drawn) {
+  const bool across = drawn.form == Form::opposite;
+  const i32 size = drawn.items.size, first = drawn.first;
+  f64 cost = across ? LANDING_COST * ((first == 1) + (size - first == 1)) : 0.0;
+  for (i32 i = 0; i < size; i++) {
+    const Item& own = *drawn.items[i].item;
+    i32 landed = 0, within = 0;
+    for (i32 k = most(i - 1, 0); k <= least(i + 1, size - 1); k++) {
+      const Item& beside = *drawn.items[k].item;
+      const bool turns = most(i, k) == first;
+      landed += k != i && !turns && beside.worktop;
+      within += k != i && !(turns && across) && !beside.end;
+    }
+    if (own.landing) cost += LANDING_COST * (2 - landed);
+    if (own.end && within == 2) cost += END_COST;
+  }
+  return cost;
 }
 
 f64 worktop_cost(const RoomType& type, const Drawn& drawn) {
-  const i64 hidden = drawn.form == Form::corner ? drawn.items[drawn.first]->depth : 0;
-  return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(drawn.worktop - hidden) / 1000.0, 0.0) : 0.0;
+  i64 worktop = drawn.form == Form::corner ? -drawn.items[drawn.first].item->depth : 0;
+  for (const Laid& laid : drawn.items) worktop += laid.item->worktop ? laid.item->width : 0;
+  return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(worktop) / 1000.0, 0.0) : 0.0;
 }
 
 // Where a cook works before a leg, and what keeps off its ends.
 static Rect floor_at(const Scope& scope, const Leg& leg) {
-  i64 deepest = 0;
-  for (const Item* item : leg.items) deepest = most(deepest, item->depth);
-  return strip(scope.clear, leg.wall, {leg.start - ASIDE_MM, leg.start + length_of(leg.items) + ASIDE_MM}, scope.gap + deepest + BEFORE_MM);
+  const auto [low, high] = leg.over();
+  return strip(scope.clear, leg.wall, {low - ASIDE_MM, high + ASIDE_MM}, scope.gap + leg.deepest + BEFORE_MM);
 }
 
 // Where something of an extent may begin along an axis: in the middle, and right behind or before what is taken.
@@ -66,10 +68,12 @@ static bool is_free(const Rect& rect, const Rect& clear, const List<Rect>& taken
   return clear.contains(rect);
 }
 
-Candidate place_left(const Scope& scope, const Follower& follower, const Legs& legs) {
+Candidate place_left(const Scope& scope, const Follower& follower, const Drawn& drawn) {
   List<Rect> taken;
   taken.add_all(follower.taken.all());
-  for (const Leg& leg : legs) taken.add(floor_at(scope, leg));
+  for (const Leg& leg : drawn.legs) {
+    if (leg.deepest > 0) taken.add(floor_at(scope, leg));
+  }
   const Rect& clear = scope.clear;
   Candidate best = free_candidate(-1, 0.0);
   i64 nearest = 0;

@@ -1,7 +1,7 @@
 // A run of pieces along one wall, round a corner or at two opposite walls, planned as a whole: counter, sink, stove, refrigerator.
 //
-// Pieces that are put one by one end at each other's wrong side; so whole runs are drawn by seed, and the best of those that fit is taken:
-// nearest to a working triangle, with worktop where it is wanted, and with what is wanted in it.
+// Pieces that are put one by one end at each other's wrong side; so whole runs are drawn by seed, the best of them is varied, and what is
+// best of all is taken: nearest to a working triangle, with worktop where it is wanted, and with what is wanted in it.
 #pragma once
 
 #include "furnish/candidates.hpp"

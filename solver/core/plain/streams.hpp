@@ -17,14 +17,9 @@ class Stream {
     return z ^ (z >> 31);
   }
 
-  // The same stream so many numbers further on.
-  Stream ahead(i32 numbers) const { return Stream(state_ + 0x9E3779B97F4A7C15ULL * static_cast<u64>(numbers)); }
-
-  // Goes on as if so many numbers were drawn.
-  void skip(i32 numbers) { *this = ahead(numbers); }
-
   // In [0, 1).
-  f64 unit() { return static_cast<f64>(bits() >> 11) * 0x1p-53; }
+  f64 unit() { return unit(bits()); }
+  static f64 unit(u64 drawn) { return static_cast<f64>(drawn >> 11) * 0x1p-53; }
 
   // In [0, most).
   f64 up_to(f64 most) { return 0.0 + most * unit(); }
@@ -47,9 +42,7 @@ class Stream {
 
   template <class T> T& pick(Span<T> options) {
     if (options.size < 1) fail(Failure::bad_request);
-    if (options.size > 1) return options[below(options.size)];
-    skip(1);  // whatever is drawn
-    return options[0];
+    return options[below(options.size)];
   }
 
   template <class T> void shuffle(Span<T> items) {
