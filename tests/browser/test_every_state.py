@@ -19,7 +19,7 @@ from tests.browser.visit import Visit, furniture_of, intercept
 
 HOME = "?program=studio&decorate=true&seed=3"
 PLAIN_HOME = "?program=studio&seed=3"
-"""A third fewer lines to look at: how lines of decorations look is seen in the other."""
+"""A home whose text is looked at where it is in view: all its lines, and those of decorations, are looked at in the other."""
 OPEN = "all => all.forEach(one => { one.open = true; })"
 UNDONE = "window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0"
 RULES: dict[str, tuple[str, ...]] = {"light": (), "dark": ("color-contrast", "link-in-text-block")}
@@ -66,14 +66,14 @@ class States:
         language = visit.page.evaluate("navigator.language")
         self.colours, self.same = [*COLOURS[language]], SAME[language]
 
-    def look(self, state: str, shown: str | None = None) -> None:
-        """Wait until what makes the state is seen, and look at it."""
+    def look(self, state: str, shown: str | None = None, *, whole: bool = False) -> None:
+        """Wait until what makes the state is seen, and look at it: at the whole text, or its lines in view, which look like all."""
         if shown is not None:
             expect(self.visit.page.locator(shown).first).to_be_visible()
         for colours in self.colours:
             self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
             assert f"{state}, {colours}" not in self.found
-            self.found[f"{state}, {colours}"] = found_in(self.visit.page, *RULES[colours], but=self.same)
+            self.found[f"{state}, {colours}"] = found_in(self.visit.page, *RULES[colours], but=self.same, whole=whole)
         self.colours.reverse()  # the next state is come to in the colours of this one
 
     def file(self, name: str, document: object) -> None:
@@ -101,7 +101,7 @@ def test_with_a_home(spoken: Visit) -> None:
     page, states = spoken.page, States(spoken)
     spoken.open(HOME)
     page.locator("details.group").evaluate_all(OPEN)
-    states.look("all groups open", "#recent_list .recent-home")
+    states.look("all groups open", "#recent_list .recent-home", whole=True)
     scene = spoken.open(PLAIN_HOME)["scene"]
     for button, shown, shut in (("#keys", "#keys_dialog", "#keys_close"), ("#diagnose", "#diagnose_found > *", "#diagnose_close")):
         page.locator(button).click()
