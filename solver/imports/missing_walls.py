@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import Final
 
-from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes
+from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes, Spot
 from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 
@@ -12,6 +12,8 @@ WALL_REACH: Final = 200
 """How far from a room's edge its wall may be drawn, mm."""
 NARROWEST: Final = 600
 """A gap in the walls that is a passage is wider, mm."""
+WIDEST: Final = 2000
+"""A gap between the faces of walls that is a passage is no wider, mm."""
 NICHE: Final = 150
 """A niche at a door is no deeper, mm."""
 SHALLOW: Final = 40
@@ -19,8 +21,15 @@ SHALLOW: Final = 40
 AlongWall = tuple[int, int]
 
 
-def passages(rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], found: Sequence[Joined], notes: PlanNotes) -> list[Joined]:
-    """Returns passages where two rooms meet and no wall is drawn between them; none where the file draws no walls at all."""
+def passages(
+    rooms: Sequence[Sequence[PlanEdge]], drawn: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]], found: Sequence[Joined],
+    notes: PlanNotes,
+) -> list[Joined]:  # fmt: skip
+    """Returns passages where two rooms meet and no wall is drawn between them; none where the file draws no walls at all.
+
+    Of walls of which it draws the faces alone, one is missing where some of it is there, and the gap no wider than a passage.
+    """
+    walls = drawn or [DrawnWall(a, b, 0.0, "") for a, b in faces]
     edges = [edge for room in rooms for edge in room] if walls else []
     made: list[Joined] = []
     for edge in (one for one in edges if one.out > 0):
@@ -36,7 +45,8 @@ def passages(rooms: Sequence[Sequence[PlanEdge]], walls: Sequence[DrawnWall], fo
                 (one.low, one.high) for one in found if edge in one.edges or other in one.edges
             ]
             for low, high in _left(span, sorted(part for part in taken if part)):
-                if high - low >= NARROWEST:
+                is_gap = drawn or (high - low <= WIDEST and span != (low, high))
+                if high - low >= NARROWEST and is_gap:
                     walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
                     made.append(Joined(_drawn(edge, low, high), low, high, walls_of, None, None))
                     notes.change("join", f"passage_{len(made) - 1}", (high - low) / 1000, "no wall is drawn between two rooms: a passage")

@@ -121,7 +121,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     placed = [_placed(one, rooms) for one in plan.openings]
     openings = told_apart(joined(placed, edges, levels, thickness // 2, notes), rooms, catalogs, notes)
     openings = with_glass(openings, rooms, notes)
-    openings += passages(edges, plan.walls, openings, notes)
+    openings += passages(edges, plan.walls, plan.faces, openings, notes)
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)
     if settings.furniture:

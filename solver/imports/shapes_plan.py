@@ -35,7 +35,7 @@ from solver.imports.storeys_beside import StoreyTitle, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
-from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, passages_between, rooms_between
+from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
 
 MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
@@ -139,7 +139,6 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     if rooms or not outlines:
         walls = [DrawnWall(a, b, 0.0, one.where) for one in drawn_walls if not one.closed for a, b in pairwise(one.points)]
         found = _beside(rooms, loose, openings, unit)
-        openings += passages_between(rooms, openings, gaps, unit)
     else:
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages

@@ -119,14 +119,6 @@ def rooms_between(
     return Between([*kept, *added], found.thickness, [*(() if added and not kept else found.told), *told], passages)
 
 
-def passages_between(
-    rooms: Sequence[DrawnRoom], openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None
-) -> list[DrawnOpening]:
-    """Returns the passages that gaps are which lie between two rooms."""
-    within = INSIDE / (metres or 1.0)
-    return [_passage(gap) for gap in _empty(gaps, openings, metres) if len({room.where for room in _beside(gap, rooms, within)}) > 1]
-
-
 def _empty(gaps: Sequence[WallGap], openings: Sequence[DrawnOpening], metres: float | None) -> list[WallGap]:
     """Returns the gaps of a passage's width in which nothing is drawn."""
     spots = [between(one.start, one.end) for one in openings]
