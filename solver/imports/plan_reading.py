@@ -207,7 +207,7 @@ def _placed(one: DrawnOpening, rooms: Sequence[NamedRoom]) -> PlacedDrawing:
 def _scene(made: Sequence[Room], rooms: Sequence[NamedRoom], levels: Sequence[DrawnLevel], thickness: int) -> Scene:
     width = max(room.x + room.width for room in made)
     depth = max(room.z + room.depth for room in made)
-    storeys = tuple(Level(one.number, one.elevation or 0.0, one.height or HEIGHT) for one in levels)
+    storeys = tuple(Level(one.number, round(one.elevation or 0.0, 4), round(one.height or HEIGHT, 4)) for one in levels)
     height = storeys[0].height if storeys else HEIGHT
     return Scene(
         size=Size(round(width, 3), round(depth, 3), height), wall_thickness=to_m(thickness), levels=storeys or (Level(),),

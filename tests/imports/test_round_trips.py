@@ -72,6 +72,7 @@ def test_a_house_reads_back(program: str, format: str) -> None:
         assert max(apart, default=0.0) <= CLOSE
     assert openings_of(after, format == "procthor") == openings_of(before, format == "procthor")
     assert abs(after.wall_thickness - before.wall_thickness) <= CLOSE
+    assert after.levels == before.levels
     assert set(before.adjacency) <= set(after.adjacency)
     entrances = [[one.id for room in scene.rooms for one in room.openings if one.main_entrance] for scene in (before, after)]
     assert entrances[0] == entrances[1]
