@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import Route, expect
 
-from tests.browser.visit import SMALL, Visit, furniture_of, intercept, said
+from tests.browser.visit import FRAMES, SMALL, Visit, furniture_of, intercept, said
 
 
 @pytest.mark.draws_all
@@ -67,6 +67,29 @@ def test_a_body_pointed_at_is_named_with_its_sizes(visit: Visit) -> None:
     expect(tip).to_be_visible()
     expect(tip).to_contain_text(said(piece["name"]))
     expect(tip).to_contain_text(" × ".join(f"{piece[side]:g}" for side in ("width", "depth", "height")))
+
+
+def test_what_is_pointed_at_is_what_lies_there_once_the_house_has_turned(visit: Visit) -> None:
+    answer, page = visit.open(SMALL.format(4)), visit.page
+
+    def pointed() -> list[str]:
+        page.evaluate(FRAMES, 2)
+        found: list[str] = visit.state()["marks"].get("pointed", [])
+        return found
+
+    seen = {piece: page.evaluate("id => compose.whereIs(id)", piece) for piece in furniture_of(answer)}
+    piece, at = next((piece, at) for piece, at in seen.items() if at and abs(at["x"] - 500) > 100)
+    page.locator("#stage").focus()
+    page.mouse.move(at["x"], at["y"])
+    page.wait_for_function("id => compose.state.marks.pointed?.[0] === id", arg=piece)
+    for _ in range(6):
+        page.keyboard.press("ArrowLeft")
+    visit.settle()
+    found = pointed()
+    assert found != [piece]
+    page.mouse.move(at["x"] + 1, at["y"])
+    page.mouse.move(at["x"], at["y"])
+    assert pointed() == found
 
 
 def test_the_arrow_keys_go_through_the_lines(visit: Visit) -> None:

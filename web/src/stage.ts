@@ -1,5 +1,5 @@
 /** The canvas and what happens on it: the house shown, looked at, pointed at and clicked. */
-import { Vector3 } from "three";
+import { Vector3, type Matrix4 } from "three";
 import type { Catalog, Issue, Scene } from "./contract";
 import { AssetLibrary } from "./house/asset_library";
 import { drawable } from "./house/drawable";
@@ -64,6 +64,9 @@ export class Stage {
   #library: AssetLibrary | null = null;
   #selected: string | null = null;
   #isPlan = false;
+  /** Where in the window the pointer is, over the canvas, and from where something was pointed at with it. */
+  #pointer: { readonly clientX: number; readonly clientY: number } | null = null;
+  #pointedFrom: Matrix4 | null = null;
 
   constructor(readonly host: HTMLElement) {
     this.#viewport = new Viewport(host);
@@ -83,10 +86,10 @@ export class Stage {
       this.#turnPlan(way === "plan");
       if (way === "walk") this.onSelect(null); // what is said of a piece would hide the way
     };
-    this.#viewport.onFrame(() => { this.#turnCompass(); this.#placeSheets(); });
+    this.#viewport.onFrame(() => { this.#turnCompass(); this.#placeSheets(); this.#pointAnew(); });
     listenToPointer(this.#viewport.canvas, {
       click: (x, y, adds) => this.#click(x, y, adds),
-      over: (at) => this.#point(at && this.#hitAt(at.clientX, at.clientY)),
+      over: (at) => { this.#pointer = at; this.#point(this.#underPointer); },
     });
     this.storeys.onChoose = () => this.#changeStorey();
     window.addEventListener("beforeprint", () => this.#print());
@@ -304,9 +307,20 @@ export class Stage {
     return true;
   }
 
+  get #underPointer(): Hit | null {
+    return this.#pointer && this.#hitAt(this.#pointer.clientX, this.#pointer.clientY);
+  }
+
+  /** What is pointed at from elsewhere by now may be another thing. */
+  #pointAnew(): void {
+    if (this.#pointedFrom && !this.#viewport.camera.matrixWorld.equals(this.#pointedFrom)) this.#point(this.#underPointer);
+  }
+
   #point(hit: Hit | null): void {
     const body = hit?.kind === "body" ? hit.body : null;
-    this.#viewport.canvas.classList.toggle("pointing", hit?.kind === "body" || hit?.kind === "door");
+    const isThing = hit?.kind === "body" || hit?.kind === "door";
+    this.#pointedFrom = isThing ? this.#viewport.camera.matrixWorld.clone() : null;
+    this.#viewport.canvas.classList.toggle("pointing", isThing);
     if (!this.#labels.point(body)) return;
     this.#house?.mark("pointed", body ? [body.id] : []);
     this.#viewport.invalidate();
