@@ -61,9 +61,18 @@ def test_a_stove_stands_apart_from_windows_and_refrigerators() -> None:
 
 
 def test_tall_pieces_stand_at_the_end_of_a_worktop() -> None:
-    assert ruler.worktops_parted(scene(*row("refrigerator", "counter", "sink", "counter", "dishwasher"))) == (0, 2)
-    assert ruler.worktops_parted(scene(*row("counter", "refrigerator", "sink", "dishwasher", "counter"))) == (2, 2)
+    assert ruler.worktops_parted(scene(*row("refrigerator", "counter", "sink", "counter", "pantry"))) == (0, 2)
+    assert ruler.worktops_parted(scene(*row("counter", "refrigerator", "sink", "pantry", "counter"))) == (2, 2)
+    assert ruler.worktops_parted(scene(*row("counter", "dishwasher", "sink"))) == (0, 0)
     assert ruler.worktops_parted(scene(*row("pantry", "refrigerator", "counter"))) == (0, 2)
+
+
+def test_a_dishwasher_stands_at_the_sink() -> None:
+    assert ruler.dishwashers_at_sinks(scene(*row("counter", "dishwasher", "sink"))) == (1, 1)
+    sink = body("sink", (0.3, 0.3), (0.6, 0.6))
+    assert ruler.dishwashers_at_sinks(scene(sink, body("dishwasher", (1.81, 0.3), (0.6, 0.6)))) == (1, 1)
+    assert ruler.dishwashers_at_sinks(scene(sink, body("dishwasher", (1.83, 0.3), (0.6, 0.6)))) == (0, 1)
+    assert ruler.dishwashers_at_sinks(scene(body("dishwasher", (1.81, 0.3), (0.6, 0.6)))) == (0, 1)
 
 
 def test_a_refrigerator_has_worktop_beside_it() -> None:

@@ -4,8 +4,9 @@ Comes in: a `Scene`. Goes out: for every line of `LINES` how many of its cases h
 
 * the International Residential Code, P2705.1: a toilet's axis is 15 inches (0.38 m) or more from what is at its side, and 21 inches
   (0.53 m) of floor are free before it;
-* the NKBA Kitchen Planning Guidelines: 5 (working triangle), 6 (separated work centers), 12 (worktop by the dishwasher), 16 (worktop
-  beside the refrigerator), 17 (worktop at both sides of the hob, 12 and 15 inches), 18 (no hob under a window that opens);
+* the NKBA Kitchen Planning Guidelines: 5 (working triangle), 6 (no tall piece parts work centers), 12 (worktop by the dishwasher), 13
+  (dishwasher within 36 inches of the sink), 16 (worktop beside the refrigerator), 17 (worktop at both sides of the hob, 12 and 15
+  inches), 18 (no hob under a window that opens);
 * Neufert, Architects' Data, kitchens: a worktop of 0.3 m at least between hob and any tall unit.
 """
 
@@ -29,8 +30,10 @@ ROW = 0.05
 WORKTOP = ("counter",)
 WORKED_AT = ("counter", "sink", "stove")
 """What a worktop is made of, and what belongs between its parts."""
-BREAKS = ("refrigerator", "dishwasher", "pantry")
-"""What belongs at an end of it."""
+BREAKS = ("refrigerator", "pantry")
+"""What is taller than it and belongs at an end of it; a dishwasher is as high, and one works on its top."""
+RINSED = 0.92
+"""From a dishwasher to the sink where dishes are rinsed, at most."""
 LONG = 2.4
 """Of worktop in a large home's kitchen, m along the fronts."""
 ROOMY, BROAD = 15.0, 3.3
@@ -103,7 +106,7 @@ def _apart(one: Box, two: Box) -> float:
 
 
 def worktops_parted(scene: Scene) -> Count:
-    """Refrigerators, dishwashers and pantries with a counter, sink or stove right beside them at both sides."""
+    """Refrigerators and pantries with a counter, sink or stove right beside them at both sides."""
 
     def cases() -> Iterator[bool]:
         for floor in floors(scene, "kitchen"):
@@ -112,6 +115,14 @@ def worktops_parted(scene: Scene) -> Count:
                 yield all(_neighbour(box, side, there) is not None for side in ("left", "right"))
 
     return count(cases())
+
+
+def dishwashers_at_sinks(scene: Scene) -> Count:
+    """Dishwashers whose nearest edge is near enough to that of a sink."""
+    kitchens = floors(scene, "kitchen")
+    return count(
+        any(_apart(box, sink) <= RINSED for sink in floor.named("sink")) for floor in kitchens for box in floor.named("dishwasher")
+    )
 
 
 def refrigerators_served(scene: Scene) -> Count:
@@ -199,7 +210,8 @@ LINES = (
     Line("stove: 0.3 m of worktop at both sides", stoves_with_worktop, {"*": 0.85}),
     Line("stove: under a window", stoves_under_windows, {"*": 0.05}, most=True),
     Line("stove: refrigerator within 0.3 m", stoves_at_refrigerators, {"*": 0.0}, most=True),
-    Line("refrigerator, dishwasher, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
+    Line("refrigerator, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
+    Line("dishwasher: sink within 0.92 m", dishwashers_at_sinks, {"*": 0.75}),
     Line("refrigerator: worktop right beside it", refrigerators_served, {"*": 0.85}),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.25, "large": 0.5}),
     Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
