@@ -13,11 +13,10 @@ from dataclasses import dataclass, replace
 from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from tests.density.ruler import FACE, Box, boxes
 
-STORES = ("wardrobe", "dresser")
-FRONT, ASIDE = 0.6, 0.5
+STORES, FRONT, ASIDE = ("wardrobe", "dresser"), 0.6, 0.5
 """Floor before a cupboard's doors and drawers, and along a bed, for one who stands there."""
-SHELVES, SHELF_FRONT = ("bookshelf", "storage_shelf", "toy_shelf"), 0.4
-"""Shelves without doors, and the floor before them for one who takes something out."""
+LIT = 2.5
+"""A desk is at most so far from a window of its room."""
 FLAT = 0.02
 """What is lower lies on the floor and is in nobody's way."""
 DOUBLE = 1.35
@@ -125,14 +124,29 @@ def floors(scene: Scene, *types: str) -> Iterator[Floor]:
     return (floor_of(room) for room in scene.rooms if (room.type in types if types else not room.outdoor))
 
 
-def fronts_free(scene: Scene) -> Count:
-    """Wardrobes and dressers with FRONT of floor free along the whole of their front."""
-    return count(floor.free(strip(box, "front", FRONT), (box,)) for floor in floors(scene) for box in floor.named(*STORES))
+def free_before(depth: float, *names: str) -> Callable[[Scene], Count]:
+    """Counts pieces with so much floor free along the whole of their front."""
+    return lambda scene: count(floor.free(strip(box, "front", depth), (box,)) for floor in floors(scene) for box in floor.named(*names))
 
 
-def shelves_free(scene: Scene) -> Count:
-    """Open shelves with SHELF_FRONT of floor free along the whole of their front."""
-    return count(floor.free(strip(box, "front", SHELF_FRONT), (box,)) for floor in floors(scene) for box in floor.named(*SHELVES))
+fronts_free = free_before(FRONT, *STORES)
+shelves_free = free_before(0.4, "bookshelf", "storage_shelf", "toy_shelf")
+racks_free = free_before(0.3, "coat_rack")
+
+
+def desks_lit(scene: Scene) -> Count:
+    """Desks near a window, of those in rooms that have one."""
+    windows = {room.id: [one for one in room.openings if one.kind == "window"] for room in scene.rooms}
+    found = ((floor.room, windows[floor.room.id], desk) for floor in floors(scene) for desk in floor.named("desk"))
+    return count(any(_off(room, desk, one) <= LIT for one in lights) for room, lights, desk in found if lights)
+
+
+def _off(room: Room, box: Box, window: Opening) -> float:
+    """Returns how far a piece is from a window's line."""
+    low, high = window.position - window.width / 2, window.position + window.width / 2
+    along, across = ((box.x0, box.x1), (box.z0, box.z1)) if window.wall in ("north", "south") else ((box.z0, box.z1), (box.x0, box.x1))
+    far = {"south": room.depth, "east": room.width}.get(str(window.wall), 0.0)
+    return math.hypot(max(low - along[1], along[0] - high, 0.0), max(far - across[1], across[0] - far, 0.0))
 
 
 def _chairs(floor: Floor, table: Box) -> dict[str, int]:
@@ -365,6 +379,8 @@ def _inside(room: Room, opening: Opening, low: int, high: tuple[int, int]) -> tu
 LINES = (
     Line("wardrobe, dresser: front free, 0.6 m", fronts_free, {"*": 0.95}),
     Line("open shelf: front free, 0.4 m", shelves_free, {"*": 0.9}),
+    Line("coat rack: front free, 0.3 m", racks_free, {"*": 0.9, "one_bed": 0.8}),
+    Line("desk: window within 2.5 m", desks_lit, {"*": 0.9}),
     Line("free-standing dining table: lopsided chairs", lopsided, {"*": 0.05}, most=True),
     Line("dining table: one chair at most", lonely, {"*": 0.0}, most=True),
     Line("bed: head under a window", heads_under_windows, {"*": 0.05}, most=True),

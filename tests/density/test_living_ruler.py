@@ -40,6 +40,21 @@ def test_open_shelves_are_free_along_their_fronts() -> None:
     assert sum(held for held, _ in found) >= 0.9 * sum(cases for _, cases in found) > 50  # 0.67 before it was wished
 
 
+def test_coat_racks_are_come_to() -> None:
+    rack = body("coat_rack", (1, 0.08), (0.5, 0.36))
+    near, far = (body("console_table", (1.2, z), (1.2, 0.34)) for z in (0.73, 0.75))
+    assert ruler.racks_free(scene(rack, near)) == (0, 1)
+    assert ruler.racks_free(scene(rack, far)) == (1, 1)
+
+
+def test_desks_are_near_a_window() -> None:
+    window = Opening("w", "window", "north", 1.0, 1.2, 1.4, 0.9)
+    near, far = (body("desk", (3.1, z), (1.2, 0.6)) for z in (1.99, 2.01))  # 1.5 m aside
+    assert ruler.desks_lit(scene(near, openings=(window,))) == (1, 1)
+    assert ruler.desks_lit(scene(far, openings=(window,))) == (0, 1)
+    assert ruler.desks_lit(scene(far)) == (0, 0)
+
+
 def _table(*sides: str, corner: tuple[float, float] = (2, 2)) -> Scene:
     x, z = corner
     places = {"n": ((x + 0.5, z - 0.3), 0), "s": ((x + 0.5, z + 0.7), 180), "w": ((x - 0.3, z + 0.2), 90), "e": ((x + 1.4, z + 0.2), 270)}
