@@ -173,7 +173,7 @@ OFF_ENTRY: Final = 0.4
 LIVING_TO_PRIVATE: Final = 1.2
 """Cost of a private room entered from a living space."""
 SERVICE: Final = 0.1
-"""Cost of a small wet room entered from the kitchen, of a garage entered from a laundry."""
+"""Cost of a small wet room entered from the kitchen, of a garage entered from a laundry; of a private room from the kitchen, beside."""
 
 
 @dataclass(frozen=True)
@@ -212,4 +212,4 @@ class HomeAccess(RoomAccess):
             return 0.0 if to.plan.habitable else SERVICE
         if via.wet and to.plan.wet and not private:
             return 0.0
-        return LIVING_TO_PRIVATE
+        return LIVING_TO_PRIVATE + SERVICE * via.wet
