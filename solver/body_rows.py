@@ -88,7 +88,7 @@ class BodyRows:
         """The look of each."""
         return [*map(self._looks.__getitem__, _KIND_AND_SIZE.iter_unpack(self.content))]
 
-    @property
+    @cached_property
     def turns(self) -> Sequence[int]:
         """The rotation of each, degrees."""
         return [*chain.from_iterable(_TURN.iter_unpack(self.content))]

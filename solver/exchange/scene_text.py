@@ -7,6 +7,7 @@ from collections.abc import Callable, Hashable, Iterable, Sequence
 from functools import lru_cache
 from itertools import accumulate, chain, pairwise
 from json.encoder import encode_basestring as quoted
+from operator import call
 from struct import Struct, pack, unpack_from
 from typing import Any, Final, NamedTuple, TypeVar
 
@@ -78,7 +79,7 @@ def _record(record: Any) -> str:
     if LATER in record.__dict__:
         told, record = record.__dict__, object.__new__(record.__class__)
         record.__dict__.update(told | told[LATER])  # `_any` writes what makes the bodies
-    return text % tuple([writer(value) for writer, value in zip(writers, values(record), strict=True)])
+    return text % tuple(map(call, writers, values(record)))
 
 
 def _any(value: Any) -> str:

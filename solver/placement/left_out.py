@@ -4,6 +4,7 @@ Not here: by how much a room is too short (lengths).
 """
 
 from collections.abc import Container, Mapping, Sequence
+from functools import lru_cache
 
 from solver.geometry import WALL_BEHIND, Rect
 from solver.pieces import Candidate, Extents, Piece, Placed, Space
@@ -45,8 +46,7 @@ def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping
     `parent` is at whose slot it stands, in words; `longest` are the free stretches of wall at its depth and height, mm, if any variant
     stands at a wall; `room` is the room's size and what it holds.
     """
-    kind, (width, depth, _) = least
-    size = f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
+    size = _size_needed(least)
     if parent is not None:
         return f"{size} at its place by {parent}"
     if longest:
@@ -123,6 +123,12 @@ def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> 
         if not more:
             return gone
         gone |= more
+
+
+@lru_cache(maxsize=1024)
+def _size_needed(least: tuple[str, Extents]) -> str:
+    kind, (width, depth, _) = least
+    return f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
 
 
 def clear_size(rect: Rect) -> str:

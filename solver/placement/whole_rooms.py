@@ -5,6 +5,7 @@ Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from math import inf
 from struct import Struct, pack
@@ -29,6 +30,8 @@ _LEFT_OUT: Final = Struct("<9q")
 _WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
 """By `enum Why`."""
 _new: Final = tuple.__new__
+_AS_NAMED: Final = tuple((wall, NUMBERED_WALLS.index(wall)) for wall in WALLS)
+"""The walls in the order in which reasons name them, and their numbers."""
 _WALL_NAMES: Final = (*NUMBERED_WALLS, None)
 
 
@@ -122,15 +125,16 @@ class _Placing:
     standing: StandingRows
 
     def __call__(self) -> tuple[Placed, ...]:
-        labels, candidate = self.names.labels(list(_NAME.iter_unpack(self.wanted))), self.names.candidate
+        labels, candidate = self.labels, self.names.candidate
         return tuple(
             Placed(labels[piece], candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
             for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
         )
 
-    def label(self, number: int) -> str:
-        """Returns the label of a wanted piece that is no floor."""
-        return self.names.labels([_NAME.unpack_from(self.wanted, _NAME.size * number)])[0]
+    @cached_property
+    def labels(self) -> list[str]:
+        """The labels of the wanted pieces."""
+        return self.names.labels([*_NAME.iter_unpack(self.wanted)])
 
 
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
@@ -150,8 +154,8 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
 def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
     """Yields the label of each piece that was left out, and why."""
     gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
+    labels, kinds = placing.labels, room.names.kinds
     for piece, why, parent, kind, at_walls, *free in rows:
-        by_wall = dict(zip(NUMBERED_WALLS, free, strict=True))
-        longest = {wall: by_wall[wall] for wall in WALLS} if at_walls else {}
-        at = named_parent(placing.label(parent), parent in gone) if parent >= 0 else None
-        yield placing.label(piece), f"{_WHY[why]}; {room_needed(room.names.kinds[kind], at, longest, holds)}"
+        longest = {wall: free[number] for wall, number in _AS_NAMED} if at_walls else {}
+        at = named_parent(labels[parent], parent in gone) if parent >= 0 else None
+        yield labels[piece], f"{_WHY[why]}; {room_needed(kinds[kind], at, longest, holds)}"
