@@ -46,12 +46,13 @@ def changed(record: Value, **values: object) -> Value:
 
 def made_later(record: Value, **makers: Callable[[], object]) -> Value:
     """Returns a record like another one, of which some fields are made when somebody first asks for them."""
-    made = changed(record)
+    made: Any = object.__new__(record.__class__)
     own = made.__dict__
+    own.update(record.__dict__)
     for name in makers:
         own.pop(name, None)
-    own[LATER] = {**own.get(LATER, {}), **makers}
-    return made
+    own[LATER] = {**own[LATER], **makers} if LATER in own else makers
+    return cast(Value, made)
 
 
 def maker_in(record: object, name: str) -> Any:
