@@ -100,7 +100,9 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
   Programme own(program, nodes, axis, slot);
   const Solved solved = continue_dual(own, at + 1, at, ceiling - other.cost);
   state.based[axis] = own.dropped ? NO_VERSION : before.version;
-  if (solved != Solved::YES || own.node.cost + other.cost >= ceiling) return -1;
+  const bool dear = solved == Solved::TOO_DEAR || own.node.cost + other.cost >= ceiling;
+  nodes.result->dear |= dear;
+  if (dear || solved == Solved::INFEASIBLE) return -1;
   own.node.rows++;
   own.node.version = ++state.versions;
   nodes.axes.at(slot, 1 - axis) = other;

@@ -127,7 +127,8 @@ struct Child {
 
 struct SearchResult {
   i64 found, exhausted, solves, turned_down, picks, forces;
-  i64 unused[2];
+  i64 dear;  // whether a node was left for its cost, so that "none" holds for what costs less than asked alone
+  i64 unused;
 };
 
 // A constraint that holds something at the optimum: free variables that its row keeps apart along an axis, or -1 (a bound, a fixed end).

@@ -144,14 +144,14 @@ static void note_failure(const Engine& engine, i64 number, const SearchLimits& l
   Counters& counters = *engine.tree.counters.data;
   const SearchResult& result = *engine.nodes.result.data;
   const bool impossible = result.turned_down == 0 && result.exhausted == 1;
-  if (counters.incumbent < 0 && (limits.lapses < MANY || impossible)) refused(engine.tree, number, true);
+  if (!result.dear && (limits.lapses < MANY || impossible)) refused(engine.tree, number, true);
   if (result.turned_down > 0) counters.doubted = 1;
   counters.lapsed += result.exhausted == 0;
 }
 
 // Evaluates a way; pushes the grown state. False where there is no room to store it.
 // What costs more than the best complete state found so far is cut off: costs only grow.
-static bool try_entry(const Engine& engine, i64 entry, const Group& group, const SearchLimits& limits, bool walk) {
+static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const Group& group, const SearchLimits& limits, bool walk) {
   const Tree& tree = engine.tree;
   Counters& counters = *tree.counters.data;
   const i64 state = tree.heap[entry].state, depth = tree.depths[tree.heap[entry].state];
@@ -164,7 +164,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Group& group, const
   const f64 chosen = tree.preferences[state] + tree.heap_cost[entry];
   const i64 incumbent = counters.incumbent;
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
-  const f64 ceiling = incumbent >= 0 ? tree.costs[incumbent] - chosen - rest : INFINITE;
+  const f64 ceiling = (incumbent >= 0 ? tree.costs[incumbent] : start.ceiling) - chosen - rest;
   const bool found = weigh(engine, trial, limits.qps, ceiling, walk);
   if (engine.nodes.result->exhausted == 0) counters.closed = 0;  // what was found may cost less
   if (!found) {
@@ -207,7 +207,7 @@ bool best_first(
     }
     bool stored;
     if (tree.heap[entry].decision != EXPANDED) {
-      stored = try_entry(engine, entry, group, limits, walk);
+      stored = try_entry(engine, entry, start_cost, group, limits, walk);
     } else if (depth == total) {
       counters.best = state;
       return true;

@@ -169,6 +169,8 @@ static void go_on(const Engine& engine, i64 limit, bool walk, bool all) {
         return;
       }
       visit(engine, slot, best, walk, all);
+    } else {
+      nodes.result->dear = 1;
     }
     nodes.spare[state.spare++] = slot;
   }
