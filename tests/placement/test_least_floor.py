@@ -14,12 +14,13 @@ from solver.placement.walkable import find_walkable
 from solver.scene import EXTERIOR, Furniture, Opening, Room, Scene
 from solver.streams import Stream
 from solver.validator import validate
+from tests.sweeps import seeds
 from tests.validator.raster import House, broken, sides, things
 from tests.validator.worlds import CATALOGS, TURNED
 
 STEP = 0.05
 SEEDS = range(150)
-FURNISHED = range(40)
+FURNISHED = seeds(range(40), 2)
 WIDE, DEEP = 8, 12
 """Of a piece that is used from its front, in steps."""
 

@@ -18,6 +18,7 @@ from solver.placement.encode import encode
 from solver.placement.walkable import find_walkable
 from solver.streams import Stream
 from tests.oracles.walk import missed, side_towards
+from tests.sweeps import seeds
 
 STEP = 50
 HALF = 300
@@ -178,7 +179,7 @@ def with_outer_doors(seed: int) -> tuple[Space, list[Body]]:
 @pytest.mark.parametrize("block", range(4))
 def test_outer_doors_are_joined_outside(block: int) -> None:
     verdicts, eased = [], []
-    for seed in range(block, 400, 4):
+    for seed in seeds(range(block, 400, 4), 2):
         space, bodies = with_outer_doors(seed)
         verdicts.append(walks(space, bodies))
         assert verdicts[-1] == raster_walks(space, bodies), seed
