@@ -194,10 +194,12 @@ def generated_calls() -> bool:
 
 
 def sweeps(workers: int) -> bool:
-    """Runs all seeds of the tests of which the suite runs every so many; returns whether all passed."""
+    """Runs all seeds of the tests of which the suite runs every so many, the page's among them; returns whether all passed."""
     files = [str(path) for path in sorted(TESTS.rglob("test_*.py")) if "from tests.sweeps import" in path.read_text(encoding="utf-8")]
-    words = [sys.executable, "-m", "pytest", "-q", "-n", str(workers), "--dist", "loadgroup", *files]
-    return subprocess.run(words, env={**os.environ, "SWEEPS": "all"}, check=False).returncode == 0
+    python = ["-m", "pytest", "-q", "-n", str(workers), "--dist", "loadgroup", *files]
+    page = [str(TESTS.parent / "scripts" / "page.py"), "test"]
+    ended = [subprocess.run([sys.executable, *one], env={**os.environ, "SWEEPS": "all"}, check=False) for one in (python, page)]
+    return all(one.returncode == 0 for one in ended)
 
 
 def _spread(work: Callable[[In], Out], jobs: list[In], workers: int, name: str) -> Iterable[Out]:
