@@ -27,6 +27,8 @@ LEAVES: Final = ((0.4, 0.6), (0.75, 1.15))
 """A leaf, of two or alone, is between so many times as wide as its gap."""
 SLOPED: Final = 0.2
 """An opening along a gap leaves its way by no more than this share of its width."""
+FILLING: Final = 0.9
+"""Openings that fill a gap together are as wide as this share of it, each with this share of its own in it."""
 AT_JAMB: Final = 0.25
 """A leaf hangs no farther from the corner of a gap than this share of its width."""
 
@@ -107,7 +109,7 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
     left, found = dict.fromkeys(gaps), []
     middles = np.array([between(gap.start, gap.end) for gap in gaps]).reshape(-1, 2)
     widths, beside = np.array([gap.width for gap in gaps]), BESIDE / 1000 / (metres or 1.0)
-    for one in openings:
+    for one in _of_parts(openings, gaps, beside):
         away = np.hypot(*(middles - between(one.start, one.end)).T)
         near = np.flatnonzero(away < widths + math.dist(one.start, one.end))
         nearest = [gaps[at] for at in near[np.argsort(away[near], kind="stable")]]
@@ -122,16 +124,37 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
     return found, list(left)
 
 
-def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | None:
-    """Returns an opening that lies along a gap, and over most of it, as wide as that; None for any other."""
+def _of_parts(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], beside: float) -> list[DrawnOpening]:
+    """Returns openings, of which those of one kind that fill a gap side by side, as leaves that slide or a window's, are one."""
+    middles, found = np.array([between(one.start, one.end) for one in openings]).reshape(-1, 2), dict(enumerate(openings))
+    for gap in gaps:
+        near = map(int, np.flatnonzero(np.hypot(*(middles - between(gap.start, gap.end)).T) < gap.width / 2))
+        spans = {at: _along(found[at], gap, beside) for at in near if at in found and not found[at].hinge}
+        parts = [at for at, (wide, common) in spans.items() if common >= FILLING * wide > 0 and wide * WIDEST < gap.width]
+        if len({found[at].kind for at in parts}) == 1 and sum(spans[at][0] for at in parts) >= FILLING * gap.width:
+            found[parts[0]] = replace(found[parts[0]], start=gap.start, end=gap.end)
+            for at in parts[1:]:
+                del found[at]
+    return list(found.values())
+
+
+def _along(one: DrawnOpening, gap: WallGap, beside: float) -> tuple[float, float]:
+    """Returns how wide an opening is along a gap, and how much of that lies in it; nothing of one that does not lie along it."""
     along = 0 if gap.start[1] == gap.end[1] else 1
     (low, high), ends = (gap.start[along], gap.end[along]), (one.start[along], one.end[along])
     across = (one.start[1 - along] + one.end[1 - along]) / 2 - gap.start[1 - along]
     wide, common = abs(ends[1] - ends[0]), min(high, max(ends)) - max(low, min(ends))
     is_along = abs(one.end[1 - along] - one.start[1 - along]) <= SLOPED * wide and abs(across) <= beside
-    if not is_along or common < gap.width / 2 or not gap.width / WIDEST <= wide <= gap.width * WIDEST:
+    return (wide, common) if is_along else (0.0, 0.0)
+
+
+def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | None:
+    """Returns an opening that lies along a gap, and over most of it, as wide as that; None for any other."""
+    wide, common = _along(one, gap, beside)
+    if common < gap.width / 2 or not gap.width / WIDEST <= wide <= gap.width * WIDEST:
         return None
-    return replace(one, start=gap.start, end=gap.end) if ends[0] <= ends[1] else replace(one, start=gap.end, end=gap.start)
+    along = 0 if gap.start[1] == gap.end[1] else 1
+    return replace(one, start=gap.start, end=gap.end) if one.start[along] <= one.end[along] else replace(one, start=gap.end, end=gap.start)
 
 
 def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:

@@ -124,6 +124,21 @@ def test_a_wide_door_of_a_garage_is_a_garage_door_and_a_number_may_begin_a_name(
     assert sorted((one.kind, one.width) for one in garage.openings) == [("door", 0.885), ("garage_door", 2.4)]
 
 
+PANELS = [(((0, 500), (385, 885)), True), (((0, 442), (442, 885)), True), (((0, 250), (700, 885)), False)]
+
+
+@pytest.mark.parametrize(("parts", "wide"), PANELS)
+def test_leaves_that_slide_past_one_another_are_one_door(parts: tuple[tuple[int, int], ...], wide: bool) -> None:
+    """Side by side they are as wide as their gap; two that leave half of it open are none of it."""
+    made = drawing()
+    x, low, _ = DOORS["Küche"]
+    for at, (start, end) in enumerate(parts):
+        x0, x1 = x + 20 + 35 * at, x + 45 + 35 * at
+        corners = [(x0, low + start), (x1, low + start), (x1, low + end), (x0, low + end)]
+        made.modelspace().add_lwpolyline(corners, close=True, dxfattribs={"layer": "Türen"})
+    assert [one.width for one in doors(imported(made)) if one.kind == "door"] == [0.885] * wide
+
+
 def test_gaps_between_rooms_that_are_drawn_are_passages_too() -> None:
     """By a millimetre narrower, so that its middle is on a whole one. Where no piece of their wall is drawn, it is none of those drawn."""
     made = drawing({})
