@@ -48,6 +48,23 @@ def test_rooms_and_doors_of_openstreetmap_are_a_home(width: dict[str, object], w
     assert [one["place"] for one in answer.unread] == ["features[4]", "features[5]"]
 
 
+def test_windows_of_openstreetmap_are_points_too_and_what_has_none_says_no() -> None:
+    window = {**piece("", 2, 0.1), "properties": {"window": "yes", "level": "0", "width": "1.4"}}
+    none = {**piece("", 3, 0.1), "properties": {"window": "no", "name": "Table", "width": 0.6, "depth": 0.6, "height": 0.7}}
+    answer = read(collection(box("Küche", 0, 0, 4, 3), window, none, wall_thickness=0.1))
+    assert by_name(answer) == {"kitchen": [("window", 1.4, 2.0)]}
+    assert [one.name for one in answer.scene.rooms[0].furniture] == ["Table"]
+
+
+def test_openings_of_imdf_tell_the_garage_door_and_the_main_entrance() -> None:
+    ends = {"automobile": ((1, 0), (3.4, 0)), "pedestrian": ((4, 1), (4, 1.9)), "pedestrian.principal": ((0, 1), (0, 1.9))}
+    drawn = [imdf("opening", {**line("", *two), "properties": {}}, category=key) for key, two in ends.items()]
+    units = [imdf("unit", box(name, x, 0, x + 4, 3), category="room") for name, x in (("Garage", 0), ("Hall", 4))]
+    answer = read(collection(*units, *drawn, wall_thickness=0.1))
+    found = {(one.kind, one.main_entrance) for room in answer.scene.rooms for one in room.openings}
+    assert found == {("garage_door", False), ("door", False), ("door", True)}
+
+
 def test_a_door_that_is_a_point_needs_a_unit() -> None:
     document = collection(box("Kitchen", 0, 0, 4, 3), {**piece("", 2, 0), "properties": {"door": "yes"}})
     del document["unit"]

@@ -10,7 +10,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Final
 
-from solver.imports.drawn import DrawnOpening, DrawnRoom, Spot
+from solver.imports.drawn import DrawnOpening, DrawnRoom, OpeningKind, Spot
 
 LEVELS: Final = re.compile(r"(-?\d{1,3})(?:[;,-].*)?")
 """A storey's number in letters; of several the first counts."""
@@ -24,7 +24,9 @@ NO_ROOM: Final = ("level", "wall", "no")
 ANY_ROOM: Final = ("room", "area", "yes", "unspecified")
 """What it calls so without a word of what it is."""
 DOOR: Final = 0.9
-"""How wide a door that is drawn as a point is, m, where the map does not say."""
+"""How wide an opening that is drawn as a point is, m, where the map does not say."""
+IMDF: Final[Mapping[str, Mapping[str, object]]] = {"automobile": {"kind": "garage_door"}, "pedestrian.principal": {"main_entrance": True}}
+"""What IMDF's categories of openings say in our words; the others are doors."""
 NO_DOOR: Final = ("no", "")
 
 
@@ -52,6 +54,8 @@ def in_our_words(said: Mapping[str, Any], levels: Mapping[str, object]) -> dict[
     kinds = (made.get(key) for key in ("room", "category", "indoor"))
     told = next((kind for kind in kinds if isinstance(kind, str) and kind and kind not in ANY_ROOM), None)
     made.pop("indoor", None)
+    if made.get("feature_type") == "opening":
+        return {**made, **IMDF.get(str(told), {})}
     return {"type": told, **made} if told else made
 
 
@@ -67,13 +71,14 @@ def why_left_out(said: Mapping[str, Any], form: str) -> str | None:
     return None
 
 
-def is_door(said: Mapping[str, Any]) -> bool:
-    """Tells whether a point is a door, as OpenStreetMap draws it."""
-    return isinstance(said.get("door"), str) and said["door"] not in NO_DOOR and "kind" not in said
+def opening_at(said: Mapping[str, Any]) -> OpeningKind | None:
+    """Returns which opening a point is, as OpenStreetMap draws them; None where it is none."""
+    kinds: tuple[OpeningKind, ...] = () if "kind" in said else ("door", "window")
+    return next((kind for kind in kinds if isinstance(said.get(kind), str) and said[kind] not in NO_DOOR), None)
 
 
 def along_walls(one: DrawnOpening, width: float, rooms: Sequence[DrawnRoom]) -> DrawnOpening | None:
-    """Returns a door that is drawn as a point so wide along the nearest side of a room; None where there is none."""
+    """Returns an opening that is drawn as a point so wide along the nearest side of a room; None where there is none."""
     sides = [side for room in rooms if room.level == one.level for side in pairwise((*room.points, room.points[0])) if side[0] != side[1]]
     if not sides:
         return None

@@ -25,7 +25,7 @@ from solver.imports.drawn import (
     Tally,
     check_count,
 )
-from solver.imports.formats.map_features import DOOR, along_walls, in_our_words, is_door, levels_of, why_left_out
+from solver.imports.formats.map_features import DOOR, along_walls, in_our_words, levels_of, opening_at, why_left_out
 from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
 from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
@@ -75,9 +75,10 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             continue
         kind = one_of(said, "kind", KINDS[form], f"{where}.properties")
         points, *holes = _rings(shape, form, up, where)
+        at_point = opening_at(said) if form == "Point" else None
         unread += [
             Unread(f"{where}.properties", f"no property is called {key!r:.60}; {meant}?")
-            for key in said if key not in TOLD[form] for meant in get_close_matches(key, TOLD[form], 1)
+            for key in said if key not in (*TOLD[form], at_point) for meant in get_close_matches(key, TOLD[form], 1)
         ]  # fmt: skip
         if form == "Polygon":
             tally.add("rooms", most=MOST_ROOMS)
@@ -89,8 +90,8 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             tally.add("points of lines", len(points), 4 * MOST_POINTS)
         if form == "Polygon":
             rooms.append(replace(_room(said, points, where), holes=tuple(map(tuple, holes))))
-        elif form == "Point" and is_door(said):
-            openings.append(DrawnOpening("door", points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
+        elif at_point:
+            openings.append(DrawnOpening(at_point, points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
             widths[where] = a_number(said, "width", where, DOOR)
         elif form == "Point":
             pieces.append(_piece(said, points[0], where))
@@ -110,7 +111,7 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
 
 
 def _with_wide_doors(plan: DrawnPlan, widths: Mapping[str, float]) -> DrawnPlan:
-    """Returns a plan with doors that are drawn as points as wide as they say, m, along walls."""
+    """Returns a plan with openings that are drawn as points as wide as they say, m, along walls."""
     scale = plan.metres or 0.0
     doors = {
         one.where: along_walls(one, widths[one.where] / scale, plan.rooms) if scale else None
