@@ -22,9 +22,11 @@ LIKELY_DOOR: Final = 0.9
 LEAST_AREAS: Final = 2
 """So many rooms at least tell a unit by the areas that are written in them."""
 NEARLY: Final = 0.06
-"""By this share a length differs that is taken from areas: they count to walls' faces or without their plaster."""
+"""By this share lengths that are taken from areas differ from one another: they are measured with or without plaster."""
 SURELY: Final = 0.02
-"""The same where rooms are drawn along walls' faces; but a unit that has a name is kept within more."""
+"""The same where rooms are drawn along walls' faces, as areas are."""
+FAR: Final = 0.25
+"""Rooms along the lines of walls may be so much longer than what is written in them; a unit that has a name is kept within it."""
 SQUARE_FOOT: Final = 0.3048**2
 AREA: Final = re.compile(
     r"(?:\b[AF]\s*[:=]\s*)?(?<![\d.,])(?P<size>\d{1,4}(?:[.,]\d{1,3})?)\s*"
@@ -126,11 +128,10 @@ def told_by_areas(rooms: Sequence[tuple[float, float]], plan: DrawnPlan) -> Plan
     lengths = [math.sqrt(said / drawn) for drawn, said in rooms if drawn]
     if len(lengths) < LEAST_AREAS:
         return None
-    middle, within = median(lengths), SURELY if plan.drawn == "inner" else NEARLY
+    middle, within = median(lengths), FAR if plan.metres in UNITS.values() else SURELY if plan.drawn == "inner" else NEARLY
     alike = sum(abs(one - middle) <= NEARLY * middle for one in lengths)
     metres = next((length for length in UNITS.values() if abs(length - middle) <= within * length), middle)
-    known, is_named = plan.metres or 0.0, plan.metres in UNITS.values()
-    if 3 * alike < 2 * len(lengths) or abs(known - metres) <= (NEARLY if is_named else within) * metres:
+    if 3 * alike < 2 * len(lengths) or abs((plan.metres or 0.0) - metres) <= within * metres:
         return None
     return PlanUnit(metres, f"in a unit of {metres:.5g} m {alike} rooms are as large as what is written in them")
 

@@ -77,9 +77,10 @@ def test_areas_that_disagree_or_are_none_change_nothing(written: dict[str, float
     assert (sizes(answer), units(answer)) == (DRAWN, [])
 
 
-def test_areas_taken_with_their_plaster_do_not_shorten_a_unit_that_has_a_name() -> None:
-    answer = read(dxf(1000.0, 0, {name: 0.97 * area for name, area in areas().items()}))
-    assert (sizes(answer), units(answer)) == (DRAWN, ["mm"])
+@pytest.mark.parametrize(("insunits", "share"), [(0, 0.97), (4, 0.97), (4, 0.75)])
+def test_areas_within_plaster_or_thick_walls_do_not_shorten_a_unit_that_has_a_name(insunits: int, share: float) -> None:
+    answer = read(dxf(1000.0, insunits, {name: share * area for name, area in areas().items()}))
+    assert (sizes(answer), units(answer)) == (DRAWN, ["mm"] if insunits == 0 else [])
 
 
 def test_what_the_caller_says_counts_before_areas() -> None:
