@@ -12,7 +12,7 @@ from typing import Any
 
 from solver.answers import Conflict
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.pieces import Piece, Space
 from solver.pipeline.judged_again import judged_again
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length
 from solver.placement import Budget, charge, is_call_spent, minimal_conflict
@@ -33,12 +33,16 @@ NO_WAY = {
 
 @dataclass(frozen=True)
 class _Verdict:
-    """Why one piece cannot stand, or be used: the conflict it is in, that in words, and which lengths are missing, where that is known."""
+    """Why one piece cannot stand, or be used: the conflict it is in, that in words, and which lengths are missing, where that is known.
+
+    `proven` unless a limit ended the search for a place, or for a way.
+    """
 
     label: str
     ids: tuple[str, ...]
     message: str
     short: Shortfall | None = None
+    proven: bool = True
 
 
 def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
@@ -47,25 +51,43 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     Each by a minimal set that cannot stand, or be used, together; or by saying that none was found. Each repair of a room's only conflict
     leaves the room clean. Where there are several, it does so with the first of each other one: to leave out what that is about.
     """
-    verdicts = [*_verdicts(repair)]
-    offered = _offered(house, repair, verdicts) if verdicts and repair.problem.settings.offering else [()] * len(verdicts)
+    verdicts, settings = [*_verdicts(repair)], repair.problem.settings
+    offered: Sequence[tuple[Repair, ...]] = [()] * len(verdicts)
+    if verdicts and settings.offering:
+        bare, work = house.after(replace(house.scene, dynamic=())), settings.explaining_work
+        goal = RepairGoal(bare, _asked(repair), Budget(work))
+        if len(verdicts) == 1 or _helps_to_leave_all(goal, verdicts):
+            verdicts = verdicts if settings.remove else _by_itself(replace(goal, budget=Budget(work / WALKING_SHARE)), verdicts)
+            offered = [_offered(goal, one, verdicts) for one in verdicts]
     return tuple(Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True))
 
 
-def _offered(house: Checked, repair: RoomRepair, verdicts: Sequence[_Verdict]) -> list[tuple[Repair, ...]]:
-    """Returns what is offered for each conflict; nothing where to leave out what every one is about does not leave the room clean."""
-    bare, work = house.after(replace(house.scene, dynamic=())), repair.problem.settings.explaining_work
-    goal = RepairGoal(bare, _asked(repair), Budget(work))
+def _leaving(one: _Verdict) -> Repair:
+    return {"action": "leave_out", "id": one.label}
+
+
+def _helps_to_leave_all(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> bool:
+    """Tells whether to leave out what every conflict is about leaves the room clean."""
+    first, *others = verdicts
+    return helps(_without(goal, [one.label for one in others]), _leaving(first))
+
+
+def _by_itself(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[_Verdict]:
+    """Returns the verdicts but those of a limit that end where what the others are about is left out: these last as long as others do."""
+    kept = list(verdicts)
+    for one in reversed(verdicts):
+        others = {other.label for other in kept} - {one.label}
+        if not one.proven and others and _repaired(_without(goal, others), None) is not None:
+            kept.remove(one)
+    return kept
+
+
+def _offered(goal: "RepairGoal", one: _Verdict, verdicts: Sequence[_Verdict]) -> tuple[Repair, ...]:
+    """Returns what helps; of one of several: to leave out what it is about, and what helps where what others are about is left out."""
     if len(verdicts) == 1:
-        return [repairs_of(goal, verdicts[0].ids, verdicts[0].short)]
-    every, offered = frozenset(one.label for one in verdicts), list[tuple[Repair, ...]]()
-    for one in verdicts:
-        leaving: Repair = {"action": "leave_out", "id": one.label}
-        rest = _without(goal, every - {one.label})
-        if not offered and not helps(rest, leaving):
-            return [()] * len(verdicts)
-        offered.append((leaving, *(other for other in repairs_of(rest, one.ids, one.short) if other != leaving))[:HANDFUL])
-    return offered
+        return repairs_of(goal, one.ids, one.short)
+    rest = _without(goal, {other.label for other in verdicts} - {one.label})
+    return (_leaving(one), *(other for other in repairs_of(rest, one.ids, one.short) if other != _leaving(one)))[:HANDFUL]
 
 
 def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
@@ -132,7 +154,7 @@ class _WhyNot:
             return self.why(group, label, walk=True)
         if ids is None:
             missing = f"a way to {self._names[label]}, which can stand," if walk else f"a place for {self._names[label]}"
-            return _Verdict(label, (label,), f"not found: the search for {missing} in {room} ended at its limit")
+            return _Verdict(label, (label,), f"not found: the search for {missing} in {room} ended at its limit", proven=False)
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
@@ -251,23 +273,20 @@ def _unlocked(goal: RepairGoal, label: str) -> Repair | None:
     ids = goal.locks[label]
     if len(ids) > 1:
         return None
-    return _moved(goal, {"action": "unlock", "id": ids[0]}, label)
+    return _moved(goal, {"action": "unlock", "id": ids[0]})
 
 
 def _set_free(goal: RepairGoal, body: Body) -> Repair | None:
-    return _moved(goal, {"action": "move", "id": body.id, "wall": None}, body.id)
+    return _moved(goal, {"action": "move", "id": body.id, "wall": None})
 
 
-def _moved(goal: RepairGoal, repair: dict[str, Any], label: str) -> Repair | None:
-    """Returns the repair with the move that it leads to, or None where it does not help."""
+def _moved(goal: RepairGoal, repair: dict[str, Any]) -> Repair | None:
+    """Returns the repair with the move of its body that it leads to, or None where it does not help."""
     repaired = _repaired(goal, repair)
-    placed = {one.label: one for one in repaired.placed} if repaired else {}
-    return {**repair, **_step(goal.bodies[label], placed[label])} if repaired else None
-
-
-def _step(before: Body, after: Placed) -> dict[str, Any]:
-    x, z = (after.footprint.x0 + after.footprint.x1) / 2000, (after.footprint.z0 + after.footprint.z1) / 2000
-    return {"dx": round(x - before.x, 4), "dz": round(z - before.z, 4), "rotation": after.rotation}
+    if repaired is None:
+        return None
+    before, after = goal.bodies[repair["id"]], next(body for body in all_bodies(repaired) if body.id == repair["id"])
+    return {**repair, "dx": round(after.x - before.x, 4), "dz": round(after.z - before.z, 4), "rotation": after.rotation}
 
 
 def _distance(repair: Repair) -> float:
@@ -283,19 +302,19 @@ def _tried(goal: RepairGoal, repair: Repair) -> Repair | None:
     return repair if helps(goal, repair) else None
 
 
-def _repaired(goal: RepairGoal, repair: Repair) -> Arrangement | None:
-    """Returns where the pieces of the first room go once a repair is made; None where a room does not come out clean."""
+def _repaired(goal: RepairGoal, repair: Repair | None) -> Room | None:
+    """Returns the first room as it is once a repair is made, if one is; None where a room does not come out clean."""
     found = None
     for problem in goal.problems:
         if goal.budget.spent or is_call_spent():
             return None
-        changed = _with(problem, repair)
+        changed = _with(problem, repair) if repair else problem
         pieces = pieces_as_sent(changed)
         charge(PIECE_WORK * len(pieces) + BODY_WORK * len(all_bodies(problem.room)))
         arrangement = least_moved(problem.space, pieces, Budget(problem.settings.work, of=goal.budget))
-        if not is_repaired(changed, arrangement) or not _is_clean(goal, written_back(changed, arrangement.placed)):
+        if not is_repaired(changed, arrangement) or not _is_clean(goal, room := written_back(changed, arrangement.placed)):
             return None
-        found = found or arrangement
+        found = found or room
     return found
 
 

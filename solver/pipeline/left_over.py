@@ -59,13 +59,15 @@ class _LeftOver:
             return Conflict((), f"{issue.room} has no way in: no door or passage leads into it")
         if not issue.ids and (here or self.conflicts):
             return None
-        if self._explained.intersection(issue.ids):
+        if self._explained.intersection(issue.ids) or (issue.ids and self._waiting.issuperset(issue.ids)):
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
         here = here or self._reaching_in(issue)
-        if issue.rule == "unreachable" and here:
-            words = f"not found: out of reach as long as other conflicts last: {issue.message}"
+        if here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
+            self._waiting.update(issue.ids)
+            missing = "out of reach" if issue.rule == "unreachable" else "no repair"
+            words = f"not found: {missing} as long as other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
         return Conflict(
             issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in issue.ids if self._is_due_to(one, issue))
@@ -99,6 +101,11 @@ class _LeftOver:
     def _left_without(self) -> dict[str, frozenset[tuple[str, tuple[str, ...]]] | None]:
         """The rules, and whose they are, of the errors without each body that was tried; None where the budget was spent."""
         return {}
+
+    @cached_property
+    def _waiting(self) -> set[str]:
+        """The bodies of which it was said that they are wrong as long as other conflicts last: of each once."""
+        return set()
 
     @cached_property
     def _explained(self) -> frozenset[str]:
