@@ -69,9 +69,8 @@ class _LeftOver:
             missing = "out of reach" if issue.rule == "unreachable" else "no repair"
             words = f"not found: {missing} as long as other conflicts last: {issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
-        return Conflict(
-            issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in issue.ids if self._is_due_to(one, issue))
-        )
+        helping = [one for one in issue.ids if self._is_due_to(one, issue)] if all(conflict.repairs for conflict in here) else ()
+        return Conflict(issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in helping))
 
     def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
         """Returns the conflicts about a body that leaves its own room and shuts a way in this one."""
