@@ -93,8 +93,10 @@ class ListedPiece:
 
     @cached_property
     def to_pieces(self) -> tuple[RelationSpec, ...]:
-        """Its relations to earlier pieces."""
-        return tuple(spec for spec in self.subject.relations if self.subject.labels(spec.of))
+        """Its relations to earlier pieces; to keep away from what has no way to stand is kept."""
+        subject = self.subject
+        named = [spec for spec in subject.relations if subject.labels(spec.of)]
+        return tuple(spec for spec in named if subject.parents(spec.of) or not RELATIONS[spec.type].with_all)
 
     @cached_property
     def pairs(self) -> tuple[PairRelation, ...]:

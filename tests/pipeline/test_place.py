@@ -346,3 +346,15 @@ def test_nothing_is_put_on_what_is_too_near_the_ceiling() -> None:
     with_high = placed(pieces[0], block("crate", rule("on", "high"), size=(0.4, 0.4, 0.5)), height=1.6)
     assert [piece.y for piece in with_high.best.scene.rooms[0].furniture if piece.id == "crate"] in ([], [0.0])
     assert errors(with_high) == []
+
+
+@pytest.mark.parametrize("required", [True, False])
+def test_to_keep_far_from_what_has_no_place_is_held(required: bool) -> None:
+    """Neither a pool that is larger than the room, nor what may only stand at it, keeps a desk from standing."""
+    pool = block("pool", size=(5.0, 5.0, 0.5), required=False)
+    deck = block("deck", rule("on", "pool", required=True), size=(0.4, 0.4, 0.4), required=False)
+    for other in ("pool", "deck"):
+        made = placed(wish("desk", rule("far_from", other, required=required)), pool, deck)
+        assert [one.held for one in made.best.relations if one.piece == "desk"] == [True]
+        assert {one.id for one in made.best.unplaced} == {"pool", "deck"}
+        assert made.conflicts == ()
