@@ -129,3 +129,36 @@ def test_names_from_a_scene_are_text(visit: Visit) -> None:
     assert visit.page.locator("main img, aside img:not(#starts *)").count() == 0
     assert trap in visit.yaml()
     assert visit.console == []
+
+
+NO_WEBGL = """for (const canvas of [HTMLCanvasElement, OffscreenCanvas]) {
+    const given = canvas.prototype.getContext;
+    canvas.prototype.getContext = function (kind, ...how) { return kind.startsWith('webgl') ? null : given.call(this, kind, ...how); };
+}"""
+
+
+@pytest.mark.own_page
+@pytest.mark.parametrize(("path", "said"), [("", "#notice"), ("embed#seed=3&width=12&depth=9", "#embed_said")])
+def test_a_browser_that_draws_nothing_in_3d_is_told_what_is_missing(visit: Visit, path: str, said: str) -> None:
+    visit.page.add_init_script(NO_WEBGL)
+    visit.page.goto(visit.address + path)
+    expect(visit.page.locator(said)).to_contain_text("WebGL 2 is missing or switched off")
+    expect(visit.page.locator("#progress")).to_be_hidden()
+
+
+LOSE_CARD = """() => new Promise(done => {
+    const canvas = document.querySelector('#stage > canvas');
+    const card = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => card.restoreContext()), {once: true});
+    canvas.addEventListener('webglcontextrestored', () => done(compose.state.frames), {once: true});
+    card.loseContext();
+})"""
+
+
+@pytest.mark.own_page
+def test_a_card_that_comes_back_shows_the_house_again(visit: Visit) -> None:
+    visit.open(SMALL.format(6))
+    frames = visit.page.evaluate(LOSE_CARD)
+    visit.page.wait_for_function("frames => compose.state.frames > frames", arg=frames)
+    visit.settle()
+    assert visit.state()["drawCalls"] > 0

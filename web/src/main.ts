@@ -20,6 +20,7 @@ import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
 import { Link } from "./panel/link";
 import { Menu } from "./panel/menu";
+import { Notice } from "./panel/notice";
 import { foldForNarrow } from "./panel/narrow";
 import { Progress } from "./panel/progress";
 import { Reading } from "./panel/reading";
@@ -354,4 +355,10 @@ declare global {
 }
 
 speak();
-new Page().open();
+try {
+  new Page().open();
+} catch (reason) {
+  element("progress").hidden = true; // nothing comes any more
+  new Notice(element("notice"), () => undefined).show(reason);
+  if (!(reason instanceof ServiceProblem)) throw reason;
+}

@@ -12,16 +12,20 @@ import { element } from "../element";
 /** As the service would say it, which has no views. */
 const NO_VIEW = new ServiceProblem("A field is wrong", "", { fields: [{ field: "view", problem: "is not known", allowed: VIEWS.join(", ") }] });
 
+function tell(reason: unknown): void {
+  const { title, lines } = refusalWords(reason);
+  element("embed_said").textContent = reason instanceof ServiceProblem ? [title, ...lines].join(". ") : say("The home cannot be shown here.");
+}
+
 class Frame {
   readonly #stage = new Stage(element("stage"));
-  readonly #said = element("embed_said");
   readonly #known = this.#learn();
   #pending = new AbortController();
 
   constructor() {
     globalThis.compose = this.#stage;
     this.#stage.onSelect = (id) => this.#stage.select(id);
-    this.#stage.onFailure = (reason) => this.#tell(reason);
+    this.#stage.onFailure = (reason) => tell(reason);
     window.addEventListener("hashchange", () => void this.open());
   }
 
@@ -41,14 +45,14 @@ class Frame {
       if (framed.view === null) throw NO_VIEW;
       const [{ scene, issues }] = await Promise.all([this.#made(framed, signal), this.#known]);
       if (signal.aborted) return;
-      this.#said.textContent = "";
+      element("embed_said").textContent = "";
       delete this.#stage.host.dataset.refused;
       this.#stage.show(scene, issues);
       this.#stage.look(framed.view);
     } catch (reason) {
       if (signal.aborted) return;
       this.#stage.host.dataset.refused = "true"; // nothing is shown of the home before: it is not what was asked for
-      this.#tell(reason);
+      tell(reason);
     } finally {
       if (!signal.aborted) this.#stage.host.ariaBusy = "false";
     }
@@ -60,12 +64,11 @@ class Frame {
     const content = JSON.stringify(await carriedTo(changes, made.scene as Scene));
     return readFile({ name: say("The link"), content }, signal);
   }
-
-  #tell(reason: unknown): void {
-    const { title, lines } = refusalWords(reason);
-    this.#said.textContent = reason instanceof ServiceProblem ? [title, ...lines].join(". ") : say("The home cannot be shown here.");
-  }
 }
 
 sayDocument();
-void new Frame().open();
+try {
+  void new Frame().open();
+} catch (reason) {
+  tell(reason);
+}

@@ -2,6 +2,7 @@
 import { PCFShadowMap, ShaderChunk, WebGLRenderer } from "three";
 import { lightPlainly } from "../house/lit";
 import { makeCoarsely } from "../house/part_geometry";
+import { ServiceProblem } from "../service";
 
 /** What draws with a processor says so by name. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -33,10 +34,17 @@ export function shownByRoots(chunk: string): string {
   return chunk.replace(BY_POWERS, BY_ROOTS);
 }
 
+const NO_WEBGL = new ServiceProblem("This browser draws nothing in 3D", "WebGL 2 is missing or switched off, and the page cannot do without it. Switch it on in the browser's settings, or take another browser.");
+
+/** Throws a ServiceProblem where the browser draws nothing. */
 function made(isFine: boolean): WebGLRenderer {
-  const renderer = new WebGLRenderer({ alpha: true, antialias: isFine, powerPreference: "low-power" });
-  renderer.shadowMap.type = PCFShadowMap;
-  return renderer;
+  try {
+    const renderer = new WebGLRenderer({ alpha: true, antialias: isFine, powerPreference: "low-power" });
+    renderer.shadowMap.type = PCFShadowMap;
+    return renderer;
+  } catch {
+    throw NO_WEBGL;
+  }
 }
 
 /** Where a processor draws, smooth edges and soft shadows would cost more than all else: they are left out, and nothing is made twice. */

@@ -81,8 +81,8 @@ export class Viewport {
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.autoUpdate = false;
     this.#portraits = new Portraits(this.#renderer, this.daylight);
-    this.canvas = this.#renderer.domElement;
-    host.prepend(this.canvas);
+    host.prepend((this.canvas = this.#renderer.domElement));
+    this.canvas.addEventListener("webglcontextrestored", () => this.castShadows()); // the card was taken away, and nothing is left on it
     this.#scene.add(this.daylight.root);
     this.camera.rotation.order = "YXZ";
     this.#controls = this.#orbit();
