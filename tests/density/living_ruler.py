@@ -379,7 +379,7 @@ def _inside(room: Room, opening: Opening, low: int, high: tuple[int, int]) -> tu
 LINES = (
     Line("wardrobe, dresser: front free, 0.6 m", fronts_free, {"*": 0.95}),
     Line("open shelf: front free, 0.4 m", shelves_free, {"*": 0.9}),
-    Line("coat rack: front free, 0.3 m", racks_free, {"*": 0.9, "one_bed": 0.8}),
+    Line("coat rack: front free, 0.3 m", racks_free, {"*": 0.9, "one_bed": 0.75}),
     Line("desk: window within 2.5 m", desks_lit, {"*": 0.9}),
     Line("free-standing dining table: lopsided chairs", lopsided, {"*": 0.05}, most=True),
     Line("dining table: one chair at most", lonely, {"*": 0.0}, most=True),
