@@ -28,6 +28,15 @@ def storey_height(scene: Scene, level: int) -> float:
     return Level.height if said is None else said
 
 
+def storey_levels(scene: Scene) -> dict[int, Level]:
+    """Returns a scene's storeys by the number that rooms name; those that it does not list lie on the highest one beneath them."""
+    found = {one.index: one for one in scene.levels}
+    for index in sorted({room.level for room in scene.rooms} - found.keys()):
+        tops = (one.elevation + one.height for one in found.values() if one.index < index)
+        found[index] = Level(index, max(tops, default=Level.elevation), storey_height(scene, index))
+    return found
+
+
 def counted(rooms: Sequence[Room], people: Sequence[Dynamic]) -> dict[str, int]:
     """Returns how many there are in a house of everything that is counted; a door that two rooms list is one."""
     openings = {opening.id: opening.kind for room in rooms for opening in room.openings}

@@ -27,10 +27,10 @@ from solver.exports.model import FloorPlate, HouseModel, ModelBody, Paint, Sort
 from solver.exports.paints import PLAIN_FLOOR, Paints, paints_of
 from solver.exports.wall_bands import WallBands, on_lattice, thick
 from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
-from solver.exports.wall_panels import Storey, WallPlan, boxes_of, fittings_of, panels_of
+from solver.exports.wall_panels import WallPlan, boxes_of, fittings_of, panels_of
 from solver.geometry import doubled_area
 from solver.scene import Decoration, Dynamic, Flooring, Furniture, Room, Scene
-from solver.scene_bodies import storey_height
+from solver.scene_bodies import storey_levels
 
 ROUNDING_ERROR: Final = 1e-6
 """What is left of a wall between two ends that are one but for rounding is no wall, m."""
@@ -39,10 +39,9 @@ ROUNDING_ERROR: Final = 1e-6
 def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings: Sequence[str] = ()) -> HouseModel:
     """Describes a scene, with `warnings`, in words, to stand in the files; `free` is what a simulator may move.
 
-    What it leaves unsaid is described as it is drawn: floors at 0 m, walls as high as `size` says, else 2.8 m.
+    What it leaves unsaid is described as it is drawn: storeys one on another from 0 m, walls as high as `size` says, else 2.8 m.
     """
-    listed = {level.index: Storey(level.elevation, level.height) for level in scene.levels}
-    storeys = {level: Storey(height=storey_height(scene, level)) for level in {room.level for room in scene.rooms}} | listed
+    storeys = storey_levels(scene)
     paints = paints_of(catalogs, style_of(scene))
     rooms = scene.rooms
     finder, bands = RoomFinder(rooms), WallBands(rooms, scene.wall_thickness)

@@ -18,6 +18,7 @@ from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import WallBands
 from solver.exports.wall_lines import RoomFinder, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
+from solver.scene_bodies import storey_levels
 
 Row = tuple[Any, ...]
 WALL: Final = "wall"
@@ -51,8 +52,8 @@ def _room(seed: int | None, room: Room, report: Mapping[str, Any]) -> Row:
 
 
 def _pieces(scene: Scene, book: KindBook) -> Iterator[Row]:
-    elevations = {level.index: level.elevation for level in scene.levels}
-    frames = {room.id: (scene.seed, room, elevations.get(room.level, 0.0)) for room in scene.rooms}
+    levels = storey_levels(scene)
+    frames = {room.id: (scene.seed, room, levels[room.level].elevation) for room in scene.rooms}
     for frame in frames.values():
         room = frame[1]
         pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)

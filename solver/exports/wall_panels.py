@@ -11,7 +11,7 @@ from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpenin
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
 from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
-from solver.scene import Room
+from solver.scene import Level, Room
 from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, cut_at_holes, door_bars, window_bars
 
 RAILING_HEIGHT: Final = 0.6
@@ -21,25 +21,18 @@ _BEFORE: Final = 0.02
 """How far before a face the room is that it belongs to, m."""
 
 
-class Storey(NamedTuple):
-    """What a level's walls stand on and how high they are, m."""
-
-    elevation: float = 0.0
-    height: float = 2.8
-
-
 @dataclass(frozen=True)
 class WallPlan:
     """What walls are made from."""
 
     runs: Sequence[WallRun]
     openings: Sequence[PlacedOpening]
-    storeys: Mapping[int, Storey]
+    storeys: Mapping[int, Level]
     rooms: Sequence[Room]
 
-    def storey(self, level: int) -> Storey:
+    def storey(self, level: int) -> Level:
         """Returns a level's storey."""
-        return self.storeys.get(level, Storey())
+        return self.storeys.get(level, Level())
 
     @cached_property
     def stretches(self) -> "list[_Stretch]":
@@ -59,7 +52,7 @@ class _Stretch(NamedTuple):
     along: Span
     ends: tuple[_End, _End]
     openings: list[PlacedOpening]
-    storey: Storey
+    storey: Level
 
 
 def _stretches(plan: WallPlan) -> list[_Stretch]:

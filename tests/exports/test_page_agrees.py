@@ -1,6 +1,6 @@
 """The page and the exports build the same house: walls, fittings, leaves and parts agree to a millimetre, paints to a shade.
 
-The page's own functions, in TypeScript, write down what they build of six homes; the description must say the same.
+The page's own functions, in TypeScript, write down what they build of seven homes; the description must say the same.
 """
 
 from __future__ import annotations
@@ -81,11 +81,22 @@ rooms:
    openings: [{id: bc, kind: passage, edge: 0, position: 4.25, width: 1.2, connects_to: b}]}
 """
 
+UNLISTED = """
+wall_thickness: 0.1
+levels: [{index: 1, elevation: 3.0, height: 2.5}]
+rooms:
+- {id: cellar, level: 0, x: 0.0, z: 0.0, width: 4.0, depth: 3.0}
+- {id: hall, level: 1, x: 0.0, z: 0.0, width: 4.0, depth: 3.0, openings: [{id: w, kind: window, wall: north, position: 2.0}], furniture: [
+    {id: s, name: sofa, x: 2.0, z: 2.5, rotation: 180, width: 1.9, depth: 0.9, height: 0.85}]}
+- {id: attic, level: 3, x: 0.0, z: 0.0, width: 4.0, depth: 3.0, furniture: [
+    {id: a, name: armchair, x: 1.0, z: 1.0, width: 0.8, depth: 0.8, height: 0.85}]}
+"""
+
 
 @pytest.fixture(scope="module")
 def homes() -> list[Scene]:
     made = [generate(Request(**wish)).scene for wish in REQUESTS]
-    return [*made, *(with_kinds(load(text), load_catalogs()) for text in (L_SHAPED, THICK_WALLS))]
+    return [*made, *(with_kinds(load(text), load_catalogs()) for text in (UNLISTED, L_SHAPED, THICK_WALLS))]
 
 
 @pytest.fixture(scope="module")
@@ -109,6 +120,11 @@ def models(homes: list[Scene]) -> list[HouseModel]:
 def test_walls_are_as_high_as_the_size_says_where_no_storey_is_listed(models: list[HouseModel]) -> None:
     assert {panel.height for panel in models[-1].panels} == {2.4}
     assert {panel.height for panel in models[-2].panels} == {2.5}
+
+
+def test_storeys_that_are_not_listed_lie_on_those_beneath_them(models: list[HouseModel]) -> None:
+    assert {(panel.level, panel.elevation, panel.height) for panel in models[-3].panels} == {(0, 0.0, 2.8), (1, 3.0, 2.5), (3, 5.5, 2.8)}
+    assert {body.id: body.y for body in models[-3].bodies} == {"s": 3.0, "a": 5.5}
 
 
 def close(ours: Iterable[float], theirs: Iterable[float]) -> bool:
@@ -221,6 +237,8 @@ def test_wall_boxes_fill_the_panels_but_for_their_holes(models: list[HouseModel]
                 solid -= max(0.0, across) * (min(hole.high, panel.height) - hole.low)
             boxes = [wall.box for wall in model.walls if wall.axis == panel.axis and on(panel.line, wall.box, panel.axis)]
             within = [box for box in boxes if panel.start - MM <= along(box, panel.axis)[0] and along(box, panel.axis)[1] <= panel.end + MM]
+            floor, top = panel.elevation - MM, panel.elevation + panel.height + MM
+            within = [box for box in within if floor <= box.y0 and box.y1 <= top]
             assert math.isclose(sum(face(box, panel.axis) for box in within), solid, rel_tol=1e-6)
 
 
