@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "9c0bc8754dbb959f2ed843bac2f394dd6cadf87d488c83b22f63b2bc6b1cdf3b"
+GOLDEN = "3fc29a0c777f2758caf2f79ad0f44d336509577ce0c1e00dff3c39480736b65c"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 
