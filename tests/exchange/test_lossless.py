@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -229,6 +230,30 @@ def test_scenes_of_python_s_other_numbers_and_texts_are_written_as_their_documen
     with pytest.raises(SceneError) as refused:
         dump_scene(Scene(rooms=(Room("a", furniture=(Furniture("b", "\ud800"),)),)), "json")
     assert refused.value.field == "rooms[0].furniture[0].name"
+
+
+def deep(levels: int) -> Any:
+    """Returns lists within lists."""
+    return [] if levels == 1 else [deep(levels - 1)]
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        {"a": [-0.0, 0.0, 1e-7, (1, (-0.0,))]}, {1: {"b": 2}, "c": None}, {"a": {1: [True]}}, {"": "\u00e9\u2028\x00"}, [[], {}, ()],
+        {"a": np.float64(0.1), "b": [np.float64(-0.0)]}, MappingProxyType({"a": 1}), {"a": MappingProxyType({2: (3,)})}, deep(61), -0.0,
+    ],
+)  # fmt: skip
+def test_a_certificate_is_written_as_in_its_document(value: Any) -> None:
+    scene = Scene(certificate={"said": value})
+    assert dump_scene(scene, "json") == dump_text(write_scene(scene), "json")
+
+
+@pytest.mark.parametrize("bad", [{None: 1}, {True: 1}, {1.5: 1}, {"\ud800": 1}, ["\ud800"], [math.nan], [-math.inf], [{1, 2}], deep(64)])
+def test_what_no_certificate_can_say_is_refused_by_place(bad: Any) -> None:
+    with pytest.raises(SceneError) as refused:
+        dump_scene(Scene(certificate={"said": {"deep": bad}}), "json")
+    assert refused.value.field.startswith("certificate.said.deep")
 
 
 def test_a_request_survives() -> None:
