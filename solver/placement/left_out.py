@@ -13,6 +13,7 @@ from solver.placement.budget import Budget
 
 WALLS = tuple(WALL_BEHIND.values())
 """In the order in which reasons name them."""
+_STRETCHES = "longest free stretches of wall at that depth and height: " + ", ".join(f"{wall} %.2f m" for wall in WALLS)
 
 
 def _least(piece: Piece) -> Candidate:
@@ -27,10 +28,10 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Con
     least = _least(piece)
     _, depth, height = least.size_mm
     parent = least.attach.parent if least.attach and all(way.attach for way in piece.candidates) else None
-    longest = {}
+    longest: Sequence[int] = ()
     if any(a.wall for a in piece.candidates):
         bodies = [other.footprint for other in placed if other.chosen.bottom_mm < height]
-        longest = {wall: max((e - s for s, e in space.free_stretches(wall, depth, height, bodies)), default=0) for wall in WALLS}
+        longest = [max((e - s for s, e in space.free_stretches(wall, depth, height, bodies)), default=0) for wall in WALLS]
     at = parent and named_parent(parent, parent in gone)
     return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
 
@@ -40,18 +41,17 @@ def named_parent(parent: str, is_gone: bool) -> str:
     return f"{parent}, which was left out itself" if is_gone else parent
 
 
-def room_needed(least: tuple[str, Extents], parent: str | None, longest: Mapping[str, int], room: str) -> str:
+def room_needed(least: tuple[str, Extents], parent: str | None, longest: Sequence[int], room: str) -> str:
     """Says how much room the smallest variant of a piece needs, by its kind and size, and how much there is.
 
-    `parent` is at whose slot it stands, in words; `longest` are the free stretches of wall at its depth and height, mm, if any variant
+    `parent` is at whose slot it stands, in words; `longest` are the free stretches of the WALLS at its depth and height, mm, if any variant
     stands at a wall; `room` is the room's size and what it holds.
     """
     size = _size_needed(least)
     if parent is not None:
         return f"{size} at its place by {parent}"
     if longest:
-        lengths = ", ".join(f"{wall} {length / 1000:.2f} m" for wall, length in longest.items())
-        return f"{size} and a free way to it; longest free stretches of wall at that depth and height: {lengths}"
+        return f"{size} and a free way to it; {_STRETCHES % tuple([length / 1000 for length in longest])}"
     return f"{size} and a free way to it; the room is {room}"
 
 

@@ -30,8 +30,8 @@ _LEFT_OUT: Final = Struct("<9q")
 _WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
 """By `enum Why`."""
 _new: Final = tuple.__new__
-_AS_NAMED: Final = tuple((wall, NUMBERED_WALLS.index(wall)) for wall in WALLS)
-"""The walls in the order in which reasons name them, and their numbers."""
+_AS_NAMED: Final = tuple(map(NUMBERED_WALLS.index, WALLS))
+"""The numbers of the walls, in the order in which reasons name them."""
 _WALL_NAMES: Final = (*NUMBERED_WALLS, None)
 
 
@@ -156,6 +156,6 @@ def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]],
     gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
     labels, kinds = placing.labels, room.names.kinds
     for piece, why, parent, kind, at_walls, *free in rows:
-        longest = {wall: free[number] for wall, number in _AS_NAMED} if at_walls else {}
+        longest = [free[number] for number in _AS_NAMED] if at_walls else ()
         at = named_parent(labels[parent], parent in gone) if parent >= 0 else None
         yield labels[piece], f"{_WHY[why]}; {room_needed(kinds[kind], at, longest, holds)}"
