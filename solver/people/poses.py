@@ -50,7 +50,8 @@ class Surroundings:
 
     def leaves_all_reachable(self, person: Dynamic) -> bool:
         """Tells whether everything stays within reach with somebody there on the floor, and so is who stands there."""
-        return self.floor.connects([footprint(person)], [Goal.beside(footprint(person))])
+        own = footprint(person)
+        return self.floor.connects([own], [Goal.beside(own)])
 
     def front_reachable(self, piece: Furniture) -> bool:
         """Tells whether one can come to a piece's front, those who stand there being in the way."""
