@@ -160,15 +160,13 @@ def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
         return None
     centre = start + opening.position * 1000
     low, high = _down(centre - width / 2) - side, _up(centre + width / 2) + side
-    rect = strip_at(line[0], line[1], (low, high), depth)
-    if not room.contains(rect):
-        rect = rect.common(room)
-    return Zone(rect, above, opening.id) if rect.x0 < rect.x1 and rect.z0 < rect.z1 else None
+    rect = _clipped(strip_at(line[0], line[1], (low, high), depth), room)
+    return None if rect is None else Zone(rect, above, opening.id)
 
 
 def _clipped(rect: Rect, room: Rect) -> Rect | None:
-    cut = rect.common(room)
-    return cut if cut.width > 0 and cut.depth > 0 else None
+    cut = rect if room.contains(rect) else rect.common(room)
+    return cut if cut.x0 < cut.x1 and cut.z0 < cut.z1 else None
 
 
 def missing_parts(room: Room, half: int) -> list[Rect]:

@@ -105,7 +105,8 @@ def outline_of(corners: Sequence[tuple[int, int]]) -> Outline:
     (x0, z0), (x1, z1) = corners[0], corners[2]
     if x0 < x1 and z0 < z1 and list(corners) == [(x0, z0), (x1, z0), (x1, z1), (x0, z1)]:  # most rooms
         sides = WallEdge("north", z0, x0, x1), WallEdge("east", x1, z0, z1), WallEdge("south", z1, x0, x1), WallEdge("west", x0, z0, z1)
-        return Outline(ExactBox(x0, z0, x1, z1), (ExactBox(x0, z0, x1, z1),), (), sides)
+        whole = ExactBox(x0, z0, x1, z1)
+        return Outline(whole, (whole,), (), sides)
     xs = sorted({x for x, _ in corners})
     zs = sorted({z for _, z in corners})
     lines = list(zip(corners, [*corners[1:], corners[0]], strict=True))
