@@ -17,6 +17,9 @@ from solver.records import late, maker_in
 Extents = tuple[int, int, int]
 """Unrotated width, depth and height, mm."""
 
+NamedKind = tuple[str, Extents]
+"""Name and size of a kind."""
+
 Stretch = tuple[int, int]
 """An interval along a wall, mm, from its west or north end."""
 
@@ -211,6 +214,7 @@ class Piece:
         skip_cost: what leaving it out costs (optional pieces).
         with_next: an optional piece that stands only together with the next one.
         is_floor: it stands for floor to be kept empty: no body, but bodies keep out of it.
+        only: name and size of its kind where it is of one, for reasons: it may have no candidate.
     """
 
     label: str
@@ -222,6 +226,7 @@ class Piece:
     skip_cost: float = 10.0
     with_next: bool = False
     is_floor: bool = False
+    only: NamedKind | None = None
 
 
 class RowNames(Protocol):
@@ -242,7 +247,7 @@ class RowNames(Protocol):
         """Returns a candidate from its row."""
 
 
-NamedKinds = tuple[tuple[str, Extents], ...]
+NamedKinds = tuple[NamedKind, ...]
 """Names and sizes of kinds, by their numbers."""
 
 

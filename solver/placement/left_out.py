@@ -7,7 +7,7 @@ from collections.abc import Container, Mapping, Sequence
 from functools import lru_cache
 
 from solver.geometry import WALL_BEHIND, Rect
-from solver.pieces import Candidate, Extents, Piece, Placed, Space
+from solver.pieces import Candidate, Extents, NamedKind, Piece, Placed, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
 
@@ -24,6 +24,9 @@ def _least(piece: Piece) -> Candidate:
 def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Container[str] = ()) -> str:
     """Says how much room the smallest variant needs and how much the others leave; `gone` are all pieces that were left out."""
     if not piece.candidates:
+        if piece.only and not _fits_somehow(piece.only[1], space.clear):
+            kind, (width, depth, _) = piece.only
+            return f"{kind} {width / 1000:.2f} x {depth / 1000:.2f} m is larger than the room, {clear_size(space.clear)}"
         return "the room offers no wall or place of the kind its relations ask for"
     least = _least(piece)
     _, depth, height = least.size_mm
@@ -36,12 +39,18 @@ def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Con
     return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
 
 
+def _fits_somehow(size: Extents, clear: Rect) -> bool:
+    """Tells whether a rectangle fits into another, turned or not."""
+    (least, most), (narrow, long) = sorted(size[:2]), sorted((clear.width, clear.depth))
+    return least <= narrow and most <= long
+
+
 def named_parent(parent: str, is_gone: bool) -> str:
     """Names the piece at whose slot another one stands, and says so where that was left out, too."""
     return f"{parent}, which was left out itself" if is_gone else parent
 
 
-def room_needed(least: tuple[str, Extents], parent: str | None, longest: Sequence[int], room: str) -> str:
+def room_needed(least: NamedKind, parent: str | None, longest: Sequence[int], room: str) -> str:
     """Says how much room the smallest variant of a piece needs, by its kind and size, and how much there is.
 
     `parent` is at whose slot it stands, in words; `longest` are the free stretches of the WALLS at its depth and height, mm, if any variant
@@ -126,7 +135,7 @@ def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> 
 
 
 @lru_cache(maxsize=1024)
-def _size_needed(least: tuple[str, Extents]) -> str:
+def _size_needed(least: NamedKind) -> str:
     kind, (width, depth, _) = least
     return f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
 

@@ -198,6 +198,19 @@ def test_the_floor_of_a_room_with_an_outline_is_not_called_a_rectangle() -> None
     assert has_form(conflict.message)
 
 
+@pytest.mark.parametrize("sides", [(3.6, 3.0), (3.0, 3.6)])
+@pytest.mark.parametrize("wishes", [(), (rule("against_wall"),)])
+def test_a_piece_larger_than_its_room_is_told_so(sides: tuple[float, float], wishes: tuple[RelationSpec, ...]) -> None:
+    """Whether it asks for a wall or not, and in the room's own width and depth, however the search turned it."""
+    den = Room("den", width=sides[0], depth=sides[1])
+    wide = block("wide", *wishes, size=(4.0, 2.0, 1.0), required=False)
+    long = block("long", *wishes, size=(2.5, 3.5, 1.0), required=False)
+    unplaced = {one.id: one.reason for one in placed(wide, long, block("one"), room=den).best.unplaced}
+    assert unplaced["wide"].endswith(f"; wide 4.00 x 2.00 m is larger than the room, {sides[0] - 0.1:.2f} x {sides[1] - 0.1:.2f} m clear")
+    assert has_form(unplaced["wide"])
+    assert "larger" not in unplaced.get("long", "")
+
+
 def test_a_hard_relation_that_cannot_be_held_leaves_its_piece_out() -> None:
     answer = placed(block("tall", rule("at_window", required=True), size=(0.6, 0.4, 2.0)), block("box"))
     assert [entry.id for entry in answer.best.unplaced] == ["tall"]
