@@ -20,6 +20,7 @@ from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
 from solver.pipeline.staying import obstacles
+from solver.relations import RELATIONS
 from solver.relations.held import FinishedRoom, at_wall, held, standing
 from solver.relations.relation import Standing
 from solver.relations.subject import Kind
@@ -159,6 +160,14 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
 def without_wishes(request: PieceRequest) -> PieceRequest:
     """Returns the request with no relations but those that must hold."""
     return replace(request, relations=tuple(spec for spec in request.relations if spec.required))
+
+
+def without_partings(request: PieceRequest, gone: set[str]) -> PieceRequest:
+    """Returns a request of a piece that is gone without what keeps it away from others that are gone, too; any other as it is."""
+    if gone.isdisjoint(request.labels):
+        return request
+    held = [spec for spec in request.relations if RELATIONS[spec.type].with_all and gone.issuperset(spec.of)]
+    return replace(request, relations=tuple(spec for spec in request.relations if spec not in held))
 
 
 def _bare(room: Room, space: Space, kinds: Mapping[str, Kind], names: Mapping[str, tuple[str, ...]]) -> FinishedRoom:

@@ -190,7 +190,7 @@ def settled(task: PlaceTask, found: Round) -> Placement:
 
 
 def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]:
-    """Returns the most blamed first, each behind what it refers to; ties in the order given."""
+    """Returns the most blamed first, each behind what it refers to, and last who cannot stand; ties in the order given."""
     by_label = {piece.label: piece for piece in wanted}
     ordered: dict[str, Piece] = {}
 
@@ -200,7 +200,7 @@ def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]
                 add(by_label[label])
         ordered.setdefault(piece.label, piece)
 
-    for piece in sorted(wanted, key=lambda piece: -blame[piece.label]):
+    for piece in sorted(wanted, key=lambda piece: (not piece.candidates, -blame[piece.label])):
         add(piece)
     return list(ordered.values())
 

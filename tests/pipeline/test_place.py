@@ -371,3 +371,16 @@ def test_to_keep_far_from_what_has_no_place_is_held(required: bool) -> None:
         assert [one.held for one in made.best.relations if one.piece == "desk"] == [True]
         assert {one.id for one in made.best.unplaced} == {"pool", "deck"}
         assert made.conflicts == ()
+
+
+@pytest.mark.parametrize("required", [True, False])
+@pytest.mark.parametrize("distance", [1.0, 2.6])
+def test_to_keep_far_from_what_is_crowded_out_is_held(distance: float, required: bool) -> None:
+    """A crate for which a slab leaves no place neither keeps the lamp from standing nor, for its sake, takes the place of the slab."""
+    slab, crate = block("slab", size=(2.6, 1.4, 0.5)), block("crate", size=(2.0, 1.0, 0.6), required=False)
+    lamp = block("lamp", rule("far_from", "crate", required=True, distance=distance), size=(0.3, 0.3, 0.5), required=required)
+    for order in ((slab, crate, lamp), (slab, lamp, crate)):
+        made = placed(*order, room=Room("den", width=3.1, depth=2.7))
+        assert [one.id for one in made.best.unplaced] == ["crate"]
+        assert [one.held for one in made.best.relations] == [True]
+        assert (errors(made), made.conflicts) == ([], ())
