@@ -8,14 +8,15 @@ Outlines that stay open, and other layers, are passed over, and told.
 import math
 from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from functools import partial
+from itertools import chain, combinations, pairwise
 from typing import Final, NamedTuple
 
 import numpy as np
 
-from catalogs.synonyms import DrawnNames
+from catalogs.synonyms import STOREYS, DrawnNames
 from solver.geometry import bounds_of_points, doubled_area
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
@@ -31,7 +32,7 @@ from solver.imports.shape_openings import (
     openings_of,
     to_lines,
 )
-from solver.imports.storeys_beside import StoreyTitle, with_storeys_apart
+from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
@@ -41,6 +42,8 @@ MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 HOUSE: Final = 12.0
 """About so large, m, is a house."""
+BESIDE: Final = 1.5
+"""Storeys that are drawn one above another are taken so many times as far apart as they are wide."""
 LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
@@ -67,9 +70,28 @@ class DrawnText(NamedTuple):
 class DrawnSheet(NamedTuple):
     """What a drawing draws: shapes; texts, which name the rooms that they stand in; arcs of doors' leaves."""
 
-    shapes: Sequence[DrawnShape]
-    texts: Sequence[DrawnText]
-    swings: Sequence[DrawnSwing]
+    shapes: list[DrawnShape]
+    texts: list[DrawnText]
+    swings: list[DrawnSwing]
+
+
+def side_by_side(sheets: Mapping[int | None, DrawnSheet]) -> DrawnSheet:
+    """Returns what layers of storeys, from the lowest on, and others draw: what lies one above another is beside one another, titled."""
+    walls = {
+        storey: [spot for one in sheet.shapes if one.sort in ("room", "wall") for spot in one.points] for storey, sheet in sheets.items()
+    }
+    boxes = {storey: bounds_of_points(walls[storey]) for storey in range(len(STOREYS)) if walls.get(storey)}
+    if any(not away(*two) for two in combinations(boxes.values(), 2)):
+        wide = max(box[2] for box in boxes.values()) - min(box[0] for box in boxes.values())
+        for at, (storey, box) in enumerate(boxes.items()):
+            title = DrawnText(STOREYS[storey], box[0] - wide / 99, box[1], storey=storey)
+            drawn = sheets[storey]._replace(texts=[title, *sheets[storey].texts])
+            sheets = {**sheets, storey: _each(drawn, partial(_eastward, at * BESIDE * wide))}
+    return DrawnSheet(*(list(chain(*some)) for some in zip(DrawnSheet([], [], []), *sheets.values(), strict=True)))
+
+
+def _eastward(by: float, spot: Spot) -> Spot:
+    return spot[0] + by, spot[1]
 
 
 def text_at(words: str, spot: Spot, known: DrawnNames) -> DrawnText:
@@ -250,14 +272,16 @@ def _still_open(loose: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres:
 
 def _turned(sheet: DrawnSheet, turn: float) -> DrawnSheet:
     """Returns what is drawn turned back by some degrees, so that walls run along x and z."""
-    if not turn:
-        return sheet
+    return _each(sheet, lambda spot: turned_by(spot, turn)) if turn else sheet
+
+
+def _each(sheet: DrawnSheet, to: Callable[[Spot], Spot]) -> DrawnSheet:
+    """Returns what is drawn with each point moved."""
     return DrawnSheet(
-        [one._replace(points=tuple(turned_by(spot, turn) for spot in one.points)) for one in sheet.shapes],
-        [one._replace(x=spot[0], z=spot[1]) for one in sheet.texts for spot in (turned_by((one.x, one.z), turn),)],
-        [one._replace(hinge=turned_by(one.hinge, turn), ends=(turned_by(one.ends[0], turn), turned_by(one.ends[1], turn)))
-         for one in sheet.swings],
-    )  # fmt: skip
+        [one._replace(points=tuple(map(to, one.points))) for one in sheet.shapes],
+        [one._replace(x=spot[0], z=spot[1]) for one in sheet.texts for spot in (to((one.x, one.z)),)],
+        [one._replace(hinge=to(one.hinge), ends=(to(one.ends[0]), to(one.ends[1]))) for one in sheet.swings],
+    )
 
 
 def _thickness(walls: Sequence[DrawnShape]) -> float | None:

@@ -42,19 +42,18 @@ def with_storeys_apart(plan: DrawnPlan, texts: Sequence[StoreyTitle], metres: fl
     groups = _groups(
         [DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(plan.rooms)], APART / (metres or 1.0)
     )
-    storeys = [group for group in groups if len(group.rooms) >= LEAST_ROOMS]
+    storeys = groups if _titles(groups, texts)[1] else [group for group in groups if len(group.rooms) >= LEAST_ROOMS]
     if len(storeys) < 2:
         return plan
-    titles = [_title(storey, storeys, texts) for storey in storeys]
-    is_titled = len({rank for rank, words in titles if words}) == len(storeys)
+    titles, is_titled = _titles(storeys, texts)
     order = sorted(range(len(storeys)), key=lambda at: titles[at] if is_titled else (storeys[at].box[0], -storeys[at].box[3]))
     boxes = [storeys[at].box for at in order]
     names = [titles[at][1] for at in order]
 
     def level(spot: Spot) -> int:
-        return min(range(len(boxes)), key=lambda at: _away(boxes[at], (*spot, *spot)))
+        return min(range(len(boxes)), key=lambda at: away(boxes[at], (*spot, *spot)))
 
-    told = Unread("rooms", f"lie in {len(storeys)} groups apart from one another, which are taken as storeys drawn side by side")
+    told = Unread("rooms", f"lie in {len(storeys)} groups apart from one another, or on layers of their own, which are taken as storeys")
     return replace(
         plan,
         rooms=tuple(replace(one, level=level(_middle(one.points))) for one in plan.rooms),
@@ -70,7 +69,7 @@ def _groups(groups: Sequence[DrawnGroup], apart: float) -> list[DrawnGroup]:
     """Returns groups, those one whose boxes lie no farther apart."""
     found: list[DrawnGroup] = []
     for box, rooms in groups:
-        near = [one for one in found if _away(one.box, box) <= apart]
+        near = [one for one in found if away(one.box, box) <= apart]
         corners = [spot for x0, z0, x1, z1 in (box, *(one.box for one in near)) for spot in ((x0, z0), (x1, z1))]
         found = [
             *(one for one in found if one not in near),
@@ -79,17 +78,23 @@ def _groups(groups: Sequence[DrawnGroup], apart: float) -> list[DrawnGroup]:
     return found if len(found) == len(groups) else _groups(found, apart)
 
 
+def _titles(storeys: Sequence[DrawnGroup], texts: Sequence[StoreyTitle]) -> tuple[list[tuple[int, str]], bool]:
+    """Returns the title of each group, and whether all are told to be different storeys."""
+    titles = [_title(storey, storeys, texts) for storey in storeys]
+    return titles, len({rank for rank, words in titles if words}) == len(storeys)
+
+
 def _title(storey: DrawnGroup, storeys: Sequence[DrawnGroup], texts: Sequence[StoreyTitle]) -> tuple[int, str]:
     """Returns which storey the nearest title tells that is nearest to a group, and its words; none: no words."""
 
-    def away(one: StoreyTitle, group: DrawnGroup) -> float:
-        return _away(group.box, (one.x, one.z, one.x, one.z))
+    def from_group(one: StoreyTitle, group: DrawnGroup) -> float:
+        return away(group.box, (one.x, one.z, one.x, one.z))
 
-    near = [(away(one, storey), one) for one in texts if min(storeys, key=lambda group: away(one, group)) is storey]
+    near = [(from_group(one, storey), one) for one in texts if min(storeys, key=lambda group: from_group(one, group)) is storey]
     return next(((one.rank, one.words) for _, one in sorted(near)), (0, ""))
 
 
-def _away(a: DrawnBox, b: DrawnBox) -> float:
+def away(a: DrawnBox, b: DrawnBox) -> float:
     """Returns how far two boxes are from one another along x or z, whichever is more."""
     return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3], 0.0)
 

@@ -39,7 +39,7 @@ def test_titles_tell_which_storey_is_which(left: str, right: str) -> None:
     assert names(answer) == GROUND
     assert [len(room.openings) for room in answer.scene.rooms] == [2, 2, 1]
     reasons = [str(one["reason"]) for one in answer.unread]
-    assert reasons[0].startswith("lie in 2 groups apart from one another, which are taken as storeys")
+    assert reasons[0].startswith("lie in 2 groups apart from one another, or on layers of their own, which are taken as storeys")
     assert reasons[1:] == ["3 rooms: level 0 is taken, `level` takes another"]
     assert [one["place"] for one in answer.unread] == ["rooms", f"level 1 ({left})"]
     above = drawn(both, level=1)
@@ -59,3 +59,19 @@ def test_a_shed_and_what_lies_within_a_metre_are_on_the_same_storey(second: tupl
     answer = drawn(storey(UPPER, 0) + storey(second, x))
     assert len(answer.scene.rooms) == 3 + len(second)
     assert not answer.unread
+
+
+@pytest.mark.parametrize(("low", "high"), [("EG", "OG"), ("ground floor", "Attic")])
+def test_storeys_on_layers_of_their_own_lie_one_above_another(low: str, high: str) -> None:
+    both = f"<g id='{high}'>{storey(UPPER, 0.5)}</g><g id='{low}'>{storey(GROUND, 0)}</g>"
+    assert names(drawn(both)) == GROUND
+    above = drawn(both, level=1)
+    assert names(above) == UPPER
+    assert [len(room.openings) for room in above.scene.rooms] == [2, 2, 1]
+    few = f"<g id='{high}'>{storey(UPPER[:1], 0)}</g><g id='{low}'>{storey(GROUND, 0)}</g>"
+    assert names(drawn(few, level=1)) == UPPER[:1]
+
+
+def test_layers_of_storeys_that_lie_apart_are_left_where_they_are() -> None:
+    answer = drawn(f"<g id='OG'>{storey(UPPER, 15)}</g><g id='EG'>{storey(GROUND, 0)}</g>", level=1)
+    assert names(answer) == UPPER

@@ -5,7 +5,7 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 
 import math
 from codecs import BOM_UTF8
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from importlib import import_module
 from io import StringIO
@@ -19,7 +19,7 @@ from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import DrawnSheet, DrawnText, UnitTold, plan_of_shapes, text_at
+from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import told_by_doors
 
 METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14: 0.1, 21: 0.3048}
@@ -226,19 +226,17 @@ def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
 
 def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -> DrawnPlan:
     make_path = import_module("ezdxf.path").make_path
-    shapes: list[DrawnShape] = []
-    texts: list[DrawnText] = []
-    swings: list[DrawnSwing] = []
+    sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     passed: Counter[tuple[str, str]] = Counter()
     for one, layer, sort, where in _opened(space, names):
-        kind = one.dxftype()
+        kind, (shapes, texts, swings) = one.dxftype(), sheets[names.storey(layer)]
         if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
             swings += [DrawnSwing(*arc, where, sort) for arc in arcs]
         elif kind in CURVED and (sort is not None or "POLYLINE" in kind) and type(one).__name__ not in MESHES:
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
             width = abs(one.dxf.get(WIDTHS[kind], 0.0)) if kind in WIDTHS else 0.0
-            shapes.append(DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width))
+            shapes += [DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width)] if points else []
         elif kind in FILLED and sort == "wall":
             shapes += [DrawnShape(layer, points, True, where, sort) for points in _filled(one) if len(points) > 2]
         elif kind == "LINE":
@@ -249,7 +247,7 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
-    return plan_of_shapes(DrawnSheet([shape for shape in shapes if shape.points], texts, swings), told, metres, unread)
+    return plan_of_shapes(side_by_side(sheets), told, metres, unread)
 
 
 def _is_quarter(one: Any, kind: str) -> bool:

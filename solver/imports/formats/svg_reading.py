@@ -4,6 +4,7 @@ Its y points down, as ours points south. Names are ids, classes and labels of sh
 """
 
 import math
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 from typing import Final, Literal
@@ -28,7 +29,7 @@ from solver.imports.formats.svg_elements import (
 )
 from solver.imports.plain_values import a_number, one_of
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
-from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, text_at
+from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
 OPENINGS: Final[tuple[OpeningKind, ...]] = ("door", "window", "passage", "garage_door")
@@ -194,12 +195,12 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
 
 def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told: UnitTold, metres: float | None) -> DrawnPlan:
     """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
-    shapes: list[DrawnShape] = []
-    swings: list[DrawnSwing] = []
+    sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     if names is None:
-        return plan_of_shapes(DrawnSheet((), (), ()), told, metres)
-    texts = [text_at(one.words, one.lines[0].points[0], names) for one in elements if one.words]
+        return plan_of_shapes(DrawnSheet([], [], []), told, metres)
     for element in elements:
+        shapes, texts, swings = sheets[names.storey("/".join(element.names[:2]))]
+        texts += [text_at(element.words, element.lines[0].points[0], names)] if element.words else []
         if element.tag == "text" or not element.lines:
             continue
         sort = names.sort_within(element.names)
@@ -213,7 +214,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
             width = _stroke(element) if sort == "wall" and (not closed or _styled(element, "fill") == "none") else 0.0
             named = "/".join(element.names[:1])
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
-    return plan_of_shapes(DrawnSheet(shapes, texts, swings), told, metres)
+    return plan_of_shapes(side_by_side(sheets), told, metres)
 
 
 def _stroke(element: SvgElement) -> float:
