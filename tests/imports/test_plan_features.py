@@ -53,6 +53,29 @@ def test_a_door_to_a_balcony_that_is_wider_than_a_leaf_is_one_leaf_and_glass() -
         assert [part.kind for part in answer.scene.rooms[0].openings] == ["door"]
 
 
+@pytest.mark.parametrize("key", ["kind", "type"])
+def test_walls_and_openings_may_be_polygons(key: str) -> None:
+    def called(said: str, x0: float, y0: float, x1: float, y1: float, **more: Any) -> dict[str, Any]:
+        return box("", x0, y0, x1, y1, **{key: said, "level": 2, **more})
+
+    rooms = [box("", 0, 0, 4, 3, room_name="Kitchen", level=2), box("", 4.1, 0, 9, 3, label="Bedroom", level=2)]
+    around = [called("wall", -0.3, -0.3, 9.3, 0), called("wall", -0.3, 3, 9.3, 3.3), called("wall", -0.3, 0, 0, 3)]
+    inner = [called("wall", 4, 0, 4.1, 1), called("wall", 4, 1.9, 4.1, 3), called("wall", 9, 0, 9.3, 3)]
+    doors = [called("door", 4, 1, 4.1, 1.9, sill=0, id="d"), called("window", 1, -0.3, 2.2, 0), called("door", 6, 3, 6.9, 3.3)]
+    above = [called("wall", 0, 0.05, 9, 0.15, level=3), box("Office", 0, 0, 9, 9, level=3)]
+    answer = read(collection(*rooms, *around, *inner, *doors, *above, unit="m"))
+    kitchen, bedroom = answer.scene.rooms
+    assert (kitchen.type, bedroom.type) == ("kitchen", "bedroom")
+    assert answer.scene.wall_thickness == 0.1
+    assert kitchen.wall_thickness == (0.3, None, 0.3, 0.3)
+    assert (kitchen.width, kitchen.depth) == (4.1, 3.1)
+    assert {one.id for one in kitchen.openings} & {one.id for one in bedroom.openings} == {"d"}
+    assert [(one.kind, one.width) for room in answer.scene.rooms for one in room.openings if one.id != "d"] == [
+        ("window", 1.2), ("door", 0.9),
+    ]  # fmt: skip
+    assert [one["place"] for one in answer.unread] == ["level 3"]
+
+
 def test_a_property_with_a_slip_of_the_pen_is_said_to_be_left_out() -> None:
     door = line("door", (1, 0), (1.9, 0))
     slipped = {**door, "properties": {**door["properties"], "hieght": 2, "stroke-width": 1}}

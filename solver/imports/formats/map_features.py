@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any, Final
+from typing import Any, Final, get_args
 
 from solver.imports.drawn import DrawnOpening, DrawnRoom, OpeningKind, Spot
 
@@ -23,6 +23,8 @@ NO_ROOM: Final = ("level", "wall", "no")
 """What OpenStreetMap calls `indoor` that is no room."""
 ANY_ROOM: Final = ("room", "area", "yes", "unspecified")
 """What it calls so without a word of what it is."""
+NAMES: Final = ("name", "room_name", "label")
+"""What rooms are called under, the first of them that is said."""
 DOOR: Final = 0.9
 """How wide an opening that is drawn as a point is, m, where the map does not say."""
 IMDF: Final[Mapping[str, Mapping[str, object]]] = {"automobile": {"kind": "garage_door"}, "pedestrian.principal": {"main_entrance": True}}
@@ -44,6 +46,7 @@ def in_our_words(said: Mapping[str, Any], levels: Mapping[str, object]) -> dict[
         made["id"] = str(made["id"])
     if isinstance(made.get("name"), Mapping):
         made["name"] = next((word for word in made["name"].values() if word), None)
+    made["name"] = next((said for said in [made.pop(key, None) for key in NAMES] if said), None)
     if isinstance(made.get("level_id"), str):
         made["level"] = levels.get(made.pop("level_id"), 0)
     if isinstance(made.get("level"), str) and (found := LEVELS.fullmatch(made["level"])):
@@ -51,6 +54,8 @@ def in_our_words(said: Mapping[str, Any], levels: Mapping[str, object]) -> dict[
     for key in SIZES:
         if isinstance(made.get(key), str) and NUMBER.fullmatch(made[key]):
             made[key] = float(made[key])
+    if "kind" not in made and made.get("type") in ("room", "wall", *get_args(OpeningKind)):
+        made["kind"] = made.pop("type")
     kinds = (made.get(key) for key in ("room", "category", "indoor"))
     told = next((kind for kind in kinds if isinstance(kind, str) and kind and kind not in ANY_ROOM), None)
     made.pop("indoor", None)

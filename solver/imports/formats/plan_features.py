@@ -9,13 +9,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from itertools import pairwise
-from typing import Any, Final
+from typing import Any, Final, get_args
 
 from solver.errors import FieldError
 from solver.imported import Unread
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,
+    DrawnAlong,
     DrawnOpening,
     DrawnPiece,
     DrawnPlan,
@@ -27,6 +28,7 @@ from solver.imports.drawn import (
 )
 from solver.imports.formats.map_features import DOOR, along_walls, in_our_words, levels_of, opening_at, why_left_out
 from solver.imports.plain_values import a_list, a_number, a_text, an_object, one_of
+from solver.imports.shape_openings import longer_line
 from solver.imports.units import unit_named
 from solver.scene import OPENING_KINDS
 
@@ -39,11 +41,13 @@ FEW_DEGREES: Final = 0.005
 """No plan is so small in any unit, but one in degrees."""
 MOST_RINGS: Final = 21
 """Of a room: its outline and its holes."""
-KINDS: Final = {"Polygon": (ROOM,), "LineString": (*OPENING_KINDS, "wall"), "Point": ("furniture",)}
+LINES: Final = (*OPENING_KINDS, "wall")
+KINDS: Final = {"Polygon": (ROOM, *LINES), "LineString": LINES, "Point": ("furniture",)}
 """What a feature may be, by its geometry; the first where it does not say."""
 OWN: Final = ("kind", "name", "type", "id", "level")
+OF_OPENINGS: Final = ("height", "sill", "hinge", "main_entrance")
 TOLD: Final = {
-    "Polygon": (*OWN, "outdoor"), "LineString": (*OWN, "height", "sill", "hinge", "main_entrance", "thickness"),
+    "Polygon": (*OWN, "outdoor", *OF_OPENINGS), "LineString": (*OWN, *OF_OPENINGS, "thickness"),
     "Point": (*OWN, "width", "depth", "height", "rotation", "elevation"),
 }  # fmt: skip
 """What features say of themselves, by their geometry; anything else is of another program, but for a slip of the pen."""
@@ -63,7 +67,7 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     up = one_of(document, "y", ("up", "down"), "plan") == "up"
     rooms: list[DrawnRoom] = []
     openings: list[DrawnOpening] = []
-    walls: list[DrawnWall] = []
+    walls, faces = list[DrawnWall](), list[DrawnWall]()
     pieces: list[DrawnPiece] = []
     thickness, tally = a_number(document, "wall_thickness", "plan", None), Tally()
     unread, widths = list[Unread](), dict[str, float]()
@@ -80,31 +84,29 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
             Unread(f"{where}.properties", f"no property is called {key!r:.60}; {meant}?")
             for key in said if key not in (*TOLD[form], at_point) for meant in get_close_matches(key, TOLD[form], 1)
         ]  # fmt: skip
-        if form == "Polygon":
+        if kind == ROOM:
             tally.add("rooms", most=MOST_ROOMS)
             tally.add("corners of rooms", sum(map(len, (points, *holes))))
-        elif form == "Point":
-            tally.add("furniture")
-        else:
-            tally.add("walls" if kind == "wall" else "openings", len(points) - 1 if kind == "wall" else 1)
-            tally.add("points of lines", len(points), 4 * MOST_POINTS)
-        if form == "Polygon":
             rooms.append(replace(_room(said, points, where), holes=tuple(map(tuple, holes))))
-        elif at_point:
+            continue
+        tally.add("furniture" if form == "Point" else "walls" if kind == "wall" else "openings", len(points) - 1 if kind == "wall" else 1)
+        tally.add("points of lines", sum(map(len, (points, *holes))), 4 * MOST_POINTS)
+        if at_point:
             openings.append(DrawnOpening(at_point, points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
             widths[where] = a_number(said, "width", where, DOOR)
         elif form == "Point":
             pieces.append(_piece(said, points[0], where))
+        elif kind == "wall" and form == "Polygon":
+            faces += _walls(said, [[*ring, ring[0]] for ring in (points, *holes)], 0.0, where)
         elif kind == "wall":
-            walls += [
-                DrawnWall(a, b, a_number(said, "thickness", where, thickness or 0.0), where, _level(said, where)) for a, b in _steps(points)
-            ]
+            walls += _walls(said, (points,), a_number(said, "thickness", where, thickness or 0.0), where)
         else:
-            openings.append(_opening(kind, said, points, where))
-    drawn = one_of(document, "drawn", ("lines", "inner"), "plan")
+            openings.append(_opening(kind, said, longer_line(points) if form == "Polygon" else points, where))
+    drawn = one_of(document, "drawn", ("unsaid", "lines", "inner") if faces else ("lines", "inner"), "plan")
     unit = unit_named(a_text(document, "unit", "plan") or None)
     plan = DrawnPlan(
-        tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), (), unit, "inner" if drawn == "inner" else "lines", thickness,
+        tuple(rooms), tuple(openings), (*walls, *faces), tuple(pieces), (), unit,
+        next(one for one in get_args(DrawnAlong) if one == drawn), thickness,
         tuple(unread),
     )  # fmt: skip
     return _with_wide_doors(_from_degrees(plan) if unit is None else plan, widths)
@@ -200,10 +202,6 @@ def _point(given: object, up: bool, where: str) -> Spot:
     return x, -y if up else y
 
 
-def _steps(points: Sequence[Spot]) -> list[tuple[Spot, Spot]]:
-    return list(pairwise(points))
-
-
 def _level(said: Mapping[str, Any], where: str) -> int:
     return round(a_number(said, "level", where, 0.0))
 
@@ -215,7 +213,11 @@ def _room(said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnRoom:
     )  # fmt: skip
 
 
-def _opening(kind: str, said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnOpening:
+def _walls(said: Mapping[str, Any], lines: Sequence[Sequence[Spot]], thickness: float, where: str) -> Iterator[DrawnWall]:
+    yield from (DrawnWall(a, b, thickness, where, _level(said, where)) for line in lines for a, b in pairwise(line))
+
+
+def _opening(kind: str, said: Mapping[str, Any], points: Sequence[Spot], where: str) -> DrawnOpening:
     hinge = one_of(said, "hinge", ("", "start", "end"), where)
     return DrawnOpening(
         kind, points[0], points[-1], where, a_number(said, "height", where, None), a_number(said, "sill", where, None),  # type: ignore[arg-type]
