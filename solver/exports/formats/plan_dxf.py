@@ -1,7 +1,8 @@
 """DXF: a floor plan for CAD programmes, a file a storey, in metres: layers, a block a kind and size, dimensions that can be edited.
 
 Its frame: x east, y north. A body is an insert of its block at its place and turn, with hidden attributes ID, KIND, Y (its underside in
-the house), SIZE (width, depth, height) and MASS, in m and kg.
+the house), SIZE (width, depth, height) and MASS, in m and kg. What draws a room or an opening has extended data of the application OWN:
+its id; an opening's sill and height, and whether it is the main entrance.
 """
 
 import io
@@ -28,6 +29,10 @@ _LAYER_OF: Final = {"furniture": "FURNITURE", "decoration": "DECORATIONS", "dyna
 _FORBIDDEN: Final = "[^A-Za-z0-9_.-]"
 _LONGEST: Final = 60
 """Letters of a kind in its block's name."""
+OWN: Final = "COMPOSE_HOMES"
+"""The application that extended data is of."""
+_LONGEST_SAID: Final = 255
+"""Bytes of a text in extended data."""
 _METRES: Final = 6
 _QUARTER: Final = math.tan(math.pi / 8)
 """What DXF calls the bulge of a quarter circle."""
@@ -76,6 +81,7 @@ class _DxfPlan:
         self.doc.units = _METRES
         for name, color in LAYERS.items():
             self.doc.layers.add(name, color=color)
+        self.doc.appids.add(OWN)
         self.doc.linetypes.add("DASHED", [0.15, 0.1, -0.05])
         self.doc.layers.get("HIGH").dxf.linetype = "DASHED"
         self.doc.layers.get("OPENINGS").dxf.linetype = "DASHED"
@@ -90,7 +96,7 @@ class _DxfPlan:
         for number, warning in enumerate(self.model.warnings, 1):
             self.doc.header.custom_vars.append(f"Warning {number}", dxf_text(warning))
         for room in storey.rooms:
-            self._polygon(room.corners, "ROOMS")
+            _say(self._polygon(room.corners, "ROOMS"), room.id)
         self._walls(storey.walls)
         for box in storey.railings:
             self._polygon(_corners(box), "RAILINGS")
@@ -126,8 +132,8 @@ class _DxfPlan:
         classes.add_required_classes(self.doc.dxfversion)
         classes.classes = dict(sorted(classes.classes.items()))
 
-    def _polygon(self, corners: Iterable[tuple[float, float]], layer: str) -> None:
-        self.space.add_lwpolyline([_flat(x, z) for x, z in corners], close=True, dxfattribs={"layer": layer})
+    def _polygon(self, corners: Iterable[tuple[float, float]], layer: str) -> Any:
+        return self.space.add_lwpolyline([_flat(x, z) for x, z in corners], close=True, dxfattribs={"layer": layer})
 
     def _walls(self, boxes: Sequence[PlanBox]) -> None:
         """Draws walls as outlines, and filled."""
@@ -140,13 +146,16 @@ class _DxfPlan:
         drawn = {"window": ("WINDOWS", (1.0, 0.24)), "garage_door": ("GARAGE_DOORS", (0.4,)), "passage": ("OPENINGS", (1.0,))}
         layer, shares = drawn.get(opening.kind, ("DOORS", ()))
         for share in shares:
-            self._polygon(_corners(opening_box(opening, share)), layer)
+            _say_opening(self._polygon(_corners(opening_box(opening, share)), layer), opening)
 
     def _leaf(self, leaf: DoorLeaf) -> None:
-        self._polygon(open_leaf(leaf).corners, "DOORS")
+        drawn = [self._polygon(open_leaf(leaf).corners, "DOORS")]
         start, end = sorted((leaf.closed, leaf.closed + leaf.swing))
         x, _, z = leaf.hinge
-        self.space.add_arc(_flat(x, z), leaf.width, start, end, dxfattribs={"layer": "DOORS"})
+        drawn.append(self.space.add_arc(_flat(x, z), leaf.width, start, end, dxfattribs={"layer": "DOORS"}))
+        (opening,) = (one for one in self.storey.openings if one.id == leaf.opening)
+        for entity in drawn:
+            _say_opening(entity, opening)
 
     def _body(self, body: ModelBody) -> None:
         layer = "HIGH" if body.y >= HIGH and body.sort != "dynamic" else _LAYER_OF[body.sort]
@@ -214,6 +223,16 @@ class _DxfPlan:
             dxf_text(words).replace("%%", "% %"), height=round(look.size, 6), dxfattribs=shown
         )
         text.set_placement(at, align=TextEntityAlignment[look.align])
+
+
+def _say_opening(entity: Any, opening: PlacedOpening) -> None:
+    lengths = (opening.sill, opening.head - opening.sill)  # a CAD programme scales them with the entity
+    _say(entity, opening.id, *((1041, _tidy(one)) for one in lengths), (1070, int(opening.is_main_entrance)))
+
+
+def _say(entity: Any, name: str, *more: tuple[int, float]) -> None:
+    """Gives an entity extended data."""
+    entity.set_xdata(OWN, [(1000, dxf_text(name).encode()[:_LONGEST_SAID].decode(errors="ignore")), *more])
 
 
 def _mark(block: Any, mark: PlanMark) -> None:

@@ -6,7 +6,8 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 import math
 from codecs import BOM_UTF8
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from importlib import import_module
 from io import StringIO
 from itertools import islice, pairwise
@@ -18,6 +19,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import DrawnPlan, Spot
+from solver.imports.plain_values import a_number
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import told_by_doors
@@ -27,6 +29,11 @@ METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14
 MOST_ENTITIES: Final = 50_000
 BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
+OWN: Final = "COMPOSE_HOMES"
+"""The application of our export's extended data."""
+TEXT: Final = 1000
+OF_OPENINGS: Final = {TEXT: ("id",), 1041: ("sill", "height"), 1070: ("main_entrance",)}
+"""What that says, by its codes."""
 MOST_PARTS: Final = 150_000
 """Entities, vertices and entries of tables in a file, counted before it is read."""
 UNREAD: Final = frozenset({"CLASSES", "OBJECTS", "ACDSDATA", "THUMBNAILIMAGE"})
@@ -228,7 +235,9 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -
     make_path = import_module("ezdxf.path").make_path
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     passed: Counter[tuple[str, str]] = Counter()
+    said: defaultdict[str, Sequence[Any]] = defaultdict(tuple)
     for one, layer, sort, where in _opened(space, names):
+        said[where] = one.get_xdata(OWN) if one.has_xdata(OWN) and not one.is_virtual else ()
         kind, (shapes, texts, swings) = one.dxftype(), sheets[names.storey(layer)]
         if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
             swings += [DrawnSwing(*arc, where, sort) for arc in arcs]
@@ -247,7 +256,20 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
-    return plan_of_shapes(side_by_side(sheets), told, metres, unread)
+    plan = plan_of_shapes(side_by_side(sheets), told, metres, unread)
+    return replace(
+        plan, rooms=tuple(_told_itself(one, said[one.where], {TEXT: ("id",)}) for one in plan.rooms),
+        openings=tuple(_told_itself(one, said[one.where], OF_OPENINGS) for one in plan.openings),
+    )  # fmt: skip
+
+
+def _told_itself(one: Any, said: Sequence[Any], meant: Mapping[int, Sequence[str]]) -> Any:
+    """Returns a room or an opening with what our export's extended data says of it."""
+    found: dict[str, Any] = {}
+    for code, keys in meant.items():
+        values = [tag.value for tag in said if tag.code == code]
+        found |= dict(zip(keys, values, strict=True)) if len(values) == len(keys) else {}
+    return replace(one, **{key: value if key == "id" else a_number(found, key, one.where) for key, value in found.items()})
 
 
 def _is_quarter(one: Any, kind: str) -> bool:
