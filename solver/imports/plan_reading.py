@@ -76,7 +76,9 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "procthor": PlanReader("house JSON of ProcTHOR and AI2-THOR", lambda file: is_procthor(file.document), _document(read_procthor)),
     "rplan": PlanReader("apartments of RPLAN as HouseGAN++ keeps them", lambda file: is_rplan(file.document), _document(read_rplan)),
     "sh3d": PlanReader(
-        "Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), lambda file: read_sweet_home(file.content)
+        "Sweet Home 3D: .sh3d, or its Home.xml",
+        lambda file: is_sweet_home(file.content),
+        lambda file: read_sweet_home(file.content, file.metres, file.catalogs),
     ),
     "dxf": PlanReader(
         "DXF: layers of rooms, walls, doors, windows",

@@ -142,7 +142,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     swings = [one for one in swings if one.sort or not is_swung]
     shapes = _told_by_form(shapes, swings, names, metres)
     drawn_rooms, drawn_walls = ([one for one in shapes if one.sort == sort] for sort in ("room", "wall"))
-    rooms = [_room(one, texts) for one in drawn_rooms if one.closed and len(one.points) > 2]
+    rooms = [labelled(DrawnRoom(one.points, one.label, one.where), texts) for one in drawn_rooms if one.closed and len(one.points) > 2]
     outlines = [(one.round(), one.closed) for one in drawn_walls]
     loose = [one for one in drawn_rooms if len(one.points) > 1 and not (one.closed and len(one.points) > 2)]
     are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
@@ -164,7 +164,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
-    rooms += [replace(room, label=_label(room, texts)) for room in found]
+    rooms += [labelled(room, texts) for room in found]
     told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
     told += (*_left_names(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
@@ -320,14 +320,10 @@ def _short_walls(box: DrawnBox, where: str, known: Sequence[float]) -> Iterator[
             yield DrawnWall(start, end, thickness, where)
 
 
-def _room(shape: DrawnShape, texts: Sequence[DrawnText]) -> DrawnRoom:
-    room = DrawnRoom(shape.points, shape.label, shape.where)
-    return room if shape.label else replace(room, label=_label(room, texts))
-
-
-def _label(room: DrawnRoom, texts: Sequence[DrawnText]) -> str:
-    """Returns the first text in a room that plainly names one, else the first that is no number."""
-    return min(_texts_in(room, texts), key=lambda one: not one.means, default=DrawnText("", 0.0, 0.0)).words
+def labelled(room: DrawnRoom, texts: Sequence[DrawnText]) -> DrawnRoom:
+    """Returns a room, one without a label called by the first text in it that plainly names one, else the first that is no number."""
+    inside = [] if room.label else sorted(_texts_in(room, texts), key=lambda one: not one.means)
+    return replace(room, label=inside[0].words) if inside else room
 
 
 def _texts_in(room: DrawnRoom, texts: Sequence[DrawnText]) -> list[DrawnText]:

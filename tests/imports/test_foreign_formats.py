@@ -142,6 +142,24 @@ def test_storeys_are_told_apart() -> None:
     assert [room.type for room in read(sweet_home(levels, *rooms), level=1).scene.rooms] == ["bedroom"]
 
 
+def label(words: str, x: float, y: float, more: str = "") -> str:
+    return f"<label x='{x}' y='{y}' {more}><text>{words}</text></label>"
+
+
+@pytest.mark.parametrize("rooms", [(), (drawn_room("", 0, 0, 400, 400), drawn_room("", 410, 0, 1000, 400))])
+def test_labels_name_the_rooms_without_a_name_that_they_stand_in(rooms: tuple[str, ...]) -> None:
+    labels = label("to be painted", 190, 90), label("Cuisine", 200, 200), label("Salon", 700, 100), label("Bedroom", 1500, 100)
+    check_sweet_home(read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *rooms, *labels, DOOR, FRONT, WINDOW, BED)))
+
+
+def test_labels_of_another_storey_or_of_no_room_and_of_named_rooms_name_none() -> None:
+    levels = "<level id='a' elevation='0' height='250'/><level id='b' elevation='250' height='250'/>"
+    drawn = [drawn_room("Office", 0, 0, 400, 400, more="level='a'"), drawn_room("", 500, 0, 900, 400, more="level='a'")]
+    labels = label("Kitchen", 200, 200, "level='a'"), label("Bath", 700, 200, "level='b'"), label("to be painted", 700, 200, "level='a'")
+    office, other = read(sweet_home(levels, *drawn, *labels)).scene.rooms
+    assert (office.type, other.type, other.extra.get("name")) == ("office", "room", None)
+
+
 def test_a_home_of_an_old_version_is_refused_with_what_to_do() -> None:
     with pytest.raises(FieldError, match="save it again"):
         read(packed(Home=b"java"))

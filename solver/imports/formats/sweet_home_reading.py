@@ -5,21 +5,40 @@ Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Ro
 
 import math
 import re
+from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Final, Literal
 from xml.etree.ElementTree import Element
 
+from catalogs import Catalogs, load_catalogs
+from catalogs.synonyms import drawn_names_of
 from solver.errors import SyntaxFault
 from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
 from solver.imports.bounded_files import ZIP, member_of, numbered, xml_of
-from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, DrawnWall, OpeningKind
+from solver.imports.drawn import (
+    MOST_POINTS,
+    DrawnLevel,
+    DrawnOpening,
+    DrawnPiece,
+    DrawnPlan,
+    DrawnRoom,
+    DrawnWall,
+    OpeningKind,
+    check_count,
+    check_plan,
+)
 from solver.imports.plain_values import a_number
+from solver.imports.shapes_plan import DrawnText, labelled, text_at
+from solver.imports.walls_alone import with_rooms_between
 
 HOME: Final = "Home.xml"
 OLD: Final = "Home"
 """What the archives of older versions hold instead."""
 CM: Final = 0.01
+LONGEST: Final = 200
+"""Letters of a name."""
 SILL: Final = 30.0
 """An opening whose underside is higher, cm, is a window."""
 PASSAGES: Final = ("passage", "frame", "opening", "archway")
@@ -35,8 +54,10 @@ def is_sweet_home(content: bytes) -> bool:
     return b"<home" in content[:1000]
 
 
-def read_sweet_home(content: bytes) -> DrawnPlan:
-    """Reads a home.
+def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
+    """Reads a home; `metres` is the length of its unit, where the caller says it.
+
+    The catalogs' names of rooms are looked for among the labels in rooms without a name.
 
     Raises:
         SyntaxFault: it is none, or of a version before 5.3.
@@ -59,6 +80,8 @@ def read_sweet_home(content: bytes) -> DrawnPlan:
     openings: list[DrawnOpening] = []
     pieces: list[DrawnPiece] = []
     unread: list[Unread] = []
+    texts, names = defaultdict[int, list[DrawnText]](list), drawn_names_of(catalogs or load_catalogs())
+    check_count("labels", len(root.findall("label")), MOST_POINTS)
     for element, where in numbered(root.iter(), HOME):
         level = ids.get(element.get("level", ""), 0)
         if element.tag == "room":
@@ -67,11 +90,17 @@ def read_sweet_home(content: bytes) -> DrawnPlan:
             walls += _wall(element, where, level, unread)
         elif element.tag == "doorOrWindow":
             openings.append(_opening(element, where, level))
+        elif element.tag == "label":
+            spot, words = (_number(element, "x", where), _number(element, "y", where)), element.findtext("text", "")[:LONGEST]
+            texts[level] += [text for text in (text_at(words, spot, names),) if text.means]
         elif element.tag in PIECES:
             pieces += _piece(element, where, level, unread)
     drawn, thickness = drawn_along(rooms, walls)
     named = tuple(DrawnLevel(number, one.said, one.elevation, one.height) for number, one in enumerate(levels))
-    return DrawnPlan(tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread))
+    plan = DrawnPlan(tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread))
+    check_plan(plan)
+    plan = with_rooms_between(plan, metres)
+    return replace(plan, rooms=tuple(labelled(room, texts[room.level]) for room in plan.rooms))
 
 
 class _Storey:
@@ -114,7 +143,7 @@ def _room(element: Element, where: str, level: int) -> DrawnRoom:
     said = _said(element)
     return DrawnRoom(
         points,
-        element.get("name", "")[:200],
+        element.get("name", "")[:LONGEST],
         where,
         said.get("type", ""),
         level,
@@ -173,7 +202,7 @@ def _kind(name: str, sill: float, said: str) -> OpeningKind:
 
 
 def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnPiece]:
-    name = element.get("name", "")[:200]
+    name = element.get("name", "")[:LONGEST]
     if element.get("visible") == "false":
         unread.append(Unread(where, f"{name!r:.60}: it is hidden"))
         return
