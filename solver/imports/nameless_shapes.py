@@ -105,7 +105,7 @@ def _rows(sides: Sequence[_Side], axis: str) -> np.ndarray:
 
 
 def _side_by_side(places: Sequence[int], shapes: Sequence[DrawnShape], scale: float) -> list[int]:
-    """Returns shapes but for single lines beside which, as far as a wall is thick, no other runs: lengths, axes, frames."""
+    """Returns shapes but for single lines, longer than a wall is thick, beside which, so far away, no other runs: lengths, axes, frames."""
     sides = list(_sides(shapes, places, scale))
     rows = {axis: _rows(sides, axis) for axis in ("x", "z")}
     alone = set()
@@ -113,7 +113,7 @@ def _side_by_side(places: Sequence[int], shapes: Sequence[DrawnShape], scale: fl
         ats, lows, highs, _ = rows[axis]
         common = np.maximum(np.minimum(highs, high) - np.maximum(lows, low), 0)
         beside = (np.abs(ats - at) >= THINNEST) & (np.abs(ats - at) <= THICKEST)
-        if len(shapes[shape].points) == 2 and 2 * common[beside].sum() < high - low:
+        if len(shapes[shape].points) == 2 and high - low > THICKEST and 2 * common[beside].sum() < high - low:
             alone.add(shape)
     return [at for at in places if at not in alone]
 

@@ -24,7 +24,11 @@ LEAVES = (((4400, 2500), (5300, 2500), (4400, 3400)), ((1500, 4700), (1500, 3800
 """A hinge, where the open leaf ends, where the shut one does."""
 
 
-def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, names: bool = True) -> Any:
+STUB = [(3300, 300), (3300, 1300), (3000, 1300), (3000, 300)]
+"""A wall that juts out into the kitchen and ends there: what its end is drawn as runs beside no other line."""
+
+
+def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, names: bool = True, stub: bool = False) -> Any:
     """The plan with its walls as outlines or as single lines, doors as leaves and arcs, a window as three lines, on some layers."""
     made: Any = files.new("R2010")
     made.header["$INSUNITS"] = 4
@@ -34,7 +38,7 @@ def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, 
     def at(x: float, y: float) -> tuple[float, float]:
         return c * x - s * y, s * x + c * y
 
-    for spots in FACES:
+    for spots in (FACES[0], [*FACES[1][:-1], *(STUB if stub else []), FACES[1][-1]]):
         if closed:
             space.add_lwpolyline([at(*spot) for spot in spots], close=True, dxfattribs={"layer": layers["wall"]})
         else:
@@ -66,6 +70,15 @@ def seen(answer: PlanImport) -> list[tuple[str, list[tuple[str, float]]]]:
 
 
 WANTED = [("bedroom", [("door", 0.9)]), ("kitchen", [("door", 0.9), ("door", 0.9), ("window", 1.2)])]
+
+
+@pytest.mark.parametrize("names", [False, True])
+def test_the_end_of_a_wall_keeps_a_room_out_of_it(names: bool) -> None:
+    answer = imported(drawing(ONE, names=names, stub=True))
+    assert sorted(len(room.openings) for room in answer.scene.rooms) == [1, 3]
+    assert answer.scene.wall_thickness == 0.1
+    kitchen = min(answer.scene.rooms, key=lambda room: room.x)
+    assert (round(kitchen.width, 2), round(kitchen.depth, 2), len(kitchen.outline or ())) == (4.2, 4.5, 8)
 
 
 @pytest.mark.parametrize("layers", [ONE, NUMBERS])
