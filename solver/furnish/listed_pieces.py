@@ -167,8 +167,8 @@ def _unlikely(piece: Piece, dear: float) -> set[tuple[str, Stance]]:
 
 def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
     kind, subject = listed.kind, listed.subject
-    links = [link for spec in listed.to_pieces for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
     ways, only = _candidates(listed), (kind.name, kind.size)
+    links = [link for spec in listed.to_pieces if ways for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
     return Piece(label, required, ways, tuple(links), kind.stands, kind.need_all, skip_cost=GONE, only=only)
 
 

@@ -9,7 +9,7 @@ from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
-from solver.pipeline.rounds import Round, best_placement, other_placements, settled
+from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
@@ -85,8 +85,8 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     apart = [without_partings(request, gone) for request in pieces]
     if apart != [*pieces] and not is_call_spent():
         listed = replace(in_room(apart, setting=task.setting, as_sent=True), requests=task.requests)
-        other = best_placement(listed, listed.pieces)
-        if other.score < found.score:
+        other = quick_placement(listed, listed.pieces)
+        if other.score < found.score and not other.breaking:
             task, found = listed, replace(other, whole=False)
     if found.score[0] and not is_call_spent():
         bare = in_room([without_wishes(piece) for piece in pieces], setting=task.setting._replace(flush=True))

@@ -163,10 +163,10 @@ def without_wishes(request: PieceRequest) -> PieceRequest:
 
 
 def without_partings(request: PieceRequest, gone: set[str]) -> PieceRequest:
-    """Returns a request of a piece that is gone without what keeps it away from others that are gone, too; any other as it is."""
+    """Returns a request of a piece that is gone without what has to keep it away from others that are gone, too; any other as it is."""
     if gone.isdisjoint(request.labels):
         return request
-    held = [spec for spec in request.relations if RELATIONS[spec.type].with_all and gone.issuperset(spec.of)]
+    held = [spec for spec in request.relations if spec.required and RELATIONS[spec.type].with_all and gone.issuperset(spec.of)]
     return replace(request, relations=tuple(spec for spec in request.relations if spec not in held))
 
 

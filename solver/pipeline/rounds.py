@@ -78,7 +78,7 @@ def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     best, given_up = _best(task, wanted), list[str]()
     while broken := best.breaking:
         given_up.append(broken[-1])
-        wanted = [replace(piece, candidates=()) if piece.label in given_up else piece for piece in wanted]
+        wanted = [replace(piece, candidates=(), links=()) if piece.label in given_up else piece for piece in wanted]
         best = _best(task, wanted)
     return replace(best, given_up=tuple(given_up))
 
@@ -190,7 +190,7 @@ def settled(task: PlaceTask, found: Round) -> Placement:
 
 
 def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]:
-    """Returns the most blamed first, each behind what it refers to, and last who cannot stand; ties in the order given."""
+    """Returns the most blamed first, each behind what it refers to; ties in the order given."""
     by_label = {piece.label: piece for piece in wanted}
     ordered: dict[str, Piece] = {}
 
@@ -200,7 +200,7 @@ def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]
                 add(by_label[label])
         ordered.setdefault(piece.label, piece)
 
-    for piece in sorted(wanted, key=lambda piece: (not piece.candidates, -blame[piece.label])):
+    for piece in sorted(wanted, key=lambda piece: -blame[piece.label]):
         add(piece)
     return list(ordered.values())
 
