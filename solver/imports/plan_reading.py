@@ -71,25 +71,17 @@ def _document(read: Callable[[Mapping[str, Any]], DrawnPlan]) -> Callable[[PlanF
     return read_file
 
 
+def _drawing(read: Callable[[bytes, float | None, Catalogs | None], DrawnPlan]) -> Callable[[PlanFile], DrawnPlan]:
+    return lambda file: read(file.content, file.metres, file.catalogs)
+
+
 READERS: Final[Mapping[str, PlanReader]] = {
     "geojson": PlanReader("GeoJSON of rooms, for plans of your own", lambda file: is_features(file.document), _document(read_features)),
     "procthor": PlanReader("house JSON of ProcTHOR and AI2-THOR", lambda file: is_procthor(file.document), _document(read_procthor)),
     "rplan": PlanReader("apartments of RPLAN as HouseGAN++ keeps them", lambda file: is_rplan(file.document), _document(read_rplan)),
-    "sh3d": PlanReader(
-        "Sweet Home 3D: .sh3d, or its Home.xml",
-        lambda file: is_sweet_home(file.content),
-        lambda file: read_sweet_home(file.content, file.metres, file.catalogs),
-    ),
-    "dxf": PlanReader(
-        "DXF: layers of rooms, walls, doors, windows",
-        lambda file: is_dxf(file.content),
-        lambda file: read_dxf(file.content, file.metres, file.catalogs),
-    ),
-    "svg": PlanReader(
-        "SVG: shapes called rooms, walls, doors, windows",
-        lambda file: is_svg(file.content),
-        lambda file: read_svg(file.content, file.metres, file.catalogs),
-    ),
+    "sh3d": PlanReader("Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), _drawing(read_sweet_home)),
+    "dxf": PlanReader("DXF: layers of rooms, walls, doors, windows", lambda file: is_dxf(file.content), _drawing(read_dxf)),
+    "svg": PlanReader("SVG: shapes called rooms, walls, doors, windows", lambda file: is_svg(file.content), _drawing(read_svg)),
     "ifc": PlanReader("IFC 2x3 and 4", lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
 }
 """The formats by name."""
