@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "3fc29a0c777f2758caf2f79ad0f44d336509577ce0c1e00dff3c39480736b65c"
+GOLDEN = "5ddefcf5bc4844ddb87f6c1a93e1522418b33c69b30a013ee79f9bb3fa31220e"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

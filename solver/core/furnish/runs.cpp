@@ -6,7 +6,7 @@ namespace furnish {
 
 // The best run is searched for so many times from the start, each time in so many draws: of the first all is drawn, of the others so many
 // numbers of the best one so far are drawn anew (measured: 5,000 at random find dearer ones).
-constexpr i32 SEARCHES = 8, DRAWS = 60, AT_RANDOM = 15, CHANGES = 4;
+constexpr i32 SEARCHES = 8, DRAWS = 100, AT_RANDOM = 32, CHANGES = 4;
 // What a run without a piece that it could hold costs, and how often one is drawn without it.
 constexpr f64 MISSED_COST = 6.0, MISSED_CHANCE = 0.3;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.

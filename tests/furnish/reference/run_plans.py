@@ -25,7 +25,7 @@ from tests.furnish.reference.effects import effect_of
 from tests.furnish.reference.occupancy import TakenWalls
 from tests.furnish.reference.own_places import at_wall
 
-SEARCHES, DRAWS, AT_RANDOM, CHANGES = 8, 60, 15, 4
+SEARCHES, DRAWS, AT_RANDOM, CHANGES = 8, 100, 32, 4
 """How often the best run is searched for from the start, and in how many draws; how many of these are at random, and how many numbers of
 the best one so far are drawn anew in each of the others."""
 OF_PIECES = 10
