@@ -28,3 +28,11 @@ def said(run: subprocess.CompletedProcess[bytes] | Sequence[str]) -> str:
     words = run.stderr.decode()
     assert "Traceback" not in words
     return words
+
+
+def is_gone(process: int) -> bool:
+    """Tells whether a process has ended, also where nobody has asked for its status yet."""
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True

@@ -13,7 +13,7 @@ import pytest
 from service.cli import INTERRUPTED, main
 from service.many import BATCH
 from service.pool import AHEAD
-from tests.cli.programs import GUARD_S, PROGRAM, ROOT, said
+from tests.cli.programs import GUARD_S, PROGRAM, ROOT, is_gone, said
 
 SCENE = b'{"rooms": [{"id": "den", "width": 4, "depth": 3}]}'
 
@@ -101,15 +101,14 @@ def test_a_process_that_is_just_starting_ends_with_the_others(tmp_path: Path) ->
     (tmp_path / "jobs.py").write_text(STARTS_LATE)
     command = [PROGRAM[0], str(tmp_path / "jobs.py"), str(tmp_path)]
     with subprocess.Popen(command, start_new_session=True, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
-        while not ((tmp_path / "pid").exists() and (tmp_path / "second").exists()):
-            assert run.poll() is None
-            time.sleep(0.01)
-        run.send_signal(signal.SIGTERM)
-        stat = Path("/proc", (tmp_path / "pid").read_text(), "stat")
-        while stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z":
-            time.sleep(0.01)
-        (tmp_path / "told").touch()
         try:
+            while not ((tmp_path / "pid").exists() and (tmp_path / "second").exists()):
+                assert run.poll() is None
+                time.sleep(0.01)
+            run.send_signal(signal.SIGTERM)
+            while not is_gone(int((tmp_path / "pid").read_text())):
+                time.sleep(0.01)
+            (tmp_path / "told").touch()
             assert run.wait(GUARD_S) == INTERRUPTED
         finally:
             if run.poll() is None:

@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from tests.browser.service_process import ServiceProcess, descendants, running
-from tests.cli.programs import GUARD_S, ROOT
+from tests.cli.programs import GUARD_S, ROOT, is_gone
 
 FEW = ("--processes", "1", "--light-processes", "1", "--grace-seconds", f"{GUARD_S}")
 SOFAS = {"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}
@@ -55,14 +55,6 @@ def is_listening(service: ServiceProcess) -> bool:
     except ConnectionRefusedError:
         return False
     return True
-
-
-def is_gone(process: int) -> bool:
-    """Tells whether a process has ended, also where nobody has asked for its status yet."""
-    try:
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
-    except OSError:
-        return True
 
 
 def test_a_stop_answers_what_was_accepted() -> None:
