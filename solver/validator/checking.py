@@ -114,6 +114,7 @@ def _checked(scene: Scene, kinds: Kinds, before: tuple[_Judged, ...]) -> Checked
     for places in storeys(world):
         cases.update((case.room.room.id, case) for case in _storey_cases(world, places, table, same, cases))
     rooms = tuple(_judge(cases[place.room.id], same.get(place.room.id)) for place in world.places)
+    cases.clear()  # each holds them all: nothing would be freed before the collector came
     found = (issue for one in rooms if one.issues for rule in CHECKS for issue in one.issues.get(rule, ()))
     return Checked(scene, (*homeless(scene), *found), kinds, rooms)
 
