@@ -229,7 +229,7 @@ def _went(before: SentBody, now: SentBody, way: tuple[float, float]) -> bool:
     return near and replace(now, x=before.x, z=before.z) == before
 
 
-VERSION: Final = 2
+VERSION: Final = 3
 _HEAD: Final = Struct("<6q")
 _MOVER: Final = Struct("<2q")
 _RIDER: Final = Struct("<q")

@@ -1,10 +1,10 @@
 """Rooms and storeys as the core reads them (solver/core/validate/room.hpp and walk.hpp)."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import count
-from struct import Struct
+from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, KindKey, rows_in
@@ -24,17 +24,15 @@ _NO_SUCH_WALL: Final = 4
 _FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
 """How a body is turned: its width along x, along z, or neither."""
-_MOST_TURNED: Final = 20_000
 
 
 class Floors(NamedTuple):
     """What is said of a storey's floor besides its rooms.
 
-    `bridges` are floor inside doorways between walls that lie apart, `entrances` a step of floor along every door that one comes in by; a
-    tile of the floor holds `most` boxes before it is halved. `deepest_wall`: as far two rooms' wall lines may lie apart at an opening.
+    `entrances` are a step of floor along every door that one comes in by; a tile of the floor holds `most` boxes before it is halved.
+    `deepest_wall`: as far two rooms' wall lines may lie apart at an opening.
     """
 
-    bridges: Sequence[ExactBox]
     entrances: Sequence[ExactBox]
     most: int
     deepest_wall: int
@@ -77,13 +75,14 @@ def room_bytes(world: World, place: PlacedRoom, kinds: NumberedKinds) -> bytes:
     return b"".join([head, *boxes, *lines, openings.rows, *bodies.told, bodies.rows])
 
 
-def storey_bytes(world: World, placed: Iterable[tuple[PlacedRoom, bytes]], kinds: NumberedKinds, floors: Floors) -> bytes:
+def storey_bytes(world: World, placed: Sequence[tuple[PlacedRoom, bytes]], kinds: NumberedKinds, floors: Floors) -> bytes:
     """Returns the rooms of a storey as bytes."""
     rooms = [_PLACE.pack(place.x, place.z) + rows for place, rows in placed]
-    bridges, entrances, most, deepest = floors
-    counts = len(rooms), len(bridges), len(entrances), most, len(kinds), 0
+    entrances, most, deepest = floors
+    turns = _TURNS if any(rows_in(place.room, sort) for place, _ in placed for sort in (FurnitureRows, DecorationRows)) else b""
+    counts = len(rooms), len(entrances), len(turns) // _TURN.size, most, len(kinds), 0
     head = _STOREY.pack(world.half_wall, reach_of(world), deepest, *counts)
-    return b"".join([head, *(_BOX.pack(*box) for box in (*bridges, *entrances)), kinds.sent(), *rooms])
+    return b"".join([head, *(_BOX.pack(*box) for box in entrances), turns, kinds.sent(), *rooms])
 
 
 def reach_of(world: World) -> int:
@@ -136,22 +135,8 @@ def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
 
 
 def _as_told(bodies: BodyRows, kinds: NumberedKinds) -> bytes:
-    """Returns bodies that are told as rows already, and behind them how each is turned, and its kind."""
-    turned = zip(bodies.turns, map(kinds.__getitem__, bodies.looks), strict=True)
-    return bodies.content + b"".join(map(_TURNED.__getitem__, turned))
-
-
-class _Turned(dict[tuple[int, int], bytes]):
-    """How bodies are turned, and their kind's number in their room, by both."""
-
-    def __missing__(self, key: tuple[int, int]) -> bytes:
-        if len(self) >= _MOST_TURNED:
-            self.clear()
-        found = self[key] = _turn(key[0]) + key[1].to_bytes(8, "little")
-        return found
-
-
-_TURNED: Final = _Turned()
+    """Returns bodies that are told as rows already, and behind them the number of each one's kind."""
+    return bodies.content + pack(f"<{len(bodies)}q", *map(kinds.__getitem__, bodies.looks))
 
 
 @lru_cache(maxsize=1024)
@@ -163,3 +148,7 @@ def _turn(rotation: float) -> bytes:
         return _TURN.pack(cosine, sine, abs(cosine), abs(sine), _CROSSWISE if rotation % 180 == 90 else _ALONG, turns)
     angle, within = math.radians(rotation), math.radians(rotation % 360)
     return _TURN.pack(math.cos(angle), math.sin(angle), abs(math.cos(within)), abs(math.sin(within)), _BETWEEN, turns)
+
+
+_TURNS: Final = b"".join(map(_turn, range(360)))
+"""How what is told as rows is turned, by degrees."""

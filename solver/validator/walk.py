@@ -4,7 +4,7 @@ The work is the core's (solver/core/validate/walk.hpp): the square's centre is f
 lattice.py for why gaps of exactly the square's side pass.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct, pack
 from typing import Final, NamedTuple
@@ -13,9 +13,9 @@ from solver.core import ask
 from solver.demanded import demand, still_allowed
 from solver.scene import EXTERIOR
 from solver.validator.kinds import Kinds
-from solver.validator.lattice import ExactBox, WallEdge, exact
+from solver.validator.lattice import WallEdge, exact
 from solver.validator.sent_rooms import Floors, NumberedKinds, room_bytes, storey_bytes
-from solver.validator.world import OPPOSITE, WAYS, Hole, PlacedRoom, World
+from solver.validator.world import WAYS, Hole, PlacedRoom, World
 
 DEEPEST_WALL: Final = exact(0.6)
 """As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
@@ -96,7 +96,7 @@ def judged_storey(
     places = tuple(place for place, _ in placed)
     entrances = _entrances(places)
     steps = [line.strip(line.start, line.end, 1) for line in (_line(place, hole) for place, hole in entrances)]
-    rows = storey_bytes(world, placed, kinds, Floors(list(_bridges(world, places)), steps, MOST, DEEPEST_WALL))
+    rows = storey_bytes(world, placed, kinds, Floors(steps, MOST, DEEPEST_WALL))
     most_looks = int(min(still_allowed() / LOOK_WORK, ANY_NUMBER))
     told = ask("judge_storey", rows, pack(f"<{len(asked)}q", *asked), numbers=[most, most_looks])
     tiles, cells, comes_in, count, looks = _FLOOR.unpack_from(told)
@@ -131,26 +131,6 @@ def _judged_rows(told: bytes, at: int, count: int) -> tuple[Sequence[JudgedRows]
 def _line(place: PlacedRoom, hole: Hole) -> WallEdge:
     """Returns the piece of wall line that a hole is in, in the house."""
     return hole.edge.moved(place.x, place.z)
-
-
-def _bridges(world: World, places: Iterable[PlacedRoom]) -> Iterator[ExactBox]:
-    """Yields the floor inside doorways between walls that lie apart."""
-    for place in places:
-        for hole in place.holes:
-            beyond = world.by_id.get(hole.opening.connects_to or "") if hole.opening.kind in WAYS else None
-            if beyond is not None:
-                yield from _bridges_to(_line(place, hole), beyond)
-
-
-def _bridges_to(cut: WallEdge, beyond: PlacedRoom) -> Iterator[ExactBox]:
-    for edge in beyond.edges:
-        if edge.side != OPPOSITE[cut.side]:
-            continue
-        wall = edge.moved(beyond.x, beyond.z)
-        gap = (cut.line - wall.line) * (1 if cut.side in ("north", "west") else -1)
-        start, end = max(cut.start, wall.start), min(cut.end, wall.end)
-        if 0 < gap <= DEEPEST_WALL and start < end:
-            yield cut.strip(start, end, 0, outwards=gap)
 
 
 def _entrances(places: Sequence[PlacedRoom]) -> list[tuple[PlacedRoom, Hole]]:

@@ -17,7 +17,6 @@ SIDES: Final = ("south", "east", "north", "west")
 """Where a front looks after 0, 1, 2, 3 quarter turns."""
 TURNS_TO: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 """How many quarter turns a side is from the front."""
-OPPOSITE: Final = {"north": "south", "south": "north", "east": "west", "west": "east"}
 FLAT: Final = exact(0.02)
 """Rugs and mats: what is no higher is not a body (docs/scene.md)."""
 DOOR_KINDS: Final = ("door", "passage")

@@ -33,7 +33,7 @@ def sent(*furniture: Furniture) -> bytes:
     """A storey of one room as the core reads it."""
     world = world_of(Scene(rooms=(Room("room", width=4.0, depth=4.0, furniture=furniture),)))
     kinds = NumberedKinds(kinds_of(KNOWN))
-    return storey_bytes(world, [(world.places[0], room_bytes(world, world.places[0], kinds))], kinds, Floors((), (), 400, 0))
+    return storey_bytes(world, [(world.places[0], room_bytes(world, world.places[0], kinds))], kinds, Floors((), 400, 0))
 
 
 def judged(rows: bytes, most: int = ANY_NUMBER) -> list[tuple[int, ...]]:

@@ -23,26 +23,30 @@ static Body body_of(const BodyRow& row) {
   return body;
 }
 
-static BodyRow body_row(const ToldBody& thing, const ThingLook& look, Sort sort) {
+static BodyRow body_row(const ToldBody& thing, const Turned& turned, i64 kind, Sort sort) {
   constexpr f64 MM = 1000.0;
   const auto middle = [](i64 low, i64 high) { return static_cast<f64>(low + high) / (2.0 * MM); };
   const auto metres = [](i64 length) { return static_cast<f64>(length) / MM; };
   BodyRow row{};
   row.x = middle(thing.rect.x0, thing.rect.x1), row.y = metres(thing.low), row.z = middle(thing.rect.z0, thing.rect.z1);
   row.width = metres(thing.width), row.depth = metres(thing.depth), row.height = metres(thing.height);
-  row.cosine = look.cosine, row.sine = look.sine, row.cosine_size = look.cosine_size, row.sine_size = look.sine_size;
-  row.turn = look.turn, row.quarters = look.quarters, row.sort = sort;
+  row.cosine = turned.cosine, row.sine = turned.sine, row.cosine_size = turned.cosine_size, row.sine_size = turned.sine_size;
+  row.turn = turned.turn, row.quarters = turned.quarters, row.sort = sort;
   row.wall = thing.wall == static_cast<i32>(Wall::none) ? -1 : thing.wall;
-  row.kind = look.kind >= 0 && look.kind < (1 << 30) ? static_cast<i32>(look.kind) : -1;
+  row.kind = kind >= 0 && kind < (1 << 30) ? static_cast<i32>(kind) : -1;
   return row;
 }
 
-// Reads bodies that are sent as they were put there; their ids are numbered from `first` on.
-static void read_things(Reader& reader, i32 count, Sort sort, i32 first, List<BodyRow>& rows) {
+// Reads bodies that are sent as they were put there, and their kinds; their ids are numbered from `first` on.
+static void read_things(Reader& reader, i32 count, Span<Turned> turns, Sort sort, i32 first, List<BodyRow>& rows) {
   const Span<ToldBody> things = reader.take<ToldBody>(count);
-  const Span<ThingLook> looks = reader.take<ThingLook>(count);
+  const Span<i64> kinds = reader.take<i64>(count);
   const i32 before = rows.size();
-  for (i32 i = 0; i < count; i++) rows.add(body_row(things[i], looks[i], sort)).name = first + i;
+  for (i32 i = 0; i < count; i++) {
+    const i32 degrees = things[i].rotation;
+    if (degrees < 0 || degrees >= turns.size) fail(Failure::bad_request);
+    rows.add(body_row(things[i], turns[degrees], kinds[i], sort)).name = first + i;
+  }
   const auto id = [&](i32 number) {
     if (number >= rows.size()) fail(Failure::bad_request);
     return number < 0 ? -1 : rows[number].name;
@@ -51,15 +55,15 @@ static void read_things(Reader& reader, i32 count, Sort sort, i32 first, List<Bo
 }
 
 // Reads the bodies: furniture, small things, people.
-static Span<BodyRow> body_rows(const RoomRow& sent, Reader& reader) {
+static Span<BodyRow> body_rows(const RoomRow& sent, Span<Turned> turns, Reader& reader) {
   const Span<BodyRow> told = reader.take<BodyRow>(sent.bodies);
   if (sent.furniture == 0 && sent.things == 0) return told;
   List<BodyRow> rows;
   i32 furniture = 0;
   while (furniture < told.size && told[furniture].sort == Sort::furniture) rows.add(told[furniture++]);
   if (furniture > 0 && sent.furniture > 0) fail(Failure::bad_request);
-  read_things(reader, sent.furniture, Sort::furniture, 0, rows);
-  read_things(reader, sent.things, Sort::decoration, sent.first_thing, rows);
+  read_things(reader, sent.furniture, turns, Sort::furniture, 0, rows);
+  read_things(reader, sent.things, turns, Sort::decoration, sent.first_thing, rows);
   for (i32 i = furniture; i < told.size; i++) rows.add(told[i]);
   return rows.all();
 }
@@ -86,7 +90,7 @@ Span<Kind> read_kinds(Reader& reader, i32 count) {
   return kinds.all();
 }
 
-Room read_room(Reader& reader, Span<Kind> kinds, i64 half_wall) {
+Room read_room(Reader& reader, Span<Kind> kinds, Span<Turned> turns, i64 half_wall) {
   const RoomRow& sent = reader.take<RoomRow>(1)[0];
   Room room{};
   room.half_wall = half_wall;
@@ -102,7 +106,7 @@ Room read_room(Reader& reader, Span<Kind> kinds, i64 half_wall) {
   room.own = sent.openings;
   room.fitted = reader.take<FittedBox>(sent.fitted);
   room.kinds = kinds;
-  const Span<BodyRow> rows = body_rows(sent, reader);
+  const Span<BodyRow> rows = body_rows(sent, turns, reader);
   room.bodies = reserved<Body>(rows.size);
   for (i32 i = 0; i < rows.size; i++) {
     const BodyRow& row = rows[i];

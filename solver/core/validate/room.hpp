@@ -139,12 +139,11 @@ struct Body {
   bool rests() const { return row->sort == Sort::decoration && (row->on >= 0 || row->wall >= 0 || row->y != 0.0); }
 };
 
-// How a body is turned that is told as it was put into the room, and its kind in this room.
-struct ThingLook {
+// How a body is turned that is told as it was put into the room: one for every whole degree, as the host's cosine and sine have it.
+struct Turned {
   f64 cosine, sine, cosine_size, sine_size;
   Turn turn;
   i32 quarters;
-  i64 kind;
 };
 
 // What is sent as it was put there: `furniture`, its ids numbered from 0 on, and then no other furniture is sent; and `things`, between the
@@ -214,7 +213,7 @@ class Reader {
 };
 
 Span<Kind> read_kinds(Reader& reader, i32 count);
-Room read_room(Reader& reader, Span<Kind> kinds, i64 half_wall);
+Room read_room(Reader& reader, Span<Kind> kinds, Span<Turned> turns, i64 half_wall);
 
 // What an opening of a room keeps free there; of what keeps nothing free a box without extent.
 Zone zone_of(const Room& room, i32 opening);

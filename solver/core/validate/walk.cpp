@@ -5,18 +5,44 @@ namespace validate {
 
 constexpr i64 WALL_SLACK = PER_METRE / 4;  // two walls this close are one wall's two faces: a way through one goes through both
 
+// Adds the floor inside a doorway between walls that lie apart.
+static void add_bridges(const Storey& storey, const Placed& placed, const Opening& way, List<Rect>& bridges) {
+  if (way.to >= storey.rooms.size) fail(Failure::bad_request);
+  const Placed& beyond = storey.rooms[way.to];
+  const Edge cut = way.edge.moved(placed.x, placed.z);
+  for (const Edge& edge : beyond.room.edges) {
+    if (edge.side != static_cast<i64>(opposite(static_cast<Wall>(cut.side)))) continue;
+    const Edge wall = edge.moved(beyond.x, beyond.z);
+    const i64 gap = cut.looks_ahead() ? cut.line - wall.line : wall.line - cut.line;
+    const i64 start = most(cut.start, wall.start), end = least(cut.end, wall.end);
+    if (gap > 0 && gap <= storey.deepest_wall && start < end) bridges.add(cut.strip(start, end, 0, gap));
+  }
+}
+
+static Span<Rect> bridges_of(const Storey& storey) {
+  List<Rect> bridges;
+  for (const Placed& placed : storey.rooms) {
+    for (i32 k = 0; k < placed.room.own; k++) {
+      const Opening& one = placed.room.openings[k];
+      if (one.is_way() && one.to >= 0) add_bridges(storey, placed, one, bridges);
+    }
+  }
+  return bridges.all();
+}
+
 Storey read_storey(Reader& reader) {
   const StoreyRow& sent = reader.take<StoreyRow>(1)[0];
   Storey storey{sent.half_wall, sent.reach, sent.deepest_wall, most(sent.most_boxes, 1), {}, {}, {}};
-  storey.bridges = reader.take<Rect>(sent.bridges);
   storey.entrances = reader.take<Rect>(sent.entrances);
+  const Span<Turned> turns = reader.take<Turned>(sent.turns);
   const Span<Kind> kinds = read_kinds(reader, sent.kinds);
   if (sent.rooms < 0) fail(Failure::bad_request);
   storey.rooms = reserved<Placed>(sent.rooms);
   for (Placed& placed : storey.rooms) {
     const Point at = reader.take<Point>(1)[0];
-    placed = {read_room(reader, kinds, sent.half_wall), at.x, at.z};
+    placed = {read_room(reader, kinds, turns, sent.half_wall), at.x, at.z};
   }
+  storey.bridges = bridges_of(storey);
   return storey;
 }
 

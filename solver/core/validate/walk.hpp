@@ -12,7 +12,7 @@ struct StoreyRow {
   i64 half_wall;
   i64 reach;         // half the square's side, less a step: gaps of exactly the side pass
   i64 deepest_wall;  // so far two rooms' wall lines may lie apart at an opening that goes through both
-  i32 rooms, bridges, entrances, most_boxes, kinds, unused;
+  i32 rooms, entrances, turns, most_boxes, kinds, unused;
 };
 
 // A room and where it lies.
@@ -26,9 +26,9 @@ struct Storey {
   i64 reach;
   i64 deepest_wall;
   i32 most_boxes;
-  Span<Rect> bridges;    // floor inside doorways between walls that lie apart
   Span<Rect> entrances;  // a step of floor along every door that one comes in by; none: the largest free floor is come to
   Span<Placed> rooms;
+  Span<Rect> bridges;  // floor inside doorways between walls that lie apart
 };
 
 struct Walk {
