@@ -85,7 +85,8 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     outside = drawing.layout.exposed[index]
     walls = drawing.layout.walls
     own = walls.outer != walls.thickness and not kind.outdoor and bool(outside)
-    return Room(
+    return changed(
+        _ROOM,
         id=f"{name}_{index}",
         index=index,
         type=name,
@@ -106,7 +107,8 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
 def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], heights: tuple[float, float]) -> Opening:
     """Writes an opening as one of its rooms sees it."""
     wall, partner = cut.wall_of(room), cut.other if room == cut.room else cut.room
-    return Opening(
+    return changed(
+        _OPENING,
         id=cut.id,
         kind=cut.kind,
         wall=wall,
@@ -148,6 +150,8 @@ def _wall_flags(layout: Layout) -> list[Sides]:
     return sides
 
 
+_ROOM: Final = Room("")
+_OPENING: Final = Opening("")
 _sides: Final = lru_cache(maxsize=16)(Sides)
 """Every set of walls once, in the order of WALLS."""
 
