@@ -216,11 +216,6 @@ class RoomType(Entry):
     run: Run | None = None
     pieces: tuple[PieceSpec, ...] = ()
 
-    @property
-    def asks_elsewhere(self) -> bool:
-        """Whether what it holds depends on what other rooms hold."""
-        return any(piece.unless_elsewhere for piece in self.pieces)
-
 
 class FlooringSpec(Entry):
     """A flooring material and its colour."""
@@ -272,9 +267,13 @@ class Catalogs(Entry):
         """
         return _of_home(self, _deciding_types(self).intersection(types), planned)
 
+    def asking_types(self) -> frozenset[str]:
+        """Returns the room types in which what is wanted depends on what other rooms hold."""
+        return _asking_types(self)
+
     def holding(self, pieces: Collection[str]) -> "Catalogs":
         """Returns the catalogs of a home that holds these pieces in rooms that do not ask: what others want `unless_elsewhere` is gone."""
-        every = (piece for room in self.rooms.values() for piece in room.pieces)
+        every = (piece for name in self.asking_types() for piece in self.rooms[name].pieces)
         there = frozenset(name for piece in every for name in piece.unless_elsewhere if name in pieces)
         return _holding(self, there) if there else self
 
@@ -352,6 +351,11 @@ def _asked_types(catalogs: Catalogs) -> dict[str, frozenset[str]]:
     """Returns the room types that are furnished by what other rooms their home has, each with the types that decide."""
     asked = {name: frozenset(chain.from_iterable((*p.unless, *p.without) for p in room.pieces)) for name, room in catalogs.rooms.items()}
     return {name: types for name, types in asked.items() if types}
+
+
+@lru_cache(maxsize=64)
+def _asking_types(catalogs: Catalogs) -> frozenset[str]:
+    return frozenset(name for name, room in catalogs.rooms.items() if any(piece.unless_elsewhere for piece in room.pieces))
 
 
 @lru_cache(maxsize=16)

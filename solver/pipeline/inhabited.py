@@ -22,8 +22,7 @@ from solver.streams import Stream
 
 def asks(room: Room, catalogs: Catalogs) -> bool:
     """Tells whether what a room wants depends on what others hold."""
-    kind = catalogs.rooms.get(room.type)
-    return kind is not None and kind.asks_elsewhere
+    return room.type in catalogs.asking_types()
 
 
 def needed(room: Room, catalogs: Catalogs) -> set[str]:
@@ -44,8 +43,7 @@ def arranged(arrangements: Mapping[str, Arrangement], catalogs: Catalogs) -> set
 
 def parted(rooms: Sequence[Room], catalogs: Catalogs) -> tuple[list[Room], list[Room]]:
     """Returns the rooms that are furnished first, and those that ask what stands in them."""
-    ask = {name: asks(room, catalogs) for name, room in {room.type: room for room in rooms}.items()}
-    return [room for room in rooms if not ask[room.type]], [room for room in rooms if ask[room.type]]
+    return [room for room in rooms if not asks(room, catalogs)], [room for room in rooms if asks(room, catalogs)]
 
 
 def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> Catalogs:
