@@ -30,6 +30,9 @@ AS_PLANNED: Final = 0.5
 """At most this to enter a room through the one it was planned behind: its bathroom belongs to the bedroom in front."""
 
 
+_PRIVATE: Final = ("bed", "single_bed", "toilet")
+
+
 @dataclass(frozen=True)
 class AccessPlan:
     """Who is to be entered through whom, planned before types are known.
@@ -101,8 +104,7 @@ def passing_cost(through: str, entered: str, rooms: Mapping[str, RoomType]) -> f
 
 def is_private(name: str, rooms: Mapping[str, RoomType]) -> bool:
     """Tells whether a type is a bedroom or a bathroom: one sleeps, bathes or uses the toilet there."""
-    wanted = {kind for line in rooms[name].requires for kind in line}
-    return bool(wanted & {"bed", "single_bed", "toilet"})
+    return any(kind in _PRIVATE for line in rooms[name].requires for kind in line)
 
 
 @dataclass(frozen=True)

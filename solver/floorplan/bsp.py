@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 from itertools import takewhile
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from solver.floorplan.given import GivenPart
 from solver.floorplan.tiling import CLEAR_HALLWAY_MM, Layout, touching
@@ -117,8 +117,7 @@ def halves(rect: Rect, axis: str, at: int) -> tuple[Rect, Rect]:
     return Rect(rect.x0, rect.z0, rect.x1, at), Rect(rect.x0, at, rect.x1, rect.z1)
 
 
-@dataclass(frozen=True)
-class Plot:
+class Plot(NamedTuple):
     """A rectangle still to be cut.
 
     `halls` are its sides that lie on a hallway over their whole length; `path` is 0 or 1 for every cut that led to it;

@@ -64,8 +64,7 @@ class HouseWalls(NamedTuple):
 USUAL_WALLS: Final = HouseWalls()
 
 
-@dataclass(frozen=True, order=True)
-class Joint:
+class Joint(NamedTuple):
     """A stretch of wall that two rooms share, long enough for a door.
 
     `a` < `b` are room indices, `wall` is the wall of `a`, `low` and `high` its ends along x (north, south) or z, mm.
