@@ -104,9 +104,9 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
         return ()
     from solver.core import ask  # noqa: PLC0415 - whoever has rows has loaded it
 
-    looks, texts = _Numbered[Look](), _Numbered[str]()
+    looks, texts = _Numbered[Look](), _Numbered[str | None]()
     rows = [_as_asked(one, looks, texts) for one in told]
-    contents = [text.encode() for text in texts]
+    contents = [_TEXTS[text].encode() for text in texts]
     head = _HEADER.pack(len(looks), len(contents), len(rows), 0), pack(f"<{len(contents)}q", *map(len, contents))
     answer = ask("bodies_text", b"".join([*head, _padded(b"".join(contents)), *map(_LOOKS.__getitem__, looks), *rows]))
     ends = accumulate(unpack_from(f"<{len(rows)}q", answer), initial=8 * len(rows))
@@ -121,13 +121,11 @@ class _Numbered(dict[Key, int]):
         return number
 
 
-def _as_asked(told: BodyRows, looks: _Numbered[Look], texts: _Numbered[str]) -> bytes:
+def _as_asked(told: BodyRows, looks: _Numbered[Look], texts: _Numbered[str | None]) -> bytes:
     """Returns bodies as the core reads them; looks and texts are numbered as they come."""
     carriers = furniture_ids(told.room) if isinstance(told, DecorationRows) else ()
-    colours = map(texts.__getitem__, map(_TEXTS.__getitem__, told.colours))
-    worn = chain.from_iterable(zip(map(looks.__getitem__, told.looks), colours, strict=True))
-    ids = map(texts.__getitem__, map(quoted, carriers))
-    counts = _BODIES.pack(len(told), len(carriers), texts[quoted(f"{told.room.id}/")[:-1]])
+    worn = chain.from_iterable(zip(map(looks.__getitem__, told.looks), map(texts.__getitem__, told.colours), strict=True))
+    counts, ids = _BODIES.pack(len(told), len(carriers), texts[told.room.id]), map(texts.__getitem__, carriers)
     return b"".join([counts, told.content, pack(f"<{2 * len(told)}i", *worn), pack(f"<{len(carriers)}q", *ids)])
 
 

@@ -80,7 +80,7 @@ struct Look {
 
 // Bodies of one sort in a room.
 struct Told {
-  Bytes before;
+  Bytes room;  // its id without the closing quote
   Span<ToldBody> bodies;
   Span<Worn> worn;
   Span<i64> carriers;
@@ -134,7 +134,10 @@ class Writing {
 
   Told read_bodies() {
     const BodiesRow& row = reader_.take<BodiesRow>(1)[0];
-    Told told{text(row.before), reader_.take<ToldBody>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
+    const Bytes room = text(row.room);
+    if (room.size < 1) fail(Failure::bad_request);
+    const Bytes begins{room.data, room.size - 1};
+    Told told{begins, reader_.take<ToldBody>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
     for (const Worn& worn : told.worn) {
       if (worn.look < 0 || worn.look >= looks_.size()) fail(Failure::bad_request);
     }
@@ -174,7 +177,8 @@ class Writing {
   }
 
   void own_id(const Told& told, i32 number) {
-    written_.put(told.before);
+    written_.put(told.room);
+    written_.put('/');
     written_.put(looks_[told.worn[number].look].name);
     written_.put('_');
     written_.whole(told.bodies[number].number);

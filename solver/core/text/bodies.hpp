@@ -28,7 +28,7 @@ struct LookRow {
 
 struct BodiesRow {
   i32 bodies, carriers;
-  i64 before;  // a text: how the ids of all of them begin
+  i64 room;  // a text: the room's id, with which the ids of all of them begin
 };
 
 struct TextsRow {
