@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import importlib
 import json
 from dataclasses import asdict, replace
 from functools import cache
 from typing import Any
+from weakref import ref
 
 import pytest
 from hypothesis import given
@@ -15,7 +17,7 @@ from hypothesis import strategies as st
 from catalogs import load_catalogs
 from solver import Request, generate, reroll, validate
 from solver.answers import Generated
-from solver.exchange import dump_text, load_text, read_scene, write_scene
+from solver.exchange import dump_scene, dump_text, load_text, read_scene, write_scene
 from solver.scene import Room
 from solver.streams import Stream
 from tests.sweeps import examples, seeds, times
@@ -194,3 +196,16 @@ def test_one_comes_in_by_a_garage_door_past_the_cars(seed: int) -> None:
     rooms = tuple(map(left, scene.rooms))
     assert any(one.kind == "garage_door" for room in rooms for one in room.openings)
     assert [issue.message for issue in validate(replace(scene, rooms=rooms, certificate=None)) if issue.severity == "error"] == []
+
+
+def test_a_home_goes_with_its_last_name() -> None:
+    """Nothing it was made with holds itself: it is gone without Python's collector, which comes when it likes."""
+    gc.disable()
+    try:
+        made = generate(Request(seed=42, program="family", decorate=True))
+        dump_scene(made.scene, "json")
+        rooms = [ref(room) for room in made.scene.rooms]
+        del made
+        assert [room for room in rooms if room() is not None] == []
+    finally:
+        gc.enable()
