@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, NamedTuple
 
+from solver.body_rows import furniture_ids
 from solver.validator.kinds import Kinds
 from solver.validator.sent_rooms import NumberedKinds
 from solver.validator.walk import JudgedRows, Walk
@@ -76,7 +77,8 @@ class RuleCase:
 
     def name(self, body: int) -> str:
         """Returns the id of a body by its place in the room."""
-        return self.room.ids[body]
+        pieces = furniture_ids(self.room.room)
+        return pieces[body] if body < len(pieces) else self.room.ids[body]
 
 
 class Finding(NamedTuple):
