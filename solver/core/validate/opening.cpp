@@ -191,6 +191,22 @@ static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>&
   return all;
 }
 
+// What a body takes up at most, as seen from the room.
+static Span3 span_of(const BodyRow& row) {
+  const f64 across = (row.width * row.cosine_size + row.depth * row.sine_size) / 2;
+  const f64 along = (row.width * row.sine_size + row.depth * row.cosine_size) / 2;
+  return {{row.x - across, row.y, row.z - along}, {row.x + across, row.y + row.height, row.z + along}};
+}
+
+// What a box of a piece's frame takes up at most, as seen from the room, and a little more.
+static Span3 in_the_room(const Span3& box, const Frame& frame) {
+  const f64 x = (box.low.x + box.high.x) / 2, z = (box.low.z + box.high.z) / 2, wide = box.high.x - x, deep = box.high.z - z;
+  const f64 cosine = absolute(frame.cosine), sine = absolute(frame.sine);
+  const Point at{frame.x + x * frame.cosine + z * frame.sine, frame.y, frame.z + z * frame.cosine - x * frame.sine};
+  const Point half{wide * cosine + deep * sine + CLEAR_METRES, CLEAR_METRES, wide * sine + deep * cosine + CLEAR_METRES};
+  return {{at.x - half.x, at.y + box.low.y - half.y, at.z - half.z}, {at.x + half.x, at.y + box.high.y + half.y, at.z + half.z}};
+}
+
 // The boxes that reach into some room: of other bodies, and walls. A small thing that carries nothing is its whole box; what lies on the
 // furniture itself is taken off before a lid is lifted.
 static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const List<bool>& carries, i32 own, const Frame& frame,
@@ -198,6 +214,7 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
   constexpr UnitBox whole{0, 1, 0, 1, 0, 1, Fills::box};
   List<Obstacle> found;
   const Point wider{CLEAR_METRES, CLEAR_METRES, CLEAR_METRES};
+  const Span3 there = in_the_room(within, frame);
   const auto take = [&](const SolidBox& box) {
     const Span3 span = span_of(box);
     const Point& high = span.high;
@@ -207,7 +224,7 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
     const BodyRow& row = *room.bodies[i].row;
     const bool flat = row.sort == Sort::decoration && !room.bodies[i].rests() && row.height <= FLAT_METRES;
     const bool aside = i == own || row.on == room.bodies[own].row->name || row.sort == Sort::person || flat;
-    if (aside || !share(span_of(box_of(row, whole, frame, i)), within)) continue;
+    if (aside || !share(span_of(row), there) || !share(span_of(box_of(row, whole, frame, i)), within)) continue;
     const Span<UnitBox> parts = room.parts_of(room.bodies[i]);
     if (parts.size == 0 || (row.sort == Sort::decoration && !carries[i])) {
       take(box_of(row, whole, frame, i));
@@ -215,7 +232,9 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
     }
     for (const UnitBox& part : parts) take(box_of(row, part, frame, i));
   }
-  for (const ShellBox& box : shell) take(wall_of(box, frame));
+  for (const ShellBox& box : shell) {
+    if (share({{box.x0, box.y0, box.z0}, {box.x1, box.y1, box.z1}}, there)) take(wall_of(box, frame));
+  }
   return found;
 }
 
