@@ -14,9 +14,25 @@ struct Noted {
   SearchResult result;
 };
 
+// Required pieces that stand, what the optional ones that do are worth, and what the room costs with all that it leaves out.
+struct Standing {
+  i64 required;
+  f64 worth, cost;
+};
+
+// Wider ways between doors: by how much wider than who walks, the share that must stand with them of what optional pieces are worth without,
+// and the most that the room may cost more for them.
+struct WayMargin {
+  i64 wider;
+  f64 worth, most;
+};
+
 // Evaluations of one room in the order they were made; those beyond its space are not noted.
 struct Memo {
   bool complete;  // nothing is noted any more
+  bool outdone;   // the search was ended: whatever it came to, the wider ways are worth what they cost
+  const Standing* wide;  // of a placement with such ways that is taken where they are; null: none is
+  WayMargin margin;
   i32 notes;
   i32 closed;  // placements turned down because they close the wider ways, of all evaluations so far
   Span<Noted> noted;
@@ -25,6 +41,13 @@ struct Memo {
 };
 
 Memo* new_memo(const Room& room);
+
+// What no placement surpasses that leaves out what is left out of the first `decided` pieces: all others stand, and each costs what it does
+// at least.
+Standing best_standing(const Room& room, const Decisions& decisions, i64 decided);
+
+// Tells whether a room with wider ways is worth what it costs more than without.
+bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual);
 
 // Notes an evaluation of which no placement closed the ways.
 void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, const Effort& effort);

@@ -10,12 +10,7 @@ constexpr i64 USUAL_ROBOT_MM = 600;
 constexpr i64 FEW_QPS = 10;  // of an empty room
 constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be there
 
-// Wider ways between doors: by how much wider than who walks, the widest first; the share that must stand with them of what optional pieces
-// are worth without; and the most that the room may cost more for them. 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
-struct WayMargin {
-  i64 wider;
-  f64 worth, most;
-};
+// The widest ways first: 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
 constexpr WayMargin MARGINS[] = {{200, 0.9, 10.0}, {100, 0.8, 12.0}, {50, 0.6, 20.0}};
 constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 50, 2, 8, 6000};  // such a try is given up sooner
 
@@ -99,6 +94,7 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     const bool is_first = found.left_out.size() == 0;
     found.desk = arranged(asked, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
     found.solves += report.solves;
+    if (memo != nullptr && memo->outdone) return found;
     if (report.complete) break;
     const RoomReport without = report;
     const i64 out = take_deepest(found.desk->engine.tree, prefix);
@@ -139,12 +135,6 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
 
 static bool is_walked_in(const WholeRoom& whole) { return whole.walk && whole.desk->engine.nodes.result->found; }
 
-// Required pieces that stand, what the optional ones that do are worth, and what the room costs with all that it leaves out.
-struct Standing {
-  i64 required;
-  f64 worth, cost;
-};
-
 static Standing standing_in(const WholeRoom& whole) {
   const Engine& engine = whole.desk->engine;
   const Decisions& decisions = whole.desk->decisions;
@@ -160,29 +150,6 @@ static Standing standing_in(const WholeRoom& whole) {
     }
   }
   return found;
-}
-
-// What no placement of a room surpasses: all stands, and what each piece costs at least.
-static Standing best_standing(const Room& room) {
-  Standing found = {0, 0.0, 0.0};
-  for (i32 k = 0; k < room.pieces.size; k++) {
-    const PieceRow& row = room.pieces[k];
-    f64 way = INFINITE, side = INFINITE;
-    for (i64 one = row.candidates[0]; one < row.candidates[1]; one++) way = least(way, room.candidate_costs[one].cost);
-    for (i64 one = row.sides[0]; one < row.sides[1]; one++) side = least(side, room.side_costs[one]);
-    if (!row.required) found.cost += least(way + side, room.skip_costs[k]);
-    else if (way < INFINITE) found.cost += way + side;
-    if (row.empty != 0) continue;
-    if (row.required) found.required++;
-    else found.worth += room.skip_costs[k];
-  }
-  return found;
-}
-
-// Tells whether a room with wider ways is worth what it costs more than without.
-static bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual) {
-  if (wide.required < usual.required || wide.worth < margin.worth * usual.worth) return false;
-  return wide.cost <= usual.cost + margin.most;
 }
 
 // The same room with ways between its doors that are wider than its person.
@@ -206,12 +173,18 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
   // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
   WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
   memo->complete = true;
+  memo->margin = MARGINS[0];
+  Standing standing = {};
   wide.ways = room.space->robot + MARGINS[0].wider;
   if (is_walked_in(wide)) {
     const bool is_usual = wide.best && memo->closed == 0;  // no wider way made a difference
-    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing_in(wide), best_standing(room)))) return wide;
+    standing = standing_in(wide);
+    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing, best_standing(room, wide.desk->decisions, 0)))) return wide;
+    if (wide.proven) memo->wide = &standing;
   }
   const WholeRoom usual = arranged(room, limits, memo);
+  if (memo->outdone) return wide;
+  memo->wide = nullptr;
   if (!is_walked_in(usual)) return usual;
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
