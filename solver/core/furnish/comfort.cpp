@@ -22,6 +22,7 @@ class Comforted {
  public:
   Comforted(const Scope& scope, const RoomType& type, const WantedRows& wanted) : scope_(scope), type_(type), wanted_(wanted) {
     moved_ = reserved<i32>(wanted.pieces.size);
+    candidates_.reserve(2 * wanted.candidates.size);
   }
 
   // Adds the required pieces, then the floor at their sides: first what their fronts open over, then what is weighed.

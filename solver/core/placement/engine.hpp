@@ -177,12 +177,6 @@ struct Cells {
   i32 first[2], last[2];
 };
 
-// An end of a block along an axis, and where its number among the cuts is wanted.
-struct Edge {
-  i64 at;
-  i32* cell;
-};
-
 // Free cells side by side along z, from `first` to before `last`; its component's number.
 struct Run {
   i32 first, last, component;
@@ -197,7 +191,7 @@ struct WalkGrid {
   One<GridState> state;
   Rows<NumberedRect> blocks, targets;
   Table<i64> cuts;
-  Span<Edge> edges;
+  Span<i64> edges;  // ends of blocks along an axis: where, and of which block, as one number
   Span<Cells> block_cells;
   Span<u64> blocked;  // cells, a bit each, row by row along x, each of whole words
   Span<Run> runs;    // row by row
@@ -257,7 +251,8 @@ struct Tree {
   Span<i64> depths;
   Rows<HeapEntry> heap;
   Span<f64> heap_cost;
-  Span<i64> refused, refused_at;  // fingerprints, and where in the table each is
+  Span<u64> refused;      // fingerprints
+  Span<i64> refused_at;   // where in the table each is
   Span<i64> refused_table;        // their numbers; a place is taken where the fingerprint of its number is there: nothing is ever cleared
   Span<i64> found;
   Span<f64> found_cost;

@@ -112,26 +112,25 @@ static void gather_blocks(const Room& room, const WalkGrid& grid, const Rows<Num
 
 // Writes the sorted cuts of an axis, without repeats, and which cells each block covers; returns how many cuts there are.
 static i32 cut(const WalkGrid& grid, i64 axis, i64 low, i64 high) {
-  const Span<i64> cuts = grid.cuts.row(axis);
-  const Span<Edge> edges = grid.edges;
+  constexpr i64 BITS = 20, ENDS = 1 << BITS;  // more than blocks have
+  const Span<i64> cuts = grid.cuts.row(axis), edges = grid.edges;
   i32 count = 0;
   for (i64 k = 0; k < grid.state->blocks; k++) {
-    Cells& cells = grid.block_cells[k];
-    const Edge both[] = {{grid.blocks[k].low[axis], &cells.first[axis]}, {grid.blocks[k].high[axis], &cells.last[axis]}};
-    for (const Edge& edge : both) {
+    const i64 both[] = {grid.blocks[k].low[axis] * ENDS + 2 * k, grid.blocks[k].high[axis] * ENDS + 2 * k + 1};
+    for (const i64 edge : both) {
       i32 at = count++;
-      for (; at > 0 && edges[at - 1].at > edge.at; at--) edges[at] = edges[at - 1];
+      for (; at > 0 && edges[at - 1] > edge; at--) edges[at] = edges[at - 1];
       edges[at] = edge;
     }
   }
-  i32 n = 1, k = 0;
+  i32 n = 1;
   cuts[0] = low;
-  for (; k < count && edges[k].at <= low; k++) *edges[k].cell = 0;
-  for (; k < count && edges[k].at < high; k++) {
-    if (edges[k].at > cuts[n - 1]) cuts[n++] = edges[k].at;
-    *edges[k].cell = n - 1;
+  for (i32 k = 0; k < count; k++) {
+    const i64 at = edges[k] >> BITS, end = edges[k] & (ENDS - 1);
+    if (at > cuts[n - 1] && at < high) cuts[n++] = at;
+    Cells& cells = grid.block_cells[end / 2];
+    (end % 2 == 0 ? cells.first : cells.last)[axis] = at <= low ? 0 : at < high ? n - 1 : n;
   }
-  for (; k < count; k++) *edges[k].cell = n;
   cuts[n] = high;
   return n + 1;
 }

@@ -9,7 +9,6 @@
 
 namespace placement {
 
-constexpr i64 MODULUS = 2147483647;  // 2^31 - 1
 constexpr f64 CUBIC_FROM = 5;  // from so many times 20 variables an axis on factors cost the most; measured
 constexpr f64 MANY_ZONES = 5;  // beyond so many times 20 zones the walk costs more than a QP; measured
 
@@ -73,29 +72,20 @@ static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f
   return found;
 }
 
-// A number that is not negative modulo MODULUS, by sums of its digits to the base 2^31: wasm divides by dividing.
-static i64 reduced(i64 number) {
-  i64 sum = (number & MODULUS) + (number >> 31);
-  sum = (sum & MODULUS) + (sum >> 31);
-  return sum == MODULUS ? 0 : sum;
-}
-
 // A number for what decides feasibility: decisions that agree in it differ only in their anchors.
-static i64 fingerprint(const Room& room, const Decisions& decisions) {
-  i64 one = 1, two = 1;
+static u64 fingerprint(const Room& room, const Decisions& decisions) {
+  u64 hash = 0;
   for (const i64 decision : decisions) {
-    const i64 value = decision == ABSENT ? 0 : 8 * room.candidates[candidate_of(decision)].kin + sides_of(decision) + 1;
-    one = reduced(one * 48271 + value);
-    two = reduced(two * 69621 + value + 12345);
+    hash = mixed(hash, decision == ABSENT ? ABSENT : 8 * room.candidates[candidate_of(decision)].kin + sides_of(decision));
   }
-  return one * MODULUS + two;
+  return hash;
 }
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
-static bool refused(const Tree& tree, i64 number, bool add) {
+static bool refused(const Tree& tree, u64 number, bool add) {
   const i64 mask = tree.refused_table.size - 1;
   i64& count = tree.counters->refused;
-  i64 at = number & mask;
+  i64 at = static_cast<i64>(number >> 32) & mask;
   for (;; at = (at + 1) & mask) {
     const i64 k = tree.refused_table[at];
     if (k < 0 || k >= count || tree.refused_at[k] != at) break;
@@ -140,7 +130,7 @@ static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth, const 
 }
 
 // Notes what a way that failed says of others.
-static void note_failure(const Engine& engine, i64 number, const SearchLimits& limits) {
+static void note_failure(const Engine& engine, u64 number, const SearchLimits& limits) {
   Counters& counters = *engine.tree.counters.data;
   const SearchResult& result = *engine.nodes.result.data;
   const bool impossible = result.turned_down == 0 && result.exhausted == 1;
@@ -158,7 +148,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const Decisions trial = tree.trial;
   for (i64 k = 0; k < trial.size; k++) trial[k] = tree.decisions.at(state, k);
   trial[group.first + depth] = tree.heap[entry].decision;
-  const i64 number = fingerprint(engine.room, trial);
+  const u64 number = fingerprint(engine.room, trial);
   if (refused(tree, number, false)) return true;
   counters.evaluated++;
   const f64 chosen = tree.preferences[state] + tree.heap_cost[entry];

@@ -42,7 +42,7 @@ bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usu
 // Where in the table what is asked may be; the ceiling is compared where the decisions are the same.
 static i32 place_in_table(const Decisions& decisions) {
   u64 hash = 0;
-  for (const i64 decision : decisions) hash = (hash ^ static_cast<u64>(decision)) * 0x9E3779B97F4A7C15ULL;
+  for (const i64 decision : decisions) hash = mixed(hash, decision);
   return static_cast<i32>(hash >> 32) & (TABLE - 1);
 }
 

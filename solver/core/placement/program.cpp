@@ -107,9 +107,7 @@ static void invert(const Program& program) {
   for (i32 a = 0; a < n; a++) {
     const Span<f64> row = program.inverse.row(a);
     f64 value = 0.0;
-    for (i32 b = 0; b < n; b++) {
-      if (row[b] != 0.0) value -= row[b] * kept[b];
-    }
+    for (i32 b = 0; b < n; b++) value -= row[b] * kept[b];
     f[a] = value;
   }
 }

@@ -106,6 +106,9 @@ using Decisions = Span<i64>;
 inline i64 candidate_of(i64 decision) { return decision / 8; }
 inline i64 sides_of(i64 decision) { return decision % 8; }
 
+// A hash of numbers, with one more; its upper bits are the good ones.
+constexpr u64 mixed(u64 hash, i64 number) { return (hash ^ static_cast<u64>(number)) * 0x9E3779B97F4A7C15ULL; }
+
 static_assert(sizeof(SpaceRow) == 10 * 8 && sizeof(Zone) == 6 * 8 && sizeof(Door) == 4 * 8 && sizeof(PieceRow) == 9 * 8);
 static_assert(sizeof(SidesRow) == 3 * 8 && sizeof(CandidateRow) == 24 * 8 && sizeof(CandidateCost) == 3 * 8);
 static_assert(sizeof(LinkRow) == 4 * 8 && sizeof(LinkCost) == 5 * 8);

@@ -62,7 +62,7 @@ static void keep_best(const Engine& engine, i64 slot) {
   for (i64 axis = 0; axis < 2; axis++) keep_forces(engine, slot, axis);
 }
 
-// Writes the options of the choices that are new.
+// Writes the options of the choices that are new; of the others is known which option held last.
 static void place_options(const Work& work, i32 columns) {
   i64& placed = work.counts->placed;
   for (; placed < work.counts->choices; placed++) {
@@ -72,6 +72,7 @@ static void place_options(const Work& work, i32 columns) {
       const i64 i = row.i == ORIGIN ? origin : first + row.i, j = row.j == ORIGIN ? origin : first + row.j;
       work.placed_options[k] = {static_cast<i32>(i), static_cast<i32>(j), static_cast<f64>(row.s) / 1000};
     }
+    work.held[placed] = work.placed_options[OPTIONS * placed];
   }
 }
 
@@ -79,15 +80,13 @@ static void place_options(const Work& work, i32 columns) {
 static bool open_root(const Engine& engine) {
   const Work& work = engine.work;
   const Nodes& nodes = engine.nodes;
-  for (i64 c = 0; c < work.counts->choices; c++) {
-    if (work.choice_size[c] == 0) return false;
-  }
-  if (!prepare(engine)) return false;
+  bool none_left = false;
+  for (i64 c = 0; c < work.counts->choices; c++) none_left |= work.choice_size[c] == 0;
+  if (none_left || !prepare(engine)) return false;
   for (i64 c = 0; c < work.counts->choices; c++) {
     if (work.choice_size[c] == 1 && !fix_row(engine, work.options[OPTIONS * c])) return false;
   }
   place_options(work, nodes.positions.columns);
-  for (i64 c = 0; c < work.counts->choices; c++) work.held[c] = work.placed_options[OPTIONS * c];
   const i64 slot = next_slot(nodes);
   for (i64 axis = 0; axis < 2; axis++) {
     const Program& program = engine.programs[axis];

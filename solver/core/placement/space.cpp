@@ -177,7 +177,7 @@ static void add_cells(WalkGrid& grid, const Sizes& sizes) {
   grid.blocks = reserved_rows<NumberedRect>(blocks);
   grid.targets = reserved_rows<NumberedRect>(sizes.doors + OPTIONS * sizes.pieces);
   grid.cuts = new_table<i64>(2, cuts);
-  grid.edges = new_span<Edge>(2 * blocks);
+  grid.edges = new_span<i64>(2 * blocks);
   grid.block_cells = new_span<Cells>(blocks);
   grid.blocked = new_span<u64>((cuts - 1) * (cuts / 64 + 1));
   grid.runs = new_span<Run>(runs);
@@ -198,7 +198,7 @@ static Tree new_tree(const Sizes& sizes) {
   tree.depths = new_span<i64>(n);
   tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
-  tree.refused = new_span<i64>(MOST_REFUSED / 2);
+  tree.refused = new_span<u64>(MOST_REFUSED / 2);
   tree.refused_at = new_span<i64>(MOST_REFUSED / 2);
   tree.refused_table = new_span<i64>(MOST_REFUSED);
   tree.found = new_span<i64>(sizes.decisions);

@@ -7,13 +7,17 @@
 template <class T> class List {
  public:
   T& add(const T& value) {
-    if (size_ == room_) grow();
+    if (size_ == room_) grow(most(8, 2 * room_));
     return data_[size_++] = value;
   }
   void add_all(Span<T> values) {
-    while (room_ - size_ < values.size) grow();
+    while (room_ - size_ < values.size) grow(most(8, 2 * room_));
     copy(values.data, data_ + size_, values.size);
     size_ += values.size;
+  }
+  // Makes room for so many in all.
+  void reserve(i32 room) {
+    if (room > room_) grow(room);
   }
   void cut(i32 size) { size_ = least(size, size_); }
   T& operator[](i64 at) const {
@@ -26,9 +30,9 @@ template <class T> class List {
   T* end() const { return data_ + size_; }
 
  private:
-  void grow() {
+  void grow(i32 room) {
     if (room_ > (1 << 24)) fail(Failure::memory_full);
-    room_ = most(8, 2 * room_);
+    room_ = room;
     T* wider = reserved<T>(room_).data;
     copy(data_, wider, size_);
     data_ = wider;

@@ -80,6 +80,10 @@ class Asked {
 
   void add_pieces() {
     Range ways = {0, 0}, bonds = {0, 0};
+    pieces_.reserve(room_.wanted.pieces.size);
+    skip_costs_.reserve(room_.wanted.pieces.size);
+    candidates_.reserve(room_.wanted.candidates.size);
+    candidate_costs_.reserve(room_.wanted.candidates.size);
     for (const furnish::PieceRow& piece : room_.wanted.pieces) {
       ways = {ways.first + ways.count, piece.candidates};
       bonds = {bonds.first + bonds.count, piece.links};
