@@ -17,39 +17,25 @@ from solver.validator.reaching import unreachable
 from solver.validator.requirements import missing_required
 from solver.validator.standing import above_ceiling, blocks_door, blocks_window, out_of_bounds, overlap, wall_far
 
-RULES: Final = {
-    "out_of_bounds": "error",
-    "overlap": "error",
-    "wall_far": "error",
-    "blocks_door": "error",
-    "blocks_window": "error",
-    "unreachable": "error",
-    "floating": "error",
-    "above_ceiling": "error",
-    "missing_required": "warning",
-    "shapes_cross": "warning",
-    "front_blocked": "warning",
-    "rooms_overlap": "warning",
-    "opening_wrong": "warning",
+_SEVERITIES: Final[dict[Callable[[RuleCase], Iterator[Finding]], str]] = {
+    out_of_bounds: "error",
+    overlap: "error",
+    wall_far: "error",
+    blocks_door: "error",
+    blocks_window: "error",
+    unreachable: "error",
+    floating: "error",
+    above_ceiling: "error",
+    missing_required: "warning",
+    shapes_cross: "warning",
+    front_blocked: "warning",
+    rooms_overlap: "warning",
+    opening_wrong: "warning",
 }
-"""Every rule and its severity, in the order issues are listed."""
-_FUNCTIONS = (
-    out_of_bounds,
-    overlap,
-    wall_far,
-    blocks_door,
-    blocks_window,
-    unreachable,
-    floating,
-    above_ceiling,
-    missing_required,
-    shapes_cross,
-    front_blocked,
-    rooms_overlap,
-    opening_wrong,
-)
-CHECKS: Final[dict[str, Callable[[RuleCase], Iterator[Finding]]]] = {check.__name__: check for check in _FUNCTIONS}
-"""How every rule is checked in one room: by the function of its name."""
+"""What checks a rule in one room, a function of the rule's name, and its severity, in the order issues are listed."""
+RULES: Final = {check.__name__: severity for check, severity in _SEVERITIES.items()}
+"""Every rule and its severity."""
+CHECKS: Final = {check.__name__: check for check in _SEVERITIES}
 
 
 def issues_of(rules: Iterable[str], case: RuleCase) -> dict[str, tuple[Issue, ...]]:
