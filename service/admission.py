@@ -4,13 +4,13 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from http.cookies import CookieError, SimpleCookie
 from ipaddress import IPv6Address, ip_address
 from math import ceil
 from typing import Any, Final
 from urllib.parse import parse_qsl, urlencode
 
 from starlette.datastructures import Headers
+from starlette.requests import cookie_parser
 from starlette.responses import RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -206,15 +206,7 @@ def _key_taken(scope: Scope) -> tuple[str, Scope]:
         key = next((value for name, value in pairs if name == PARAMETER), "")
         rest = urlencode([pair for pair in pairs if pair[0] != PARAMETER])
         scope = {**scope, "query_string": rest.encode("latin-1", "replace")}
-    return headers.get("x-api-key") or key or _cookie(headers.get("cookie", "")), scope
-
-
-def _cookie(header: str) -> str:
-    try:
-        found = SimpleCookie(header).get(COOKIE)
-    except CookieError:
-        return ""
-    return found.value if found else ""
+    return headers.get("x-api-key") or key or cookie_parser(headers.get("cookie", "")).get(COOKIE, ""), scope
 
 
 def _with_cookie(scope: Scope, key: str) -> Response:

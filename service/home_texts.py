@@ -4,13 +4,13 @@ import json
 import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from typing import Any
 
 from starlette.responses import Response
 
 from service import problems
 from service.kept_contract import HomeBody, HomeChange
+from service.store.database import moment
 from service.store.saved_homes import PackedScene, SavedHome
 from solver.errors import ComposeError, FieldError
 from solver.exchange import GLB, dump_plain, dump_scene, load_text, read
@@ -54,11 +54,6 @@ def head_document(home: SavedHome) -> Document:
         "changed": moment(home.changed), "revision": home.revision, "version": home.version, "rooms": home.rooms,
         "link": f"./?home={home.id}",
     }  # fmt: skip
-
-
-def moment(microseconds: int) -> str:
-    """Writes a time by RFC 3339."""
-    return datetime.fromtimestamp(microseconds / 1e6, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 def home_text(home: SavedHome, scene: bytes) -> bytes:

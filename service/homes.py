@@ -10,12 +10,13 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.home_texts import HomeSent, as_yaml, head_document, home_text, moment, read_sent_home
+from service.home_texts import HomeSent, as_yaml, head_document, home_text, read_sent_home
 from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
 from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
-from service.store.saved_homes import ANY_REVISION, SavedHome, Wanted
+from service.store.database import moment
+from service.store.saved_homes import ANY_REVISION, SavedHome
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read
@@ -89,9 +90,7 @@ async def list_homes(request: Request) -> Response:
     if "limit" in given:
         asked["limit"] = int(given["limit"]) if re.fullmatch(r"\d{1,9}", given["limit"]) else given["limit"]
     query = read(HomeQuery, {**asked, "tag": given.getlist("tag")})
-    changed, _, home = query.after.partition("-")
-    wanted = Wanted(query.search, query.tag, (int(changed), home) if query.after else None, query.limit)
-    found = await _asked(request, lambda homes, owner: homes.list(owner, wanted))
+    found = await _asked(request, lambda homes, owner: homes.list(owner, query))
     document = {"homes": [head_document(one) for one in found.homes], "total": found.total, "after": found.after}
     return written(document, format_wanted(request))
 

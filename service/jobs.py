@@ -18,15 +18,14 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service import problems
-from service.home_texts import moment
 from service.kept_contract import JobBody, JobHead, JobList
 from service.openapi import DescribedCalls, refusals
 from service.problems import Busy, NoSuchThing, StoreAway
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
-from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJob, SavedJobs
+from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJobs
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import ComposeError
-from solver.exchange import load_text, read
+from solver.exchange import load_text, read, write
 
 POLL_S: Final = 0.5
 """How often a job is looked at while somebody listens, s."""
@@ -35,12 +34,6 @@ IDLE_S: Final = 5.0
 SILENCE_S: Final = 15.0
 """How long a stream of events is silent, s: what lies between would close it."""
 _log = logging.getLogger("compose.service")
-
-
-def job_document(job: SavedJob) -> dict[str, Any]:
-    """Returns what is said of a job."""
-    told = {name: getattr(job, name) for name in ("id", "call", "state", "count", "done", "refused")}
-    return {**told, "created": moment(job.created), "changed": moment(job.changed)}
 
 
 def asked_of(body: bytes, sent: str) -> tuple[str, bytes, int]:
@@ -71,7 +64,7 @@ async def add_job(request: Request) -> Response:
     call, asked, count = await to_thread.run_sync(asked_of, body, sent, limiter=request.app.store_threads)
     job = await _of_store(request, lambda jobs, owner: jobs.add(owner, call, asked, count))
     request.app.runner.wake()
-    answer = written(job_document(job), format_wanted(request))
+    answer = written(write(job), format_wanted(request))
     answer.status_code = 202
     answer.headers["Location"] = f"{request.scope.get('root_path', '')}/jobs/{job.id}"
     return answer
@@ -81,14 +74,14 @@ async def add_job(request: Request) -> Response:
 async def list_jobs(request: Request) -> Response:
     """Lists jobs, the newest first."""
     found = await _of_store(request, lambda jobs, owner: jobs.list(owner))
-    return written({"jobs": [job_document(job) for job in found]}, format_wanted(request))
+    return written({"jobs": [write(job) for job in found]}, format_wanted(request))
 
 
 @jobs.call("GET", "/{job}", JobHead, takes=OF_JOB, responses=refusals(404))
 async def read_job(request: Request) -> Response:
     """Says how far a job is."""
     id_of = id_in(request, "job")
-    return written(job_document(await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))), format_wanted(request))
+    return written(write(await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))), format_wanted(request))
 
 
 @jobs.call("DELETE", "/{job}", takes=OF_JOB, status_code=204, responses=refusals(404))
@@ -120,7 +113,7 @@ async def job_events(request: Request) -> Response:
             if job != told:
                 told, silent = job, 0.0
                 event = "done" if job.state == DONE else "progress"
-                yield format_sse_event(data_str=json.dumps(job_document(job)), event=event, id=str(job.done))
+                yield format_sse_event(data_str=json.dumps(write(job)), event=event, id=str(job.done))
             if job.state == DONE:
                 return
             with anyio.move_on_after(POLL_S):
@@ -172,7 +165,7 @@ class Runner:
         except Exception:
             _log.exception("a job failed")
 
-    async def _make(self, job: SavedJob, asked: bytes) -> None:
+    async def _make(self, job: JobHead, asked: bytes) -> None:
         bodies = json.loads(zlib.decompress(asked))
         async with anyio.create_task_group() as group:
             group.start_soon(self._live, job.id, group.cancel_scope)

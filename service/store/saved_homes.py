@@ -9,6 +9,7 @@ from typing import Any, Final
 from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
+from service.kept_contract import HomeQuery
 from service.problems import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
 from service.store.database import HOMES, OWNERS, VERSIONS, Database
 
@@ -58,16 +59,6 @@ class PageOfHomes:
     homes: tuple[SavedHome, ...]
     total: int
     after: str | None
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """Which homes: those with all these words somewhere and all these tags; `after` is of the page before."""
-
-    search: str = ""
-    tags: tuple[str, ...] = ()
-    after: tuple[int, str] | None = None
-    limit: int = 20
 
 
 class SavedHomes:
@@ -157,13 +148,13 @@ class SavedHomes:
             connection.execute(delete(HOMES).where(HOMES.c.id == home))
             self._take(connection, owner, -1, -int(sizes) - int(picture))
 
-    def list(self, owner: str, wanted: Wanted) -> PageOfHomes:
+    def list(self, owner: str, wanted: HomeQuery) -> PageOfHomes:
         """Returns one page of an owner's homes."""
         fits = and_(HOMES.c.owner == owner, *_matching(wanted))
         page = select(*SHOWN).where(fits).order_by(HOMES.c.changed.desc(), HOMES.c.id.desc()).limit(wanted.limit + 1)
-        if wanted.after is not None:
-            changed, home = wanted.after
-            page = page.where(or_(HOMES.c.changed < changed, and_(HOMES.c.changed == changed, HOMES.c.id < home)))
+        if wanted.after:
+            at, _, home = wanted.after.partition("-")
+            page = page.where(or_(HOMES.c.changed < int(at), and_(HOMES.c.changed == int(at), HOMES.c.id < home)))
         with self._database.reading() as connection:
             rows = connection.execute(page).all()
             total = connection.scalar(select(func.count()).select_from(HOMES).where(fits)) or 0
@@ -229,9 +220,9 @@ def _read(row: Row[Any]) -> SavedHome:
     return SavedHome(**{**values, "tags": tuple(tag for tag in values["tags"].split("\n") if tag)})
 
 
-def _matching(wanted: Wanted) -> list[ColumnElement[bool]]:
+def _matching(wanted: HomeQuery) -> list[ColumnElement[bool]]:
     words = [HOMES.c.words.contains(word, autoescape=True) for word in wanted.search.casefold().split()]
-    return [*words, *(HOMES.c.tags.contains(f"\n{tag}\n", autoescape=True) for tag in wanted.tags)]
+    return [*words, *(HOMES.c.tags.contains(f"\n{tag}\n", autoescape=True) for tag in wanted.tag)]
 
 
 def _found(connection: Connection, owner: str, home: str, for_change: bool = False) -> SavedHome:

@@ -8,8 +8,9 @@ from typing import Any, Final
 
 from sqlalchemy import Connection, Row, and_, delete, func, insert, or_, select, update
 
+from service.kept_contract import JobHead
 from service.problems import NoSuchThing, TooManyKept
-from service.store.database import JOBS, RESULTS, Database
+from service.store.database import JOBS, RESULTS, Database, moment
 
 WAITING: Final = "waiting"
 RUNNING: Final = "running"
@@ -19,20 +20,6 @@ MOST_JOBS: Final = 20
 LEASE_S: Final = 20.0
 """After so long without a word of its runner, another one carries a job on, s. Our choice."""
 TOLD: Final = tuple(JOBS.c[name] for name in ("id", "call", "state", "count", "done", "refused", "created", "changed"))
-
-
-@dataclass(frozen=True)
-class SavedJob:
-    """A job: `done` of its `count` calls have been made, of which `refused` were refused. Times are microseconds since 1970, UTC."""
-
-    id: str
-    call: str
-    state: str
-    count: int
-    done: int
-    refused: int
-    created: int
-    changed: int
 
 
 @dataclass(frozen=True)
@@ -53,7 +40,7 @@ class SavedJobs:
     def __init__(self, database: Database, lease_s: float = LEASE_S, clock: Callable[[], int] = time.time_ns) -> None:
         self._database, self._lease, self._clock = database, round(lease_s * 1e6), clock
 
-    def add(self, owner: str, call: str, asked: bytes, count: int) -> SavedJob:
+    def add(self, owner: str, call: str, asked: bytes, count: int) -> JobHead:
         """Keeps a job that waits.
 
         Raises:
@@ -70,7 +57,7 @@ class SavedJobs:
             connection.execute(insert(JOBS), row)
             return _found_job(connection, owner, str(row["id"]))
 
-    def get(self, owner: str, job: str) -> SavedJob:
+    def get(self, owner: str, job: str) -> JobHead:
         """Returns a job.
 
         Raises:
@@ -79,7 +66,7 @@ class SavedJobs:
         with self._database.reading() as connection:
             return _found_job(connection, owner, job)
 
-    def list(self, owner: str) -> list[SavedJob]:
+    def list(self, owner: str) -> list[JobHead]:
         """Returns an owner's jobs, the newest first."""
         with self._database.reading() as connection:
             rows = connection.execute(select(*TOLD).where(JOBS.c.owner == owner).order_by(JOBS.c.created.desc(), JOBS.c.id))
@@ -110,7 +97,7 @@ class SavedJobs:
             raise NoSuchThing("result", f"{number} is not there", "the number of a call that has been made, from 0")
         return JobResult(*row)
 
-    def take(self, runner: str) -> tuple[SavedJob, bytes] | None:
+    def take(self, runner: str) -> tuple[JobHead, bytes] | None:
         """Takes the job that has waited longest, or whose runner is silent; returns it with what is asked, or None."""
         now = self._clock() // 1000
         # A word from the future was said before the clock was put back: a runner that lives says another one within the lease.
@@ -149,12 +136,12 @@ class SavedJobs:
         return connection.execute(update(JOBS).where(is_own).values(beat=self._clock() // 1000, **more)).rowcount == 1
 
 
-def _job(row: Row[Any]) -> SavedJob:
-    values = row._asdict()
-    return SavedJob(**{column.name: values[column.name] for column in TOLD})
+def _job(row: Row[Any]) -> JobHead:
+    told = {column.name: row._mapping[column] for column in TOLD}
+    return JobHead(**told | {name: moment(told[name]) for name in ("created", "changed")})
 
 
-def _found_job(connection: Connection, owner: str, job: str) -> SavedJob:
+def _found_job(connection: Connection, owner: str, job: str) -> JobHead:
     row = connection.execute(select(*TOLD).where(JOBS.c.id == job, JOBS.c.owner == owner)).first()
     if row is None:
         raise NoSuchThing("job", f"there is no {job!r:.40}", "the id of a job of yours")

@@ -16,10 +16,11 @@ from sqlalchemy import event, text
 from starlette.testclient import TestClient
 
 from service.app import create_app
+from service.kept_contract import HomeQuery
 from service.problems import NoSuchThing
 from service.service_settings import Settings
 from service.store.database import Database
-from service.store.saved_homes import SavedHome, SavedHomes, Wanted
+from service.store.saved_homes import SavedHome, SavedHomes
 from service.store.saved_jobs import SavedJobs
 from tests.browser.service_process import running
 from tests.service.heavy import PATIENCE_S
@@ -153,13 +154,13 @@ def check(place: str, acknowledged: dict[str, int], renamed: set[str]) -> None:
     """Every home that was acknowledged is there and whole, as last renamed; those that were not acknowledged are whole or not there."""
     with closing(Database(place)) as database:
         homes = SavedHomes(database)
-        found, after = dict[str, SavedHome](), None
+        found, after = dict[str, SavedHome](), ""
         while True:
-            page = homes.list("", Wanted(limit=100, after=after))
+            page = homes.list("", HomeQuery(limit=100, after=after))
             found |= {home.id: home for home in page.homes}
             if page.after is None:
                 break
-            after = (page.homes[-1].changed, page.homes[-1].id)
+            after = page.after
         assert acknowledged.keys() <= found.keys()
         for home, head in found.items():
             number = int(head.notes)

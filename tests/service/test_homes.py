@@ -16,10 +16,11 @@ from sqlalchemy import text
 from starlette.testclient import TestClient
 
 from service.app import ComposeApp, create_app
+from service.kept_contract import HomeQuery
 from service.problems import StoreAway
 from service.service_settings import Settings
 from service.store.database import TABLES, Database
-from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, SavedHomes, Wanted
+from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
 from tests.service.heavy import PATIENCE_S
@@ -253,7 +254,7 @@ def test_an_owner_keeps_so_many_and_so_much(place: str) -> None:
         homes.remove("carla", kept[0].id, 1)
         homes.change("carla", kept[1].id, 1, {}, PackedScene(b"1" * 60, 1))
         homes.remove("carla", kept[1].id, 2)
-        assert [homes.list("carla", Wanted()).total for _ in range(2)] == [0, 0]
+        assert [homes.list("carla", HomeQuery()).total for _ in range(2)] == [0, 0]
         with database.reading() as connection:
             assert connection.execute(text("SELECT homes, bytes FROM owners WHERE name = 'carla'")).one() == (0, 0)
 
@@ -266,17 +267,17 @@ def test_a_clock_that_jumps_hides_no_home_and_no_change(place: str) -> None:
         for jump_s in (0, 86_400, -86_400 * 900, 3, 86_400 * 900):
             now[0] += jump_s * 10**9
             kept.add(homes.add("finn", texts, PackedScene(b"1", 1)).id)
-        first = homes.list("finn", Wanted(limit=1)).homes[0]
+        first = homes.list("finn", HomeQuery(limit=1)).homes[0]
         now[0] -= 86_400 * 10**9
         changed = homes.change("finn", first.id, first.revision, {"name": "b"}, PackedScene(b"2", 1))
-        assert changed.changed > first.changed and homes.list("finn", Wanted()).homes[0] == changed
-        found, after = list[str](), None
+        assert changed.changed > first.changed and homes.list("finn", HomeQuery()).homes[0] == changed
+        found, after = list[str](), ""
         while True:
-            page = homes.list("finn", Wanted(limit=2, after=after))
+            page = homes.list("finn", HomeQuery(limit=2, after=after))
             found += [home.id for home in page.homes]
             if page.after is None:
                 break
-            after = (page.homes[-1].changed, page.homes[-1].id)
+            after = page.after
         assert len(found) == len(kept) and set(found) == kept
         for home in found:
             homes.remove("finn", home, -1)
