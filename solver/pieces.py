@@ -6,9 +6,9 @@ what a piece may do is all here.
 Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple, Protocol
+from typing import Literal, NamedTuple
 
 from solver.body_rows import LooksBySize
 from solver.geometry import Rect, gaps_between, strip, turned
@@ -229,35 +229,24 @@ class Piece:
     only: NamedKind | None = None
 
 
-class RowNames(Protocol):
-    """What the numbers stand for in the core's rows about what a room of a type wants."""
-
-    @property
-    def kinds(self) -> "NamedKinds":
-        """The kinds of the room's type, by their numbers."""
-
-    @property
-    def looks(self) -> LooksBySize:
-        """How furniture of these kinds looks."""
-
-    def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
-        """Returns the labels of wanted pieces, in their order: rows of spec, number and side of floor (NameRow of core/rooms/made.hpp)."""
-
-    def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
-        """Returns a candidate from its row."""
-
-
 NamedKinds = tuple[NamedKind, ...]
 """Names and sizes of kinds, by their numbers."""
 
 
 class WantedRows(NamedTuple):
-    """What the core furnishes and places in one go: a room and its type as bytes, and what the numbers of its answer mean."""
+    """What the core furnishes and places in one go: a room and its type as bytes, and what the numbers of its answer mean.
+
+    `kinds` are those of the room's type, `looks` is how furniture of these looks. `labels` returns the labels of wanted pieces, in their
+    order, from rows of spec, number and side of floor (NameRow of core/rooms/made.hpp), `candidate` a candidate from its row and them.
+    """
 
     space: Space
     type_rows: bytes
     room_rows: bytes
-    names: RowNames
+    kinds: NamedKinds
+    looks: LooksBySize
+    labels: Callable[[Sequence[tuple[int, int, int]]], list[str]]
+    candidate: Callable[[bytes, Sequence[str]], Candidate]
 
 
 @dataclass(frozen=True)

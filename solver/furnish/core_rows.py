@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
-from solver.body_rows import LooksBySize
 from solver.furnish.compiled_types import RELATION_WORDS, SIDES, WALLS_ASKED, CompiledType
 from solver.geometry import Rect
-from solver.pieces import Attach, Candidate, Link, NamedKinds, Piece, Space, Stand, Zone
+from solver.pieces import Attach, Candidate, Link, Piece, Space, Stand, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS
 
@@ -71,13 +70,13 @@ def answer_of(data: bytes) -> Answer:
     return Answer(state, *tables)
 
 
-def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list[str]:
+def labels_of(known: CompiledType, rows: Sequence[tuple[int, int, int]]) -> list[str]:
     """Returns the labels of wanted pieces, in their order.
 
     Args:
+        known: the room's type.
         rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side,
             four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in.
-        known: the room's type.
     """
     labels: list[str] = []
     for spec, number, side in rows:
@@ -91,7 +90,7 @@ def labels_of(rows: Sequence[tuple[int, int, int]], known: CompiledType) -> list
 
 def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     """Returns the pieces of an answer."""
-    labels = labels_of([(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces], known)
+    labels = labels_of(known, [(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces])
     candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
     pieces = []
     for label, (spec_at, _, kind_at, ways, bonds, side, required, with_next, skip_cost) in zip(labels, answer.pieces, strict=True):
@@ -115,28 +114,9 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     return tuple(pieces)
 
 
-class TypeNames(NamedTuple):
-    """What the numbers of rows about a room of a type mean: `RowNames`."""
-
-    known: CompiledType
-
-    @property
-    def kinds(self) -> NamedKinds:
-        """The kinds of the room's type, by their numbers."""
-        return self.known.named
-
-    @property
-    def looks(self) -> LooksBySize:
-        """How furniture of these kinds looks."""
-        return self.known.looks
-
-    def labels(self, rows: Sequence[tuple[int, int, int]]) -> list[str]:
-        """Returns the labels of wanted pieces, in their order."""
-        return labels_of(rows, self.known)
-
-    def candidate(self, row: bytes, labels: Sequence[str]) -> Candidate:
-        """Returns a candidate from its row."""
-        return candidate_of(_CANDIDATE.unpack(row), self.known, labels)
+def candidate_in(known: CompiledType, row: bytes, labels: Sequence[str]) -> Candidate:
+    """Returns a candidate from its row."""
+    return candidate_of(_CANDIDATE.unpack(row), known, labels)
 
 
 def candidate_of(row: tuple[Any, ...], known: CompiledType, labels: Sequence[str]) -> Candidate:

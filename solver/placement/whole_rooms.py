@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 from solver.body_rows import BODY
 from solver.core import CoreInstance, borrowed
 from solver.geometry import Rect
-from solver.pieces import Arrangement, Placed, Residuals, RowNames, StandingRows, WantedRows
+from solver.pieces import Arrangement, Placed, Residuals, StandingRows, WantedRows
 from solver.placement.arrange import CANNOT_STAND, NOT_FOUND, NOT_WALKABLE, REASONS
 from solver.placement.budget import ROOM_WORK, Budget, charge
 from solver.placement.layout import COVERED, NO_WAY, SPENT
@@ -116,16 +116,16 @@ def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals
 class _Placing:
     """The pieces of a room that stand, as the core told them; called, it makes them.
 
-    `wanted` is what the wanted pieces are called by, `ways` is how those that stand were placed, `standing` the same as bodies.
+    `names` is what the wanted pieces are called by, `ways` is how those that stand were placed, `standing` the same as bodies.
     """
 
-    names: RowNames
-    wanted: bytes
+    room: WantedRows
+    names: bytes
     ways: bytes
     standing: StandingRows
 
     def __call__(self) -> tuple[Placed, ...]:
-        labels, candidate = self.labels, self.names.candidate
+        labels, candidate = self.labels, self.room.candidate
         return tuple(
             Placed(labels[piece], candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
             for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
@@ -134,7 +134,7 @@ class _Placing:
     @cached_property
     def labels(self) -> list[str]:
         """The labels of the wanted pieces."""
-        return self.names.labels([*_NAME.iter_unpack(self.wanted)])
+        return self.room.labels([*_NAME.iter_unpack(self.names)])
 
 
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
@@ -143,7 +143,7 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
     for row, count in ((_NAME, made.names), (_PLACED, made.placed), (BODY, made.placed), (_LEFT_OUT, made.left_out)):
         ends.append(ends[-1] + row.size * count)
     names, ways, bodies, missing = (data[start:end] for start, end in pairwise(ends))
-    placing = _Placing(room.names, names, ways, StandingRows(bodies, room.names.kinds, room.names.looks))
+    placing = _Placing(room, names, ways, StandingRows(bodies, room.kinds, room.looks))
     left_out = tuple(_reasons(room, placing, [*_LEFT_OUT.iter_unpack(missing)], made.placed)) if made.left_out else ()
     notes = () if made.walkable else (NOT_WALKABLE,)
     proven, best = bool(made.proven), bool(made.best)
@@ -154,7 +154,7 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
 def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
     """Yields the label of each piece that was left out, and why."""
     gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
-    labels, kinds = placing.labels, room.names.kinds
+    labels, kinds = placing.labels, room.kinds
     for piece, why, parent, kind, at_walls, *free in rows:
         longest = [free[number] for number in _AS_NAMED] if at_walls else ()
         at = named_parent(labels[parent], parent in gone) if parent >= 0 else None
