@@ -58,10 +58,7 @@ class Core:
     def stand_together(self, limits: Limits, budget: Budget, walk: bool) -> tuple[Ints | None, bool]:
         """Asks for all pieces at once, whatever is required: decisions of the best way, or None; and whether that answer is exact."""
         count, tree = len(self.encoded.pieces), self.engine.tree
-        tree.budget[0] = budget.left
-        own = (limits.required, limits.required_qps, layout.MANY)
-        found = kernel.best_first(self.engine, self.blank(), (0, count), own, walk)
-        budget.left = float(tree.budget[0])
+        found = self._best_first(self.blank(), 0, limits, budget, walk)
         closed = bool(tree.counters[CLOSED])
         if not found:
             complete = tree.counters[DEEPEST] >= 0 and self._deepest() == count
@@ -79,13 +76,25 @@ class Core:
             if grown is None:
                 return None
             start = grown
-        tree.budget[0] = budget.left
-        own = (limits.required, limits.required_qps, layout.MANY)
-        found = kernel.best_first(self.engine, start, (first, len(start)), own, True)
-        budget.left = float(tree.budget[0])
+        found = self._best_first(start, first, limits, budget, True)
         complete = found or (tree.counters[DEEPEST] >= 0 and self._deepest() == len(start))
         decisions: Ints = tree.decisions[tree.counters[BEST if found else DEEPEST]]
         return decisions.copy() if complete else None
+
+    def _best_first(self, start: Ints, first: int, limits: Limits, budget: Budget, walk: bool) -> bool:
+        """Finds the cheapest way for the pieces from number `first` on to join decisions; what it found is left in `tree`."""
+        call = self.engine.call
+        call.decisions[:], call.group[:] = start, (first, len(start))
+        call.limits[:] = limits.required, limits.required_qps, layout.MANY
+        return self._searched(budget, "best_first", walk)
+
+    def _searched(self, budget: Budget, search: str, *given: float) -> bool:
+        """Asks for a search within a budget, from which is taken what it costs; tells whether something was found."""
+        tree = self.engine.tree
+        tree.budget[0] = budget.left
+        found = bool(self.engine.instance.call(search, self.engine.desk, *given))
+        budget.left = float(tree.budget[0])
+        return found
 
     def with_first(self, decisions: Ints, piece: int) -> Ints | None:
         """Returns decisions with a piece's first way beside them; None where it has none."""
@@ -126,8 +135,9 @@ class Core:
         return decisions
 
     def preference(self, decisions: Ints) -> float:
-        """Returns the preference cost of decisions that can stand together."""
-        return kernel.total_preference(self.engine, decisions)
+        """Returns the preference cost of decisions together, or -1 where they rule each other out."""
+        self.engine.call.decisions[:] = decisions
+        return float(self.engine.instance.call("total_preference", self.engine.desk))
 
     def decided(self, decision: int) -> Candidate:
         """Returns the candidate that a decision means."""
@@ -147,10 +157,8 @@ class Core:
 
     def evaluate(self, decisions: Ints, limit: int, budget: Budget, walk: bool, ceiling: float = np.inf) -> bool:
         """Searches a placement of the decisions; it stays in the work space."""
-        self.engine.tree.budget[0] = budget.left
-        found = kernel.evaluate(self.engine, decisions, limit, ceiling, walk)
-        budget.left = float(self.engine.tree.budget[0])
-        return found
+        self.engine.call.decisions[:] = decisions
+        return self._searched(budget, "evaluate", limit, ceiling, walk)
 
     def bodies(self, first: int = 0) -> list[Rect]:
         """Returns the footprints that the last search found, by piece from `first` on, all decided, rounded to millimetres."""
@@ -198,7 +206,7 @@ class Core:
             _, _, x, z, off_x, off_z, *_ = part
             if place is not None:
                 positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
-        return self.solution() if kernel.pull_back(self.engine) else None
+        return self.solution() if self.engine.instance.call("pull_back", self.engine.desk) else None
 
     def rotation(self, piece: int) -> int:
         """Returns the absolute rotation of an assembled piece."""
@@ -266,4 +274,5 @@ def solution_of(engine: Engine) -> Solution | None:
     count = int(result[layout.FORCES])
     forces, multipliers = engine.nodes.best_forces[:count].copy(), engine.nodes.best_multipliers[:count].copy()
     positions = best[0, :n_x].copy(), best[1, :n_z].copy()
-    return Solution(float(engine.nodes.best_cost[0]), positions, kernel.find_taken(engine), proven, solves, forces, multipliers)
+    rows = engine.call.taken[: engine.instance.call("find_taken", engine.desk)].copy()
+    return Solution(float(engine.nodes.best_cost[0]), positions, rows, proven, solves, forces, multipliers)

@@ -61,34 +61,11 @@ def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wid
     return ArrangedRoom(Engine(instance, desk), *flags, solves, ways, spent, numbers[:pieces], numbers[pieces : pieces + ways_there], pairs)
 
 
-def best_first(engine: Engine, start: Ints, group: Sequence[int], limits: Sequence[int], walk: bool) -> bool:
-    """Finds the cheapest way for the pieces group[0] ... group[1] - 1 to join decisions; what it found is left in `tree`."""
-    call = engine.call
-    call.decisions[:], call.group[:], call.limits[:] = start, group, limits
-    return bool(engine.instance.call("best_first", engine.desk, walk))
-
-
-def evaluate(engine: Engine, decisions: Ints, limit: int, ceiling: float, walk: bool) -> bool:
-    """Assembles and searches; tells whether a placement was found."""
-    engine.call.decisions[:] = decisions
-    return bool(engine.instance.call("evaluate", engine.desk, limit, ceiling, walk))
-
-
-def find_taken(engine: Engine) -> Ints:
-    """Returns the rows that the choices of what the last search found took, then those of widenings."""
-    return engine.call.taken[: engine.instance.call("find_taken", engine.desk)].copy()
-
-
 def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, Floats]:
     """Returns the decisions possible for a piece beside those decided, and their preference costs; views of the engine."""
     engine.call.decisions[:] = decisions
     count = engine.instance.call("open_decisions", engine.desk, piece)
     return engine.tree.found[:count], engine.tree.found_cost[:count]
-
-
-def pull_back(engine: Engine) -> bool:
-    """Brings the bodies at grid.positions back towards their wishes; False where not all held there."""
-    return bool(engine.instance.call("pull_back", engine.desk))
 
 
 def hand_over(engine: Engine, solution: Solution) -> None:
@@ -140,12 +117,6 @@ def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> Ints:
     rows = np.frombuffer(instance.read(address + 8, 8 * HOLDING_ROW * count), dtype=np.int64)
     instance.release(mark)
     return rows.reshape(-1, HOLDING_ROW)
-
-
-def total_preference(engine: Engine, decisions: Ints) -> float:
-    """Returns the preference cost of decisions together, or -1 where they rule each other out."""
-    engine.call.decisions[:] = decisions
-    return float(engine.instance.call("total_preference", engine.desk))
 
 
 def walkable(engine: Engine) -> bool:

@@ -1,45 +1,28 @@
 """Work space for one room, in the memory of an instance of the core."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from solver.core import taken
 from solver.placement.layout import COUNT, SHOWN_BYTES, Engine, RoomArrays
 
-
-class Sizes(NamedTuple):
-    """How large a room's problem may get: variables along an axis, parts, choices, fixed rows, pulls, and so on."""
-
-    pieces: int
-    variables: int
-    choices: int
-    rows: int
-    pulls: int
-    walls: int
-    doors: int
-    decisions: int
-    states: int
+OF_ROOM = [0] * 9
+"""In place of how large a room's problem may get (`struct Sizes` of solver/core/placement/space.hpp): as large as follows from the room."""
 
 
-OF_ROOM = Sizes(*[0] * len(Sizes._fields))
-"""Those that follow from the room."""
-
-
-def request_of(room: RoomArrays, sizes: Sizes = OF_ROOM) -> bytes:
+def request_of(room: RoomArrays) -> bytes:
     """Returns what the core is sent of a room: `RoomRequest` of solver/core/placement/space.hpp."""
     counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
-    return b"".join(array.tobytes() for array in (np.array([*sizes, *counts], dtype=np.int64), *room))
+    return b"".join(array.tobytes() for array in (np.array([*OF_ROOM, *counts], dtype=np.int64), *room))
 
 
-def new_engine(room: RoomArrays, sizes: Sizes = OF_ROOM) -> Engine:
+def new_engine(room: RoomArrays) -> Engine:
     """Returns all work space for a room, and the room in it.
 
     Raises:
         CoreFull: the core's memory is too small for it.
     """
     instance = taken(roomy=True)
-    return Engine(instance, int(instance.call("new_desk", instance.write(request_of(room, sizes)))))
+    return Engine(instance, int(instance.call("new_desk", instance.write(request_of(room)))))
 
 
 def without_search(engine: Engine) -> Engine:

@@ -106,7 +106,7 @@ def test_a_failure_in_a_room_harms_no_other() -> None:
     core = Core(encode(space, wanted))
     outside = np.full_like(core.blank(), 8 * 10_000_000)  # candidates whose rows would lie far behind the memory's end
     with pytest.raises(CoreFailed, match="total_preference ended in a trap"):
-        kernel.total_preference(core.engine, outside)
+        core.preference(outside)
     with pytest.raises(CoreFailed, match="failed before"):
         kernel.walkable(core.engine)
     assert arrange(space, wanted).decisions.tolist() == before

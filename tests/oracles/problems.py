@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.core import taken
 from solver.geometry import Rect
 from solver.placement import kernel, layout
 from solver.placement.core import solution_of
 from solver.placement.layout import Engine, RoomArrays, Work
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
-from solver.placement.space import Sizes, new_engine
+from solver.placement.space import request_of
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
@@ -126,8 +127,10 @@ def laid_out(problem: Problem) -> Engine:
     """Returns a work space with the problem in it, ready for the kernel's `search`."""
     count = max(len(problem.low[0]), len(problem.low[1]), 1)
     pulls = sum(term.i != ORIGIN for term in problem.terms)
-    sizes = Sizes(1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1)
-    engine = new_engine(_nowhere(), sizes)
+    sizes = np.array([1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1], dtype=np.int64).tobytes()
+    instance = taken(roomy=True)
+    sent = instance.write(sizes + request_of(_nowhere())[len(sizes) :])
+    engine = Engine(instance, int(instance.call("new_desk", sent)))
     work = engine.work
     work.counts[:] = 0
     for axis in (0, 1):
