@@ -9,12 +9,10 @@ from typing import Any
 from starlette.responses import Response
 
 from service import problems
-from service.kept_contract import HomeBody, HomeChange
-from service.store.database import moment
-from service.store.saved_homes import PackedScene, SavedHome
+from service.kept_contract import HomeBody, HomeChange, HomeHead
+from service.store.saved_homes import PackedScene
 from solver.errors import ComposeError, FieldError
-from solver.exchange import GLB, dump_plain, dump_scene, load_text, read
-from solver.plain import Document
+from solver.exchange import GLB, dump_plain, dump_scene, load_text, read, write
 from solver.scene import Scene
 
 
@@ -47,18 +45,9 @@ def packed_scene(scene: Scene) -> PackedScene:
     return PackedScene(zlib.compress(dump_scene(scene, "json"), 6), len(scene.rooms))
 
 
-def head_document(home: SavedHome) -> Document:
-    """Returns what is said of a home beside its scene."""
-    return {
-        "id": home.id, "name": home.name, "notes": home.notes, "tags": list(home.tags), "created": moment(home.created),
-        "changed": moment(home.changed), "revision": home.revision, "version": home.version, "rooms": home.rooms,
-        "link": f"./?home={home.id}",
-    }  # fmt: skip
-
-
-def home_text(home: SavedHome, scene: bytes) -> bytes:
+def home_text(home: HomeHead, scene: bytes) -> bytes:
     """Writes a home with its packed scene as JSON; the scene is not read for it."""
-    head = json.dumps(head_document(home), ensure_ascii=False).encode()
+    head = json.dumps(write(home), ensure_ascii=False).encode()
     return head[:-1] + b', "scene": ' + zlib.decompress(scene).strip() + b"}"
 
 

@@ -10,16 +10,16 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.home_texts import HomeSent, as_yaml, head_document, home_text, read_sent_home
+from service.home_texts import HomeSent, as_yaml, home_text, read_sent_home
 from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
 from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
-from service.store.saved_homes import ANY_REVISION, SavedHome
+from service.store.saved_homes import ANY_REVISION
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
-from solver.exchange import FORMATS, read
+from solver.exchange import FORMATS, read, write
 
 MOST_PICTURE: Final = 512 * 1024
 """Largest picture, bytes. Our choice."""
@@ -41,7 +41,7 @@ def _revision(request: Request) -> int | None:
     return int(found.group(1)) if found else 0
 
 
-def _tagged(answer: Response, home: SavedHome, wanted: str) -> Response:
+def _tagged(answer: Response, home: HomeHead, wanted: str) -> Response:
     answer.headers["ETag"] = f'"{home.revision}"' if wanted == "json" else f'"{home.revision}-{wanted}"'
     answer.headers["Cache-Control"] = "private, no-cache"
     return answer
@@ -76,7 +76,7 @@ async def save_home(request: Request) -> Response:
     scene = sent.scene
     assert scene is not None, "a HomeBody has one"
     home = await _asked(request, lambda homes, owner: homes.add(owner, sent.texts, scene))
-    answer = _tagged(written(head_document(home), wanted), home, wanted)
+    answer = _tagged(written(write(home), wanted), home, wanted)
     answer.status_code = 201
     answer.headers["Location"] = f"{request.scope.get('root_path', '')}/homes/{home.id}"
     return answer
@@ -91,7 +91,7 @@ async def list_homes(request: Request) -> Response:
         asked["limit"] = int(given["limit"]) if re.fullmatch(r"\d{1,9}", given["limit"]) else given["limit"]
     query = read(HomeQuery, {**asked, "tag": given.getlist("tag")})
     found = await _asked(request, lambda homes, owner: homes.list(owner, query))
-    document = {"homes": [head_document(one) for one in found.homes], "total": found.total, "after": found.after}
+    document = {"homes": [write(one) for one in found.homes], "total": found.total, "after": found.after}
     return written(document, format_wanted(request))
 
 
@@ -122,7 +122,7 @@ async def change_home(request: Request) -> Response:
     if isinstance(sent, Response):
         return sent
     home = await _asked(request, lambda homes, owner: homes.change(owner, id_of, revision, sent.texts, sent.scene))
-    return _tagged(written(head_document(home), wanted), home, wanted)
+    return _tagged(written(write(home), wanted), home, wanted)
 
 
 @homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))

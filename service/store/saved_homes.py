@@ -3,21 +3,21 @@
 import secrets
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Final
 
 from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
-from service.kept_contract import HomeQuery
+from service.kept_contract import HomeHead, HomeQuery
 from service.problems import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
-from service.store.database import HOMES, OWNERS, VERSIONS, Database
+from service.store.database import HOMES, OWNERS, VERSIONS, Database, moment
 
 KEPT_VERSIONS: Final = 50
 """Versions of a home; the oldest go when there are more. Our choice."""
 ANY_REVISION: Final = -1
 """In place of a revision: whichever there is."""
-SHOWN: Final = tuple(column for column in HOMES.c if column.name not in ("picture", "words", "owner"))
+SHOWN: Final = tuple(HOMES.c[part.name] for part in fields(HomeHead) if part.name != "link")
 
 
 @dataclass(frozen=True)
@@ -26,22 +26,6 @@ class Keeping:
 
     homes: int = 1000
     bytes: int = 500_000_000
-
-
-@dataclass(frozen=True)
-class SavedHome:
-    """A home without its scene; times are microseconds since 1970, UTC."""
-
-    id: str
-    name: str
-    notes: str
-    tags: tuple[str, ...]
-    created: int
-    changed: int
-    revision: int
-    version: int
-    rooms: int
-    picture_type: str | None
 
 
 @dataclass(frozen=True)
@@ -56,7 +40,7 @@ class PackedScene:
 class PageOfHomes:
     """One page of homes, the last changed first; how many there are in all; and what asks for the next page, if there is one."""
 
-    homes: tuple[SavedHome, ...]
+    homes: tuple[HomeHead, ...]
     total: int
     after: str | None
 
@@ -67,7 +51,7 @@ class SavedHomes:
     def __init__(self, database: Database, keeping: Keeping | None = None, clock: Callable[[], int] = time.time_ns) -> None:
         self._database, self._keeping, self._clock = database, keeping or Keeping(), clock
 
-    def add(self, owner: str, texts: Mapping[str, Any], scene: PackedScene) -> SavedHome:
+    def add(self, owner: str, texts: Mapping[str, Any], scene: PackedScene) -> HomeHead:
         """Keeps a new home of an owner: its `name`, `notes` and `tags`, and its first version.
 
         Raises:
@@ -88,9 +72,9 @@ class SavedHomes:
             self._take(connection, owner, 1, len(scene.content))
             connection.execute(insert(HOMES), row)
             connection.execute(insert(VERSIONS), {"home": home, "number": 1, "made": now, "scene": scene.content})
-            return _found(connection, owner, home)
+            return _read(_found(connection, owner, home))
 
-    def get(self, owner: str, home: str, version: int | None = None) -> tuple[SavedHome, bytes]:
+    def get(self, owner: str, home: str, version: int | None = None) -> tuple[HomeHead, bytes]:
         """Returns a home and its packed scene; of a version, where one is named.
 
         Raises:
@@ -102,9 +86,9 @@ class SavedHomes:
             scene = connection.scalar(select(VERSIONS.c.scene).where(VERSIONS.c.home == home, VERSIONS.c.number == number))
             if scene is None:
                 raise NoSuchThing("version", f"{number} of this home is not kept", f"one of GET /homes/{home}/versions")
-            return found, scene
+            return _read(found), scene
 
-    def change(self, owner: str, home: str, revision: int | None, texts: Mapping[str, Any], scene: PackedScene | None) -> SavedHome:
+    def change(self, owner: str, home: str, revision: int | None, texts: Mapping[str, Any], scene: PackedScene | None) -> HomeHead:
         """Changes those texts of an owner's home that are given, and adds a version if there is a scene.
 
         `revision` is the one that the change was made from; or ANY_REVISION.
@@ -118,15 +102,15 @@ class SavedHomes:
         now = self._clock() // 1000
         with self._database.writing() as connection:
             before = _held(connection, owner, home, revision)
-            kept = {"name": before.name, "notes": before.notes, "tags": before.tags, **texts}
+            kept = {"name": before.name, "notes": before.notes, "tags": _tags(before), **texts}
             new: dict[str, Any] = {**_written(kept), "changed": max(now, before.changed + 1), "revision": before.revision + 1}
             if scene is not None:
                 self._add_version(connection, owner, before, scene, now)
                 new |= {"version": before.version + 1, "rooms": scene.rooms}
             connection.execute(update(HOMES).where(HOMES.c.id == home).values(new))
-            return _found(connection, owner, home)
+            return _read(_found(connection, owner, home))
 
-    def _add_version(self, connection: Connection, owner: str, before: SavedHome, scene: PackedScene, now: int) -> None:
+    def _add_version(self, connection: Connection, owner: str, before: Row[Any], scene: PackedScene, now: int) -> None:
         old = and_(VERSIONS.c.home == before.id, VERSIONS.c.number <= before.version + 1 - KEPT_VERSIONS)
         gone = connection.scalar(select(func.coalesce(func.sum(func.length(VERSIONS.c.scene)), 0)).where(old)) or 0
         self._take(connection, owner, 0, len(scene.content) - int(gone))
@@ -158,8 +142,8 @@ class SavedHomes:
         with self._database.reading() as connection:
             rows = connection.execute(page).all()
             total = connection.scalar(select(func.count()).select_from(HOMES).where(fits)) or 0
-        homes = tuple(_read(row) for row in rows[: wanted.limit])
-        return PageOfHomes(homes, total, f"{homes[-1].changed}-{homes[-1].id}" if len(rows) > wanted.limit else None)
+        shown = rows[: wanted.limit]
+        return PageOfHomes(tuple(map(_read, shown)), total, f"{shown[-1].changed}-{shown[-1].id}" if len(rows) > wanted.limit else None)
 
     def versions(self, owner: str, home: str) -> Sequence[tuple[int, int]]:
         """Returns the number and the time of each version that is kept, the last first.
@@ -215,9 +199,13 @@ def _written(texts: Mapping[str, Any]) -> dict[str, str]:
     return {"name": texts["name"], "notes": texts["notes"], "tags": "".join(f"\n{tag}" for tag in tags) + "\n", "words": words}
 
 
-def _read(row: Row[Any]) -> SavedHome:
-    values = row._asdict()
-    return SavedHome(**{**values, "tags": tuple(tag for tag in values["tags"].split("\n") if tag)})
+def _read(row: Row[Any]) -> HomeHead:
+    told = {**row._asdict(), "tags": _tags(row), "created": moment(row.created), "changed": moment(row.changed)}
+    return HomeHead(**told, link=f"./?home={row.id}")
+
+
+def _tags(row: Row[Any]) -> tuple[str, ...]:
+    return tuple(tag for tag in row.tags.split("\n") if tag)
 
 
 def _matching(wanted: HomeQuery) -> list[ColumnElement[bool]]:
@@ -225,15 +213,15 @@ def _matching(wanted: HomeQuery) -> list[ColumnElement[bool]]:
     return [*words, *(HOMES.c.tags.contains(f"\n{tag}\n", autoescape=True) for tag in wanted.tag)]
 
 
-def _found(connection: Connection, owner: str, home: str, for_change: bool = False) -> SavedHome:
+def _found(connection: Connection, owner: str, home: str, for_change: bool = False) -> Row[Any]:
     asked = select(*SHOWN).where(HOMES.c.id == home, HOMES.c.owner == owner)
     row = connection.execute(asked.with_for_update() if for_change else asked).first()
     if row is None:
         raise _no_such(home)
-    return _read(row)
+    return row
 
 
-def _held(connection: Connection, owner: str, home: str, revision: int | None) -> SavedHome:
+def _held(connection: Connection, owner: str, home: str, revision: int | None) -> Row[Any]:
     """Returns a home that nobody else changes until the transaction ends, if it is of that revision."""
     found = _found(connection, owner, home, for_change=True)
     if revision is None:

@@ -16,11 +16,11 @@ from sqlalchemy import event, text
 from starlette.testclient import TestClient
 
 from service.app import create_app
-from service.kept_contract import HomeQuery
+from service.kept_contract import HomeHead, HomeQuery
 from service.problems import NoSuchThing
 from service.service_settings import Settings
 from service.store.database import Database
-from service.store.saved_homes import SavedHome, SavedHomes
+from service.store.saved_homes import SavedHomes
 from service.store.saved_jobs import SavedJobs
 from tests.browser.service_process import running
 from tests.service.heavy import PATIENCE_S
@@ -154,7 +154,7 @@ def check(place: str, acknowledged: dict[str, int], renamed: set[str]) -> None:
     """Every home that was acknowledged is there and whole, as last renamed; those that were not acknowledged are whole or not there."""
     with closing(Database(place)) as database:
         homes = SavedHomes(database)
-        found, after = dict[str, SavedHome](), ""
+        found, after = dict[str, HomeHead](), ""
         while True:
             page = homes.list("", HomeQuery(limit=100, after=after))
             found |= {home.id: home for home in page.homes}
