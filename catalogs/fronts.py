@@ -17,12 +17,12 @@ TOWARDS: Final[dict[Opens, tuple[Axis, Literal[-1, 1]]]] = {
 """The axis of each way to open, and to which side of it opening goes."""
 
 
-class UnitFront(NamedTuple):
-    """A front in its body's box.
+class BodyFront(NamedTuple):
+    """A front of a body: a door, a flap, a lid, a drawer.
 
-    `hinge` is a point of its axis when closed: shares of the box from the middle of its footprint at its underside. Open it is at `end`:
-    degrees, of a drawer the share of the body's depth. `parts` are the numbers of its solids, its panel first. `must_open`: it is an error
-    where it is blocked.
+    `hinge` is a point of its axis when closed, from the middle of its body's footprint at its underside. Open it is at `end`: degrees, of a
+    drawer along its axis. Lengths are shares of the body's box (`fronts_of`), or m (`sized_front`). `parts` are the numbers of its solids,
+    its panel first. `must_open`: it is an error where it is blocked.
     """
 
     name: str
@@ -75,13 +75,13 @@ def floor_before(solids: Sequence[Solid], size: tuple[float, float, float]) -> F
     return FrontFloor(depth, half, (left - 0.5) * size[0], (right - 0.5) * size[0], above, along_side)
 
 
-def _goes_along_side(front: UnitFront, panel: Solid, width: float) -> bool:
+def _goes_along_side(front: BodyFront, panel: Solid, width: float) -> bool:
     """Tells whether the edge of a door across from its hinge goes along a side of its piece, so wide, m."""
     aside = {"left": 1.0 - panel.x[1], "right": panel.x[0]}.get(front.opens)
     return aside is not None and aside * width <= _BESIDE
 
 
-def _comes_out(front: UnitFront, solids: Sequence[Solid], size: tuple[float, float, float], share: float) -> float:
+def _comes_out(front: BodyFront, solids: Sequence[Solid], size: tuple[float, float, float], share: float) -> float:
     """Returns how far any of a front comes out before its piece as it opens a share of its way, m."""
     (width, depth, height), parts = size, [solids[part] for part in front.parts]
     if front.slides:
@@ -100,17 +100,23 @@ def _comes_out(front: UnitFront, solids: Sequence[Solid], size: tuple[float, flo
 
 
 @lru_cache(maxsize=4096)
-def fronts_of(solids: Sequence[Solid]) -> tuple[UnitFront, ...]:
+def fronts_of(solids: Sequence[Solid]) -> tuple[BodyFront, ...]:
     """Returns the fronts of a shape, a tuple, in the order of their panels."""
     return tuple(_front(number, solid, solids) for number, solid in enumerate(solids) if solid.opens and solid.front)
 
 
-def _front(number: int, panel: Solid, solids: Sequence[Solid]) -> UnitFront:
+def sized_front(front: BodyFront, size: tuple[float, float, float]) -> BodyFront:
+    """Returns a front in a box of this width, depth and height, m, its lengths in m."""
+    (width, depth, height), (x, y, z) = size, front.hinge
+    return front._replace(hinge=(x * width, y * height, z * depth), end=front.end * depth if front.slides else front.end)
+
+
+def _front(number: int, panel: Solid, solids: Sequence[Solid]) -> BodyFront:
     assert panel.opens is not None
     assert panel.front is not None
     axis, side = TOWARDS[panel.opens]
     others = (i for i, solid in enumerate(solids) if solid.front == panel.front and i != number)
-    return UnitFront(panel.front, panel.opens, axis, _hinge(panel), side * panel.range, (number, *others), panel.must_open)
+    return BodyFront(panel.front, panel.opens, axis, _hinge(panel), side * panel.range, (number, *others), panel.must_open)
 
 
 def _hinge(panel: Solid) -> tuple[float, float, float]:

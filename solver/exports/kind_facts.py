@@ -8,11 +8,11 @@ from typing import Final, Literal, NamedTuple
 from catalogs import Catalogs
 from catalogs.decoration_types import DecorationKind
 from catalogs.entries import Side
-from catalogs.fronts import fronts_of
+from catalogs.fronts import BodyFront, fronts_of, sized_front
 from catalogs.kind_book import KindBook
 from catalogs.schema import FurnitureSpec
 from solver.body_parts import BodyPart, sized, unit_parts
-from solver.exports.model import BodyFront, Paint
+from solver.exports.model import Paint
 from solver.exports.paints import Paints
 
 UNKNOWN_DENSITY: Final = 120.0
@@ -105,18 +105,7 @@ def parts_of_shape(book: KindBook, shape: str, size: tuple[float, float, float])
 @lru_cache(maxsize=1 << 12)
 def fronts_of_shape(book: KindBook, shape: str, size: tuple[float, float, float]) -> tuple[BodyFront, ...]:
     """Returns what opens of a shape in a box of this width, depth and height, m."""
-    width, depth, height = size
-    return tuple(
-        BodyFront(
-            name=one.name,
-            slides=one.slides,
-            axis=one.axis,
-            hinge=(one.hinge[0] * width, one.hinge[1] * height, one.hinge[2] * depth),
-            end=one.end * depth if one.slides else one.end,
-            parts=one.parts,
-        )
-        for one in fronts_of(book.solids(shape))
-    )
+    return tuple(sized_front(one, size) for one in fronts_of(book.solids(shape)))
 
 
 @lru_cache(maxsize=1 << 12)

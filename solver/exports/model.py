@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from catalogs.assets.asset_entry import Asset
-from catalogs.shapes import Axis
+from catalogs.fronts import BodyFront
 from solver.body_parts import BodyPart
 from solver.scene import Scene
 
@@ -52,22 +52,6 @@ class Cuboid(NamedTuple):
         return self.x1 - self.x0, self.y1 - self.y0, self.z1 - self.z0
 
 
-class BodyFront(NamedTuple):
-    """A front of a body: a door, a flap, a lid, a drawer.
-
-    `axis` is the body's own (x to its right, y up, z to its front), through `hinge`, a point from the middle of its footprint at its
-    underside, m. Shut is 0; open is `end`: degrees, positive from y to z, z to x and x to y, or m along the axis for what slides.
-    `parts` are the numbers of the body's parts that move with it, its panel first.
-    """
-
-    name: str
-    slides: bool
-    axis: Axis
-    hinge: Point
-    end: float
-    parts: tuple[int, ...]
-
-
 class ModelBody(NamedTuple):
     """A piece of furniture, a decoration, a person or a pet.
 
@@ -75,8 +59,8 @@ class ModelBody(NamedTuple):
     coefficient. `kind` is the catalogs' key (None: they do not know it), `shape` the key under which bodies of one look share their
     parts in `HouseModel.shapes`. `parent` is the id of what carries it. `hung`: it hangs on a wall; `fixed`: it never moves in a
     simulator; `flat`: a rug or mat, which others stand through. `parts` and `paints` go together. `uses` are the points on the
-    floor (x, z, turn) from which it is used, facing it. `fronts` is what opens. `asset` is the name, in `HouseModel.assets`, of what it is
-    shown as; it collides as its parts all the same.
+    floor (x, z, turn) from which it is used, facing it. `fronts` is what opens, in m. `asset` is the name, in `HouseModel.assets`, of
+    what it is shown as; it collides as its parts all the same.
     """
 
     id: str

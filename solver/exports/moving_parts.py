@@ -10,10 +10,11 @@ from functools import lru_cache
 from math import radians
 from typing import Final, Literal, NamedTuple
 
+from catalogs.fronts import BodyFront
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
 from solver.exports.colliders import Collider, Triple, collider_of, colliders_of, leaf_colliders, parts_of_hung_leaf, shares_of, z_up
-from solver.exports.model import BodyFront, DoorLeaf, ModelBody, Paint, Point
+from solver.exports.model import DoorLeaf, ModelBody, Paint, Point
 
 Z_UP: Final[dict[Axis, tuple[Axis, Literal[1, -1]]]] = {"x": ("x", 1), "y": ("z", 1), "z": ("y", -1)}
 """What an axis is called where z is up, and whether it points the other way there."""

@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 
 from catalogs import Catalogs
 from catalogs.entries import KindSpec
-from catalogs.insides import insides_of
+from catalogs.insides import InsideSurface, insides_of
 from catalogs.synonyms import Meaning, Synonyms, synonyms_of
 from solver.geometry import extents, rotate
 from solver.imports.drawn import DrawnPiece, Spot
@@ -18,19 +18,6 @@ CROWDED: Final = 8
 """On a surface with so many things the next lies where it is drawn."""
 LEAST_RISE: Final = 0.3
 """What begins no higher over the floor, m, by its middle and a size that is not its own, stands on it."""
-
-
-class _Level(NamedTuple):
-    """A surface of a body: its height over the body's underside, the free height over it, where it reaches, m in the body's frame."""
-
-    height: float
-    clearance: float
-    x: tuple[float, float]
-    z: tuple[float, float]
-
-    def holds(self, reach: Spot) -> bool:
-        """Tells whether a footprint fits."""
-        return self.x[1] - self.x[0] >= reach[0] and self.z[1] - self.z[0] >= reach[1]
 
 
 class _Taken(NamedTuple):
@@ -44,9 +31,9 @@ class _Carrier(NamedTuple):
     """What things lie on: as it is taken to be, what carries them, how high it is as the file has it, m, and what lies there."""
 
     body: DrawnPiece
-    levels: tuple[_Level, ...]
+    levels: tuple[InsideSurface, ...]
     drawn_height: float
-    taken: dict[_Level, list[_Taken]]
+    taken: dict[InsideSurface, list[_Taken]]
 
 
 def with_usual_sizes(pieces: Sequence[DrawnPiece], catalogs: Catalogs) -> Iterator[DrawnPiece]:
@@ -70,15 +57,13 @@ def _meaning(piece: DrawnPiece, names: Synonyms) -> Meaning | None:
     return (piece.height and names.meaning(piece.name, piece.height)) or names.meaning(piece.name, None)
 
 
-def _levels(key: str, spec: KindSpec, catalogs: Catalogs) -> Iterator[_Level]:
+def _levels(key: str, spec: KindSpec, catalogs: Catalogs) -> Iterator[InsideSurface]:
     """Yields what carries things on a body of a kind and in it, but for drawers."""
     width, depth, _ = spec.size
     for one in spec.surfaces:
         across, along = width / 2 - one.inset, depth / 2 - one.inset
-        yield _Level(one.height, one.clearance or float("inf"), (-across, across), (-along, along))
-    for board in insides_of(catalogs.shapes.get(key, ()), spec.size):
-        if board.sort == "shelves":
-            yield _Level(board.height, board.clearance, board.x, board.z)
+        yield InsideSurface("shelves", (-across, across), (-along, along), one.height, one.clearance or float("inf"))
+    yield from (board for board in insides_of(catalogs.shapes.get(key, ()), spec.size) if board.sort == "shelves")
 
 
 def _settled(piece: DrawnPiece, carrier: _Carrier | None) -> DrawnPiece:
@@ -91,7 +76,7 @@ def _settled(piece: DrawnPiece, carrier: _Carrier | None) -> DrawnPiece:
     body, tall = carrier.body, (carrier.body.size or piece.size)[2]
     turn = round(body.rotation / 90) * 90
     reach = extents(*piece.size[:2], round(piece.rotation / 90) * 90 - turn)
-    fits = [one for one in carrier.levels if one.clearance >= piece.size[2] and one.holds(reach)]
+    fits = [one for one in carrier.levels if one.clearance >= piece.size[2] and _holds(one, reach)]
     if not fits:
         return piece
     level = min(fits, key=lambda one: (abs(one.height / tall - low / carrier.drawn_height), one.height))
@@ -100,7 +85,12 @@ def _settled(piece: DrawnPiece, carrier: _Carrier | None) -> DrawnPiece:
     return replace(piece, x=body.x + x * 1000, z=body.z + z * 1000, y=body.y + level.height)
 
 
-def _beside(spot: Spot, reach: Spot, level: _Level, taken: list[_Taken]) -> Spot:
+def _holds(level: InsideSurface, reach: Spot) -> bool:
+    """Tells whether a footprint fits."""
+    return level.x[1] - level.x[0] >= reach[0] and level.z[1] - level.z[0] >= reach[1]
+
+
+def _beside(spot: Spot, reach: Spot, level: InsideSurface, taken: list[_Taken]) -> Spot:
     """Returns the free spot of a surface that is nearest to one, and takes it; the nearest one where none is free, or many are taken."""
     across, along = (
         [at, *(middle + side * ((own + half) / 2 + APART) for middle, half in taken_so for side in (-1, 1))]

@@ -9,7 +9,7 @@ from typing import Final, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.entries import Use
-from catalogs.fronts import UnitFront, fronts_of
+from catalogs.fronts import BodyFront, fronts_of
 from catalogs.kind_book import Carrying, KindBook
 from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
@@ -113,7 +113,7 @@ class Kinds:
         return (0, bits) if use and use.need == "all" else (bits, 0)
 
 
-def _fronts_as_told(fronts: Sequence[UnitFront], depth: float) -> KindFronts:
+def _fronts_as_told(fronts: Sequence[BodyFront], depth: float) -> KindFronts:
     """Returns the fronts of a kind that is so deep, m."""
     each, rows = [], []
     numbers: list[int] = []

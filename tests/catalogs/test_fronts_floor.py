@@ -7,14 +7,14 @@ from math import hypot
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.fronts import UnitFront, floor_before, fronts_of
+from catalogs.fronts import BodyFront, floor_before, fronts_of
 from solver.furnish.floor_about import floors_about
 from solver.wall_fittings import FRAME_PROUD
 
 KNOWN = load_catalogs()
 
 
-def ahead(front: UnitFront) -> bool:
+def ahead(front: BodyFront) -> bool:
     """Tells whether a front comes straight out: a drawer, or a flap that opens down."""
     return front.opens in ("drawer", "down")
 

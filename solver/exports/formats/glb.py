@@ -9,12 +9,13 @@ from json.encoder import encode_basestring as quoted
 from math import cos, radians, sin
 from typing import Final, NamedTuple
 
+from catalogs.fronts import BodyFront
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
 from solver.exports.asset_files import fit_of
 from solver.exports.colliders import FLOOR
 from solver.exports.formats.glb_book import AssetNodes, Geometry, GltfBook, geometry_of
-from solver.exports.model import BodyFront, Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
+from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox
 from solver.exports.moving_parts import HeldThing, held_in, held_things
 from solver.exports.paints import PLAIN_CEILING, by_paint
 from solver.exports.solid_meshes import BoxFace, box_faces, joined, scaled, surface_of
