@@ -6,8 +6,8 @@ Comes in and goes out: integers (mm) and `Rect`.
 from __future__ import annotations
 
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
 from typing import Final, NamedTuple, TypeVar
 
 Number = TypeVar("Number", int, float)
@@ -229,13 +229,24 @@ FloorRectangle = tuple[float, float, float, float]
 
 def rectangles_of(corners: Sequence[tuple[float, float]]) -> list[FloorRectangle]:
     """Returns rectangles that tile what an outline encloses, from north to south, each as deep as it can be."""
-    edges = [(a, b) for a, b in edges_round(corners) if a[0] == b[0]]
-    done: list[FloorRectangle] = []
-    growing: dict[tuple[float, float], float] = {}
-    levels = sorted({z for _, z in corners})
-    for north, south in pairwise(levels):
-        crossed = sorted(a[0] for a, b in edges if min(a[1], b[1]) <= north and south <= max(a[1], b[1]))
-        spans = set(zip(crossed[::2], crossed[1::2], strict=False))
-        done += [(west, growing.pop((west, east)), east, north) for west, east in sorted(set(growing) - spans)]
-        growing |= {span: growing.get(span, north) for span in spans}
-    return done + [(west, top, east, levels[-1]) for (west, east), top in sorted(growing.items())]
+    return tiles_between((a[0], a[1], b[1]) for a, b in edges_round(corners) if a[0] == b[0])
+
+
+def tiles_between(lines: Iterable[tuple[Number, Number, Number]]) -> list[tuple[Number, Number, Number, Number]]:
+    """Returns rectangles (x0, z0, x1, z1) that tile what lies between lines along z, from the first to the second, the third to the fourth.
+
+    They come from north to south, each as deep as it can be. A line is its x, and the z of its ends; two that lie on each other are none.
+    """
+    turning = defaultdict[Number, set[Number]](set)
+    for x, start, end in lines:
+        turning[start] ^= {x}
+        turning[end] ^= {x}
+    done: list[tuple[Number, Number, Number, Number]] = []
+    growing, crossed = dict[tuple[Number, Number], Number](), set[Number]()
+    for z in sorted(turning):
+        crossed ^= turning[z]
+        ordered = sorted(crossed)
+        spans = set(zip(ordered[::2], ordered[1::2], strict=False))
+        done += [(west, growing.pop((west, east)), east, z) for west, east in sorted(growing.keys() - spans)]
+        growing |= dict.fromkeys(spans - growing.keys(), z)
+    return done

@@ -1,12 +1,9 @@
 """From a room of the scene to the space its furniture may stand in, and the zones kept free (docs/scene.md), in integer millimetres."""
 
 import math
-from bisect import bisect_left, insort
-from collections import defaultdict
 from collections.abc import Sequence
-from itertools import pairwise
 
-from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, strip_at, to_mm
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, edges_round, strip_at, tiles_between, to_mm
 from solver.pieces import Doorway, Space, Zone
 from solver.relations.subject import Opened, Scope
 from solver.scene import WALLS, Opening, Room, Sides
@@ -179,43 +176,8 @@ def missing_parts(room: Room, half: int) -> list[Rect]:
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
     between = any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline for v in corner)
     lines = bounds_of(room)
-    low, high = min(z for _, z in points), max(z for _, z in points)
-    starts, ends = defaultdict[int, list[int]](list), defaultdict[int, list[int]](list)
-    for (x0, z0), (x1, z1) in zip(points, points[1:] + points[:1], strict=True):
-        if z0 == z1 and x0 != x1:
-            starts[min(x0, x1)].append(z0)
-            ends[max(x0, x1)].append(z0)
-    columns, crossed = list[Rect](), list[int]()
-    for x0, x1 in pairwise(sorted({x for x, _ in points})):
-        for z in ends[x0]:
-            del crossed[bisect_left(crossed, z)]
-        for z in starts[x0]:
-            insort(crossed, z)
-        columns += [Rect(x0, z0, x1, z1) for z0, z1 in _runs_joined([low, *crossed, high])]
-    grown = (_clipped(rect.shrunk(-half - between), lines) for rect in _rows_joined(columns))
+    (west, east), (north, south) = ((min(values), max(values)) for values in zip(*points, strict=True))
+    across = [(z0, x0, x1) for (x0, z0), (x1, z1) in edges_round(points) if z0 == z1]
+    columns = sorted(Rect(x0, z0, x1, z1) for z0, x0, z1, x1 in tiles_between([(north, west, east), *across, (south, west, east)]))
+    grown = (_clipped(rect.shrunk(-half - between), lines) for rect in columns)
     return [rect for rect in grown if rect]
-
-
-def _runs_joined(ends: list[int]) -> list[tuple[int, int]]:
-    """Returns the runs from each even one of sorted ends to the next, without empty ones, those that touch as one.
-
-    The ends are even in number but for a column of one millimetre between corners a micrometre apart; its last then ends nothing.
-    """
-    runs: list[tuple[int, int]] = []
-    for start, end in zip(ends[::2], ends[1::2], strict=False):
-        if runs and runs[-1][1] == start:
-            runs[-1] = (runs[-1][0], end)
-        elif start < end:
-            runs.append((start, end))
-    return runs
-
-
-def _rows_joined(columns: list[Rect]) -> list[Rect]:
-    """Joins neighbouring columns of equal extent."""
-    joined: list[Rect] = []
-    ending: dict[tuple[int, int, int], int] = {}
-    for rect in columns:
-        i = ending.pop((rect.z0, rect.z1, rect.x0), len(joined))
-        joined[i : i + 1] = [Rect(joined[i].x0 if i < len(joined) else rect.x0, rect.z0, rect.x1, rect.z1)]
-        ending[rect.z0, rect.z1, rect.x1] = i
-    return joined
