@@ -3,10 +3,9 @@
 All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
-from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from collections.abc import Sequence
 from math import log
-from typing import Final, NamedTuple
+from typing import Final
 
 from catalogs.schema import Catalogs, RoomType
 from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
@@ -32,33 +31,6 @@ def cars_of(kind: RoomType) -> int:
     return max((*asked, *held, 1))
 
 
-class _Limits(NamedTuple):
-    """What of a room type's catalog entry its rooms are measured by; areas in m2, the short side in mm."""
-
-    least: tuple[float, float]
-    typical: float
-    most: float
-    short: int
-    aspect: float
-    dark: float
-    cars: int
-    street: bool
-    wet: bool
-
-
-@lru_cache(maxsize=4)
-def _limits(catalogs: Catalogs) -> Mapping[str, _Limits]:
-    """Returns the limits of all room types."""
-    return {name: _limits_of(kind) for name, kind in catalogs.rooms.items()}
-
-
-def _limits_of(kind: RoomType) -> _Limits:
-    area, plan = kind.area, kind.plan
-    least, cars = (area.min[0], area.min[1]), cars_of(kind) if plan.garage_door else 0
-    dark = DARK if plan.habitable else 0.0
-    return _Limits(least, area.typical, area.max, round(kind.short_side * 1000), kind.aspect, dark, cars, plan.street, plan.wet)
-
-
 class Fitness:
     """Costs of types in the rooms of one layout; remembers what it has computed."""
 
@@ -76,36 +48,38 @@ class Fitness:
         self.area = [short * long / 1e6 for short, long in sides]
         self._sides = [(short, long) for short, long in sides]
         self._shape: dict[tuple[int, str], float] = {}
-        self._limits = _limits(catalogs)
+        self._wet = {name for name, kind in self.rooms.items() if kind.plan.wet}
+        self._cars = {name: cars_of(kind) for name, kind in self.rooms.items() if kind.plan.garage_door}
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
         known = self._shape.get((room, name))
         if known is None:
-            limits = self._limits[name]
-            known = self._area(room, limits) + self._form(room, limits) + self._outside(room, limits)
+            kind = self.rooms[name]
+            known = self._area(room, kind) + self._form(room, kind) + self._outside(room, name)
             self._shape[room, name] = known
         return known
 
-    def _area(self, room: int, limits: _Limits) -> float:
-        area, least = self.area[room], limits.least[room in self.access_plan.through]
+    def _area(self, room: int, kind: RoomType) -> float:
+        area, asked = self.area[room], kind.area
+        least = asked.min[room in self.access_plan.through]
         if area < least:
             return 10.0 + 20.0 * (least - area) / least
-        over = 2.0 + 8.0 * log(area / limits.most) if area > limits.most else 0.0
-        return over + 0.7 * abs(log(area / limits.typical))
+        over = 2.0 + 8.0 * log(area / asked.max) if area > asked.max else 0.0
+        return over + 0.7 * abs(log(area / asked.typical))
 
-    def _form(self, room: int, limits: _Limits) -> float:
+    def _form(self, room: int, kind: RoomType) -> float:
         short, long = self._sides[room]
-        return (8.0 if short < limits.short else 0.0) + max(0.0, long / short - limits.aspect)
+        return (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
 
-    def _outside(self, room: int, limits: _Limits) -> float:
-        sides = self.outside[room]
-        cost = 0.0 if sides else limits.dark
-        if limits.cars:
-            rect, need = self.layout.rooms[room], CAR_DOOR_MM * limits.cars + 400
+    def _outside(self, room: int, name: str) -> float:
+        sides, plan = self.outside[room], self.rooms[name].plan
+        cost = DARK if plan.habitable and not sides else 0.0
+        if name in self._cars:
+            rect, need = self.layout.rooms[room], CAR_DOOR_MM * self._cars[name] + 400
             wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
             return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
-        return cost + (IMPOSSIBLE if limits.street and not sides else 0.0)
+        return cost + (IMPOSSIBLE if plan.street and not sides else 0.0)
 
     def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
@@ -131,9 +105,9 @@ class Fitness:
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
-        if self._limits[name].wet:
+        if name in self._wet:
             beside = (types[i] for i in self.beside[room])
-            return 0.0 if any(other is not None and self._limits[other].wet for other in beside) else WET_APART
+            return WET_APART if self._wet.isdisjoint(beside) else 0.0
         if name == "dining_room":
             return 0.0 if any(types[i] == "kitchen" for i in self.beside[room]) else TABLE_APART
         return 0.0

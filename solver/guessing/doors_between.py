@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from solver.geometry import doubled_area, edges_round
+from solver.geometry import doubled_area, edges_round, encloses
 from solver.scene import Opening, Room
 
 HouseSpot = tuple[float, float]
@@ -85,8 +85,5 @@ def _edges(corners: Sequence[HouseSpot]) -> Iterator[tuple[float, float, float, 
 
 
 def _holds(room: Room, spot: HouseSpot) -> bool:
-    """Tells whether a spot of the house lies on a room's floor: going east it leaves through one more edge than it comes in by."""
-    x, z = spot[0] - room.x, spot[1] - room.z
-    if not (0 <= x <= room.width and 0 <= z <= room.depth):
-        return False
-    return sum(out[0] for low, high, line, out in _edges(room.corners) if line > x and low <= z < high and out[0]) == 1
+    """Tells whether a spot of the house lies on a room's floor."""
+    return encloses(room.corners, spot[0] - room.x, spot[1] - room.z)
