@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from solver.body_rows import FurnitureRows, rows_in
 from solver.pieces import Arrangement
+from solver.records import MadeOnce
 from solver.scene import Room, Scene
 from solver.scene_bodies import counted
 
@@ -20,20 +21,8 @@ MARK_LENGTH: Final = 12
 ACCESS: Final = "access"
 """What a profile of access makes of the whole home."""
 _POSE: Final = "%s" + 6 * " %.4f"
-_MOST_WRITTEN: Final = 20_000
-
-
-class _Lengths(dict[int, str]):
-    """Half millimetres as they are written into a mark, m; degrees are 2000 of them."""
-
-    def __missing__(self, halves: int) -> str:
-        if len(self) >= _MOST_WRITTEN:
-            self.clear()
-        text = self[halves] = f"{halves / 2000:.4f}"
-        return text
-
-
-_WRITTEN: Final = _Lengths()
+_WRITTEN: Final = MadeOnce[int, str](lambda halves: f"{halves / 2000:.4f}", 20_000)
+"""Half millimetres as they are written into a mark, m; degrees are 2000 of them."""
 
 
 def certificate(

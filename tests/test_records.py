@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from solver.records import changed, made_later, maker_in
+from solver.records import MadeOnce, changed, made_later, maker_in
 from solver.scene import Flooring, Furniture, Room
 
 
@@ -39,3 +39,16 @@ def test_what_is_made_later_is_made_by_neither_of_two_like_records() -> None:
     assert moved.furniture == (bed("one"),)
     assert asked == ["one"]
     assert maker_in(made_later(told, furniture=lambda: beds("again")), "furniture")() == (bed("again"),)
+
+
+def test_what_is_made_once_is_made_anew_when_there_are_many() -> None:
+    made = list[int]()
+
+    def squared(key: int) -> int:
+        made.append(key)
+        return key * key
+
+    kept = MadeOnce(squared, 2)
+    assert [kept[3], kept[3], kept[2], kept[3]] == [9, 9, 4, 9] and made == [3, 2]
+    assert [kept[4], dict(kept)] == [16, {4: 16}]
+    assert kept[3] == 9 and made == [3, 2, 4, 3]

@@ -17,7 +17,7 @@ from solver.exchange.text import dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
 from solver.fields import EXTRA
 from solver.plain import Wrong, is_plain, plain
-from solver.records import LATER
+from solver.records import LATER, MadeOnce
 from solver.scene import Decoration, Furniture, Opening, Scene, Sides
 
 Key = TypeVar("Key", bound=Hashable)
@@ -129,25 +129,20 @@ def _as_asked(told: BodyRows, looks: _Numbered[Look], texts: _Numbered[str | Non
     return b"".join([counts, told.content, pack(f"<{2 * len(told)}i", *worn), pack(f"<{len(carriers)}q", *ids)])
 
 
-class _LookTexts(dict[Look, bytes]):
-    """What is written of all bodies that look alike, with gaps for what is not alike, as the core reads it."""
-
-    def __missing__(self, look: Look) -> bytes:
-        if len(self) >= MOST_TEXTS:
-            self.clear()
-        width, depth, height = look.size
-        size: dict[str, Any] = {"width": width, "depth": depth, "height": height, "kind": look.kind}
-        is_furniture = look.key[0] == "furniture"
-        body: Any = Furniture("", look.name, look.category, **size) if is_furniture else Decoration("", look.name, **size)
-        text, writers, values = _layout(body.__class__)
-        filled = zip(shape_of(body.__class__).names, writers, values(body), strict=True)
-        marked = [f"{_TOLD}{_GAPS[name]}{_TOLD}" if name in _GAPS else writer(value) for name, writer, value in filled]
-        parts = (text % tuple(marked)).split(_TOLD)
-        pieces = [(part.encode(), int(gap)) for part, gap in zip(parts[::2], [*parts[1::2], _NO_GAP], strict=True)]
-        whole, name = b"".join([part for part, _ in pieces]), quoted(look.name)[1:-1].encode()
-        rows = [_PIECE.pack(len(part), gap) for part, gap in pieces]
-        found = self[look] = b"".join([_LOOK.pack(len(rows), len(whole), len(name)), *rows, _padded(whole), _padded(name)])
-        return found
+def _look_text(look: Look) -> bytes:
+    """Returns what is written of all bodies that look alike, with gaps for what is not alike, as the core reads it."""
+    width, depth, height = look.size
+    size: dict[str, Any] = {"width": width, "depth": depth, "height": height, "kind": look.kind}
+    is_furniture = look.key[0] == "furniture"
+    body: Any = Furniture("", look.name, look.category, **size) if is_furniture else Decoration("", look.name, **size)
+    text, writers, values = _layout(body.__class__)
+    filled = zip(shape_of(body.__class__).names, writers, values(body), strict=True)
+    marked = [f"{_TOLD}{_GAPS[name]}{_TOLD}" if name in _GAPS else writer(value) for name, writer, value in filled]
+    parts = (text % tuple(marked)).split(_TOLD)
+    pieces = [(part.encode(), int(gap)) for part, gap in zip(parts[::2], [*parts[1::2], _NO_GAP], strict=True)]
+    whole, name = b"".join([part for part, _ in pieces]), quoted(look.name)[1:-1].encode()
+    rows = [_PIECE.pack(len(part), gap) for part, gap in pieces]
+    return b"".join([_LOOK.pack(len(rows), len(whole), len(name)), *rows, _padded(whole), _padded(name)])
 
 
 def _padded(content: bytes) -> bytes:
@@ -194,19 +189,10 @@ class _Texts(dict[Any, str]):
         return text
 
 
-class _Numbers(dict[Any, str]):
-    """Numbers as JSON; those that are met often are kept. Zero is zero, whatever its sign, and has a point."""
-
-    def __missing__(self, value: Any) -> str:
-        if len(self) >= MOST_TEXTS:
-            self.clear()
-        text = self[value] = _number(value)
-        return text
-
-
 _TEXTS: Final = _Texts()
-_NUMBERS: Final = _Numbers()
-_LOOKS: Final = _LookTexts()
+_NUMBERS: Final = MadeOnce[Any, str](_number, MOST_TEXTS)
+"""Numbers as JSON. Zero is zero, whatever its sign, and has a point."""
+_LOOKS: Final = MadeOnce(_look_text, MOST_TEXTS)
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
     Furniture: _record, Opening: _record, Sides: _Sides().text, FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
