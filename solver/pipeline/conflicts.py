@@ -159,7 +159,7 @@ class _WhyNot:
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
         why = ("" if walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[walk])
-        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(len(ids) == 1, walk)} in {room}{_as_turned(members)}"
+        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(ids, walk, stay)} in {room}{_as_turned(members)}"
         return _Verdict(label, ids, f"{what}: {why}", short)
 
     @cached_property
@@ -168,10 +168,13 @@ class _WhyNot:
         return {body.id: f"{body.name.strip() or body.id} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(self.repair.asked)}
 
 
-def _cannot(alone: bool, walk: bool) -> str:
+def _cannot(ids: Sequence[str], walk: bool, stay: bool) -> str:
+    """Says what some pieces cannot: of one that stays as sent, no more than that it cannot stand there."""
     if walk:
-        return "can stand but cannot be reached" if alone else "can stand but cannot all be reached"
-    return "cannot stand anywhere" if alone else "cannot stand together"
+        return "can stand but cannot be reached" if len(ids) == 1 else "can stand but cannot all be reached"
+    if len(ids) > 1:
+        return "cannot stand together"
+    return "cannot stand" if stay else "cannot stand anywhere"
 
 
 def _as_turned(members: Sequence[Piece]) -> str:

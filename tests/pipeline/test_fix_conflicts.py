@@ -222,6 +222,16 @@ def test_a_piece_locked_outside_the_room_is_named_and_the_others_are_repaired() 
     assert pieces(fixed.scene)[still.id] == still
 
 
+@pytest.mark.parametrize("locked", [True, False])
+def test_only_of_a_piece_that_may_move_it_is_said_that_it_cannot_stand_anywhere(locked: bool) -> None:
+    """A bed before the door: where it is locked, half a metre aside it could stand; where it is not, the room is too small for it."""
+    door = Opening("door", wall="south", position=1.0, width=0.9, connects_to="EXTERIOR")
+    bed = body("bed_1", 1.0, 1.5, (1.6, 2.0, 0.5), locked=locked)
+    (conflict,) = fix(room_of(bed, openings=(door,), width=3.0 if locked else 2.0, depth=2.6)).conflicts
+    assert f"bed 1.60 x 2.00 m cannot stand{'' if locked else ' anywhere'} in room_0" in conflict.message
+    assert conflict.message.endswith("it stays as sent, 80 cm in the floor before door") == locked
+
+
 def test_what_a_removed_piece_carries_is_named_too() -> None:
     table = body("table_1", 1.0, 1.0, (2.5, 1.0, 0.7))
     lamp = replace(body("lamp_1", 1.0, 1.0, (0.2, 0.2, 0.4)), y=0.7, on=table.id)
