@@ -140,9 +140,9 @@ class Synonym(Entry):
 
 DrawnName = Literal[
     "garage_door", "window", "door", "passage", "opening", "wall", "room", "label", "furniture", "outdoors",
-    "basement", "ground", "first", "second", "attic",
+    "basement", "ground", "first", "second", "attic", "storey", "storey_layer",
 ]  # fmt: skip
-"""What drawings name: what is drawn, in the order in which it counts, and storeys from the lowest on."""
+"""What drawings name: what is drawn, in the order in which it counts, and storeys from the lowest on, last those with a number."""
 Weight = Annotated[float, Field(strict=True, ge=-100, le=100, allow_inf_nan=False)]
 OfType = dict[Annotated[str, ROOM_TYPE], Weight]
 Mark = Literal[

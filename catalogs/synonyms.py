@@ -1,7 +1,7 @@
 """What a foreign name means: the kind, or the room type, of the catalogs that another program, data set or language calls so."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import lru_cache
 from math import log
@@ -283,7 +283,10 @@ def _may_end(phrase: str) -> bool:
 
 BETWEEN_WORDS: Final = re.compile(r"[\W_]+")
 """What parts the words of a layer's name."""
-STOREYS: Final[tuple[DrawnName, ...]] = ("basement", "ground", "first", "second", "attic")
+STOREYS: Final[Mapping[DrawnName, int | None]] = {
+    "basement": -1, "ground": 0, "first": 1, "second": 2, "attic": 10, "storey": None, "storey_layer": None,
+}  # fmt: skip
+"""Which storey each of them is; None: the one with the number that stands in the place of `#`, a digit."""
 
 
 class DrawnNames:
@@ -295,8 +298,11 @@ class DrawnNames:
         told = {means: [word for one in entries.values() if one.means == means for word in one.known_as] for means in ("other", "nothing")}
         self._passed, self._without = told["other"], told["nothing"]
         self._sorts = {key: one.known_as for key, one in entries.items() if one.means == "kind" and key not in STOREYS}
-        storeys = [(word, rank) for rank, key in enumerate(STOREYS) if key in entries for word in entries[key].known_as]
-        self._storeys = sorted(storeys, key=lambda one: -len(one[0]))
+        storeys = [(word, key) for key in STOREYS if key in entries for word in entries[key].known_as]
+        by_length = sorted(storeys, key=lambda one: -len(one[0]))
+        self._storeys = [(re.compile(re.escape(word).replace(r"\#", r"0*(\d)")), key) for word, key in by_length]
+        self.storey_of_layer = lru_cache(maxsize=_MANY)(self._storey_of_layer)
+        """Which storey the name of a layer tells; None where it tells none."""
         self.sort_within = lru_cache(maxsize=_MANY)(self._sort_within)
         """What the names around a shape tell, the outermost first: the nearest that tells anything counts."""
 
@@ -317,9 +323,16 @@ class DrawnNames:
         return None
 
     def storey(self, title: str) -> int | None:
-        """Returns which storey a title tells by the longest word in it, from the lowest on; None where it tells none."""
+        """Returns which storey a title tells by the longest word in it, 0 the ground's; None where it tells none."""
+        return self._storey(title, passed="storey_layer")
+
+    def _storey_of_layer(self, name: str) -> int | None:
+        return self._storey(name)
+
+    def _storey(self, title: str, passed: DrawnName | None = None) -> int | None:
         small = _spaced(title)
-        return next((rank for word, rank in self._storeys if word in small), None)
+        told = ((found, STOREYS[key]) for word, key in self._storeys if key != passed and (found := word.search(small)))
+        return next((int(found[1]) if storey is None else storey for found, storey in told), None)
 
 
 def _spaced(name: str) -> str:

@@ -80,11 +80,12 @@ def side_by_side(sheets: Mapping[int | None, DrawnSheet]) -> DrawnSheet:
     walls = {
         storey: [spot for one in sheet.shapes if one.sort in ("room", "wall") for spot in one.points] for storey, sheet in sheets.items()
     }
-    boxes = {storey: bounds_of_points(walls[storey]) for storey in range(len(STOREYS)) if walls.get(storey)}
+    boxes = {storey: bounds_of_points(walls[storey]) for storey in sorted(told for told in walls if told is not None) if walls[storey]}
     if any(not away(*two) for two in combinations(boxes.values(), 2)):
+        names = {storey: key for key, storey in STOREYS.items() if storey is not None}
         wide = max(box[2] for box in boxes.values()) - min(box[0] for box in boxes.values())
         for at, (storey, box) in enumerate(boxes.items()):
-            title = DrawnText(STOREYS[storey], box[0] - wide / 99, box[1], storey=storey)
+            title = DrawnText(names.get(storey, f"storey {storey}"), box[0] - wide / 99, box[1], storey=storey)
             drawn = sheets[storey]._replace(texts=[title, *sheets[storey].texts])
             sheets = {**sheets, storey: _each(drawn, partial(_eastward, at * BESIDE * wide))}
     return DrawnSheet(*(list(chain(*some)) for some in zip(DrawnSheet([], [], []), *sheets.values(), strict=True)))

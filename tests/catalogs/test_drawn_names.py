@@ -34,12 +34,21 @@ def test_the_nearest_name_counts_that_tells_anything() -> None:
 @pytest.mark.parametrize(
     ("title", "rank"),
     [
-        ("Keller", 0), ("GROUND FLOOR PLAN", 1), ("Grundriss EG", 1), ("Rez-de-chaussée", 1), ("1. OG", 2), ("2. OG", 3), ("OG_Wand", 2),
-        ("Second floor", 3), ("DG", 4), ("Wand", None), ("Allegro", None),
+        ("Keller", -1), ("GROUND FLOOR PLAN", 0), ("Grundriss EG", 0), ("Rez-de-chaussée", 0), ("1. OG", 1), ("2. OG", 2), ("OG_Wand", 1),
+        ("Second floor", 2), ("DG", 10), ("Wand", None), ("Allegro", None), ("3. OG", 3), ("2. Obergeschoss", 2), ("2e étage", 2),
+        ("3rd floor", 3), ("LEVEL 1", 1), ("Floor_04 Walls", 4), ("Level 12", None), ("Floor 30x30", None), ("F1", None), ("L2", None),
     ],
 )  # fmt: skip
 def test_a_title_tells_a_storey_by_its_longest_word(title: str, rank: int | None) -> None:
     assert NAMES.storey(title) == rank
+
+
+@pytest.mark.parametrize(
+    ("layer", "storey"), [("L1-WALL", 1), ("F02_Doors", 2), ("2F-壁", 2), ("GF_Walls", 0), ("Wand_F30", None), ("A-WALL-1HR", None)]
+)
+def test_layers_tell_storeys_by_short_words_too(layer: str, storey: int | None) -> None:
+    """How long walls withstand a fire, and a window's number, are no storeys."""
+    assert NAMES.storey_of_layer(layer) == storey
 
 
 def test_every_word_tells_something() -> None:
@@ -47,10 +56,8 @@ def test_every_word_tells_something() -> None:
     for key, entry in KNOWN.drawn_names.items():
         for word in entry.known_as:
             assert word == word.lower()
-            assert NAMES.is_passed((word,)) or NAMES.storey(word) is not None or entry.means == "nothing" or NAMES.sort_within((word,)), (
-                key,
-                word,
-            )
+            storey = NAMES.storey_of_layer(word.replace("#", "2"))
+            assert NAMES.is_passed((word,)) or storey is not None or entry.means == "nothing" or NAMES.sort_within((word,)), (key, word)
 
 
 def test_words_of_ones_own_replace_those_of_a_key(tmp_path: Path) -> None:

@@ -61,7 +61,7 @@ def test_a_shed_and_what_lies_within_a_metre_are_on_the_same_storey(second: tupl
     assert not answer.unread
 
 
-@pytest.mark.parametrize(("low", "high"), [("EG", "OG"), ("ground floor", "Attic")])
+@pytest.mark.parametrize(("low", "high"), [("EG", "OG"), ("ground floor", "Attic"), ("Level 1", "Level 2"), ("1F", "02F"), ("GF", "L3")])
 def test_storeys_on_layers_of_their_own_lie_one_above_another(low: str, high: str) -> None:
     both = f"<g id='{high}'>{storey(UPPER, 0.5)}</g><g id='{low}'>{storey(GROUND, 0)}</g>"
     assert names(drawn(both)) == GROUND

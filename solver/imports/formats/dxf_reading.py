@@ -238,7 +238,7 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -
     said: defaultdict[str, Sequence[Any]] = defaultdict(tuple)
     for one, layer, sort, where in _opened(space, names):
         said[where] = one.get_xdata(OWN) if one.has_xdata(OWN) and not one.is_virtual else ()
-        kind, (shapes, texts, swings) = one.dxftype(), sheets[names.storey(layer)]
+        kind, (shapes, texts, swings) = one.dxftype(), sheets[names.storey_of_layer(layer)]
         if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
             swings += [DrawnSwing(*arc, where, sort) for arc in arcs]
         elif kind in CURVED and (sort is not None or "POLYLINE" in kind) and type(one).__name__ not in MESHES:

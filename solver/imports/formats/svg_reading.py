@@ -199,7 +199,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
     if names is None:
         return plan_of_shapes(DrawnSheet([], [], []), told, metres)
     for element in elements:
-        shapes, texts, swings = sheets[names.storey("/".join(element.names[:2]))]
+        shapes, texts, swings = sheets[names.storey_of_layer("/".join(element.names[:2]))]
         texts += [text_at(element.words, element.lines[0].points[0], names)] if element.words else []
         if element.tag == "text" or not element.lines:
             continue
