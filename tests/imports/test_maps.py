@@ -29,7 +29,7 @@ def test_units_and_openings_of_imdf_are_a_home_and_what_lies_around_them_is_name
     assert places == ["features[4]", "features[5]", "features[6]"]
 
 
-@pytest.mark.parametrize(("width", "wide"), [({}, 0.9), ({"width": "0.8"}, 0.8), ({"width": 1.2}, 1.2)])
+@pytest.mark.parametrize(("width", "wide"), [({}, 0.9), ({"width": "0.8"}, 0.8), ({"width": 1.2}, 1.2), ({"width": "1.1 m"}, 1.1)])
 def test_rooms_and_doors_of_openstreetmap_are_a_home(width: dict[str, object], wide: float) -> None:
     """A door is a point of a wall, 20 cm off it here; the way to it and the storey as a whole are none of these."""
     tags = {"indoor": "room", "level": "0;1"}
@@ -54,6 +54,31 @@ def test_windows_of_openstreetmap_are_points_too_and_what_has_none_says_no() -> 
     answer = read(collection(box("Küche", 0, 0, 4, 3), window, none, wall_thickness=0.1))
     assert by_name(answer) == {"kitchen": [("window", 1.4, 2.0)]}
     assert [one.name for one in answer.scene.rooms[0].furniture] == ["Table"]
+
+
+def test_what_maps_draw_around_rooms_is_none_of_them() -> None:
+    """A building's outline, and walls as lines: these were a room over all others, and doors."""
+    house = {**box("", 0, 0, 8, 3), "properties": {"building": "house", "building:levels": "2"}}
+    wall = {**line("", (0, 0), (8, 0)), "properties": {"indoor": "wall", "level": "0"}}
+    rooms = [box(name, x, 0, x + 4, 3, indoor="room", building="A") for name, x in (("Kitchen", 0), ("Bedroom", 4))]
+    answer = read(collection(*rooms, house, wall, wall_thickness=0.1))
+    assert by_name(answer) == {"kitchen": [], "bedroom": []}
+    assert [one["place"] for one in answer.unread] == ["features[2]", "features[3]"]
+
+
+@pytest.mark.parametrize(("entrance", "is_main"), [("main", True), ("yes", False), ("no", None)])
+def test_an_entrance_of_openstreetmap_is_a_door_to_come_in_by(entrance: str, is_main: bool | None) -> None:
+    points = [{**piece("", x, 0), "properties": {"entrance": said}} for x, said in ((2, entrance), (6, "home"))]
+    answer = read(collection(box("Kitchen", 0, 0, 8, 3), *points[: 1 if is_main else 2], wall_thickness=0.1))
+    doors = [one.main_entrance for one in answer.scene.rooms[0].openings]
+    assert doors == [one for one in (is_main, True if not is_main else None) if one is not None]
+
+
+@pytest.mark.parametrize(("key", "number"), [("floor", 1), ("storey", "1"), ("VERTICAL_ORDER", 1), ("level", "1;2")])
+def test_storeys_are_numbered_under_several_words(key: str, number: object) -> None:
+    document = collection(box("Kitchen", 0, 0, 4, 3, **{key: 0}), box("Bedroom", 0, 0, 4, 3, **{key: number}, LEVEL_ID="H.L2"))
+    assert list(by_name(read(document))) == ["kitchen"]
+    assert list(by_name(read(document, level=1))) == ["bedroom"]
 
 
 def test_openings_of_imdf_tell_the_garage_door_and_the_main_entrance() -> None:

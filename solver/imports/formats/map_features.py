@@ -14,22 +14,26 @@ from solver.imports.drawn import DrawnOpening, DrawnRoom, OpeningKind, Spot
 
 LEVELS: Final = re.compile(r"(-?\d{1,3})(?:[;,-].*)?")
 """A storey's number in letters; of several the first counts."""
-NUMBER: Final = re.compile(r"\d{1,4}(?:\.\d+)?")
+NUMBER: Final = re.compile(r"(\d{1,4}(?:\.\d+)?)(?: ?m)?")
 SIZES: Final = ("width", "depth", "height")
 """What maps give as numbers in letters."""
 PARTS: Final = {"unit": "Polygon", "opening": "LineString"}
 """What is read of IMDF, and how it is drawn."""
-NO_ROOM: Final = ("level", "wall", "no")
-"""What OpenStreetMap calls `indoor` that is no room."""
+NO_ROOM: Final = ("level", "wall", "no", "building")
+"""What OpenStreetMap calls `indoor` that is no room, and what lies around all."""
 ANY_ROOM: Final = ("room", "area", "yes", "unspecified")
 """What it calls so without a word of what it is."""
 NAMES: Final = ("name", "room_name", "label")
 """What rooms are called under, the first of them that is said."""
+STOREYS: Final = ("level", "floor", "storey", "vertical_order")
+"""What storeys are numbered under, the first of them that is a number."""
 DOOR: Final = 0.9
 """How wide an opening that is drawn as a point is, m, where the map does not say."""
 IMDF: Final[Mapping[str, Mapping[str, object]]] = {"automobile": {"kind": "garage_door"}, "pedestrian.principal": {"main_entrance": True}}
 """What IMDF's categories of openings say in our words; the others are doors."""
 NO_DOOR: Final = ("no", "")
+FRONT_DOORS: Final = ("main", "home")
+"""What OpenStreetMap calls an `entrance` that is the main one."""
 
 
 def levels_of(features: Sequence[object]) -> dict[str, object]:
@@ -41,22 +45,27 @@ def levels_of(features: Sequence[object]) -> dict[str, object]:
 
 def in_our_words(said: Mapping[str, Any], levels: Mapping[str, object]) -> dict[str, Any]:
     """Returns what a feature says of itself: maps number their features and storeys, and name rooms by language."""
-    made = dict(said)
+    made = {key.lower() if key.isupper() else key: value for key, value in said.items()}
     if isinstance(made["id"], int | float) and not isinstance(made["id"], bool):
         made["id"] = str(made["id"])
     if isinstance(made.get("name"), Mapping):
         made["name"] = next((word for word in made["name"].values() if word), None)
     made["name"] = next((said for said in [made.pop(key, None) for key in NAMES] if said), None)
-    if isinstance(made.get("level_id"), str):
-        made["level"] = levels.get(made.pop("level_id"), 0)
-    if isinstance(made.get("level"), str) and (found := LEVELS.fullmatch(made["level"])):
-        made["level"] = int(found[1])
+    storey = made.pop("level_id", None)
+    if isinstance(storey, str) and storey in levels:
+        made["level"] = levels[storey]
+    number = next((found[1] for key in STOREYS if (found := LEVELS.fullmatch(str(made.get(key))))), None)
+    if number is not None:
+        made["level"] = int(number)
     for key in SIZES:
-        if isinstance(made.get(key), str) and NUMBER.fullmatch(made[key]):
-            made[key] = float(made[key])
+        if isinstance(made.get(key), str) and (size := NUMBER.fullmatch(made[key])):
+            made[key] = float(size[1])
+    if isinstance(made.get("entrance"), str) and made["entrance"] not in NO_DOOR and "kind" not in made:
+        made = {"door": "yes", **made, **({"main_entrance": True} if made["entrance"] in FRONT_DOORS else {})}
     if "kind" not in made and made.get("type") in ("room", "wall", *get_args(OpeningKind)):
         made["kind"] = made.pop("type")
-    kinds = (made.get(key) for key in ("room", "category", "indoor"))
+    outline = "building" if made.get("building") and not (made["name"] or made.get("indoor")) else None
+    kinds = (*(made.get(key) for key in ("room", "category", "indoor")), outline)
     told = next((kind for kind in kinds if isinstance(kind, str) and kind and kind not in ANY_ROOM), None)
     made.pop("indoor", None)
     if made.get("feature_type") == "opening":
@@ -69,7 +78,7 @@ def why_left_out(said: Mapping[str, Any], form: str) -> str | None:
     called = said.get("feature_type")
     if called is not None and PARTS.get(called if isinstance(called, str) else "") != form:
         return f"a map's {called!r:.40}: of maps units and openings are read"
-    if form == "Polygon" and called is None and said.get("type") in NO_ROOM:
+    if form in PARTS.values() and "kind" not in said and called is None and said.get("type") in NO_ROOM:
         return f"a map's {said['type']!r:.40}: of maps rooms, areas, corridors and doors are read"
     if form == "LineString" and "kind" not in said and "highway" in said:
         return f"a map's {said['highway']!r:.40}: of maps rooms, areas, corridors and doors are read"

@@ -82,7 +82,8 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         at_point = opening_at(said) if form == "Point" else None
         unread += [
             Unread(f"{where}.properties", f"no property is called {key!r:.60}; {meant}?")
-            for key in said if key not in (*TOLD[form], at_point) for meant in get_close_matches(key, TOLD[form], 1)
+            for key in said if key not in (*TOLD[form], at_point)
+            for meant in get_close_matches(key, TOLD[form], 1) if said.get(meant) is None
         ]  # fmt: skip
         if kind == ROOM:
             tally.add("rooms", most=MOST_ROOMS)
@@ -92,7 +93,7 @@ def read_features(document: Mapping[str, Any]) -> DrawnPlan:
         tally.add("furniture" if form == "Point" else "walls" if kind == "wall" else "openings", len(points) - 1 if kind == "wall" else 1)
         tally.add("points of lines", sum(map(len, (points, *holes))), 4 * MOST_POINTS)
         if at_point:
-            openings.append(DrawnOpening(at_point, points[0], points[0], where, level=_level(said, where), id=a_text(said, "id", where)))
+            openings.append(_opening(at_point, said, points, where))
             widths[where] = a_number(said, "width", where, DOOR)
         elif form == "Point":
             pieces.append(_piece(said, points[0], where))
