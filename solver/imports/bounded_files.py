@@ -27,6 +27,12 @@ ZIP: Final = b"PK\x03\x04"
 GZIP: Final = b"\x1f\x8b"
 WIDE: Final = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"<\0": "utf-16-le", b"\0<": "utf-16-be"}
 """How files begin whose characters are of two bytes."""
+PICTURE: Final = "pictures are not read here: trace them as SVG or DXF"
+NOT_READ: Final = {
+    b"%PDF": "PDF is not read here: save the drawing as SVG or DXF", b"AC10": "DWG is not read here: save the drawing as DXF",
+    b"\x89PNG": PICTURE, b"\xff\xd8\xff": PICTURE, b"GIF8": PICTURE, b"RIFF": PICTURE, b"II*\0": PICTURE, b"MM\0*": PICTURE,
+}  # fmt: skip
+"""How files begin that people have plans in and that are not read, and what helps."""
 DECLARED: Final = re.compile(r"\A\s*<\?xml[^>]*\?>")
 
 
@@ -39,8 +45,11 @@ def unpacked(content: bytes) -> bytes:
     """Returns a file without what is around it: a compressed one as it was before, one of wide characters as UTF-8.
 
     Raises:
-        SyntaxFault: it cannot be read so, or is larger than MOST_BYTES.
+        SyntaxFault: it cannot be read so, is larger than MOST_BYTES, or of a sort that is not read.
     """
+    for start, words in NOT_READ.items():
+        if content.startswith(start):
+            raise SyntaxFault(words)
     if content.startswith(GZIP):
         try:
             content = GzipFile(fileobj=BytesIO(content)).read(MOST_BYTES + 1)

@@ -204,6 +204,22 @@ def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfd
         assert f"{name}: {words}" in refused(capfdbinary, "import", str(tmp_path / name))
 
 
+@pytest.mark.parametrize(
+    ("start", "words"),
+    [
+        (b"%PDF-1.7\n%", "PDF is not read here: save the drawing as SVG or DXF"),
+        (b"AC1032\0\0", "DWG is not read here: save the drawing as DXF"),
+        (b"\x89PNG\r\n", "pictures are not read here: trace them as SVG or DXF"),
+        (b"\xff\xd8\xff\xe0", "pictures are not read here"),
+    ],
+)
+def test_a_file_in_which_people_have_plans_and_which_is_not_read_says_what_helps(
+    tmp_path: Path, capfdbinary: Captured, start: bytes, words: str
+) -> None:
+    (tmp_path / "plan").write_bytes(start)
+    assert f"plan: file: {words}" in refused(capfdbinary, "import", str(tmp_path / "plan"))
+
+
 def test_broken_yaml_names_its_line(tmp_path: Path, capfdbinary: Captured) -> None:
     (tmp_path / "request.yaml").write_text("width: 12\ndepth: 9\nseed: [1\noutdoor: true\n")
     words = refused(capfdbinary, "generate", str(tmp_path / "request.yaml"))
