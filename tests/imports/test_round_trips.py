@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 from io import StringIO
@@ -12,7 +13,7 @@ from ezdxf.math import Matrix44
 
 from solver import Request, export, generate
 from solver.imported import PlanImport
-from solver.scene import EXTERIOR, Opening, Room, Scene
+from solver.scene import EXTERIOR, Level, Opening, Room, Scene
 from tests.imports.plans import read
 
 HOMES = {
@@ -24,7 +25,7 @@ HOMES = {
     "with a garden": Request(seed=13, program="one_bed", outdoor=True),
 }
 PROGRAMMES = tuple(HOMES)
-NOT_READ = ("DECORATIONS", "DIMENSIONS", "FURNITURE", "HIGH", "PEOPLE", "RAILINGS", "WALLS")
+NOT_READ = ("DIMENSIONS", "RAILINGS", "WALLS")
 """Layers of our drawings that hold neither rooms nor openings."""
 CLOSE = 0.0101
 """m."""
@@ -84,7 +85,7 @@ def test_a_house_reads_back(program: str, format: str) -> None:
 
 
 @pytest.mark.parametrize("program", PROGRAMMES)
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
 def test_its_furniture_reads_back(program: str, format: str) -> None:
     before, after = (
         {piece.id: piece for room in scene.rooms for piece in room.furniture} for scene in (home(program), again(program, format).scene)
@@ -97,7 +98,7 @@ def test_its_furniture_reads_back(program: str, format: str) -> None:
         assert abs((piece.rotation - other.rotation + 180) % 360 - 180) < 1.0
 
 
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
 def test_what_lies_and_hangs_there_reads_back(format: str) -> None:
     """Small things keep their kinds and lie, or hang, on what carried them, so that nothing is moved."""
     before, answer = home("an L, decorated"), again("an L, decorated", format)
@@ -158,15 +159,44 @@ def test_a_drawing_reads_back_as_far_as_it_says(program: str, unit: str) -> None
     said = [{(one.id, one.main_entrance) for room in scene.rooms for one in room.openings} for scene in (before, answer.scene)]
     assert said[0] == said[1]
     assert {str(left["place"]) for left in answer.unread} <= {f"layer '{name}'" for name in NOT_READ}
+    places = [
+        {piece.id: (round(piece.x, 2), round(piece.z, 2)) for room in scene.rooms for piece in room.furniture}
+        for scene in (before, answer.scene)
+    ]
+    assert places[0].keys() == places[1].keys()
+    assert all(math.dist(place, places[1][id]) <= 2 * CLOSE for id, place in places[0].items())
+
+
+def test_furniture_of_an_upper_storey_reads_back_on_its_floor() -> None:
+    """Its drawing says heights in the house."""
+    before = home("studio")
+    upper = replace(before, levels=(Level(1, 3.1, 2.8),), rooms=tuple(replace(room, level=1) for room in before.rooms), certificate=None)
+    (name, content), *_ = export(upper, "dxf").items()
+    heights = [
+        {piece.id: round(piece.y, 3) for room in scene.rooms for piece in room.furniture} for scene in (before, read(content, name).scene)
+    ]
+    assert heights[0] == heights[1]
+
+
+def test_furniture_of_a_drawing_that_was_turned_is_named_and_not_read() -> None:
+    (name, content), *_ = export(home("studio"), "dxf").items()
+    answer = read(transformed(content, Matrix44.z_rotate(math.radians(20)), 6), name)
+    assert not any(room.furniture for room in answer.scene.rooms)
+    (left,) = [one for one in answer.unread if one["place"] == "furniture"]
+    assert "which are not read in a drawing that was turned" in str(left["reason"])
 
 
 def in_millimetres(content: bytes) -> bytes:
     """A drawing as a CAD programme scales it: each entity by 1000."""
+    return transformed(content, Matrix44.scale(1000), 4)
+
+
+def transformed(content: bytes, matrix: Matrix44, units: int) -> bytes:
     drawing = ezdxf.read(StringIO(content.decode()))  # type: ignore[attr-defined]
     for one in drawing.modelspace():
         if one.dxftype() not in ("DIMENSION", "HATCH"):
-            one.transform(Matrix44.scale(1000))
-    drawing.units = 4
+            one.transform(matrix)
+    drawing.units = units
     text = StringIO()
     drawing.write(text)
     return text.getvalue().encode()

@@ -18,7 +18,7 @@ from catalogs.synonyms import DrawnNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
-from solver.imports.drawn import DrawnPlan, Spot
+from solver.imports.drawn import DrawnPiece, DrawnPlan, Spot
 from solver.imports.plain_values import a_number
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
@@ -29,6 +29,10 @@ METRES: Final = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 10: 0.9144, 14
 MOST_ENTITIES: Final = 50_000
 BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
+A_STOREY: Final = 2.0
+"""The lowest body in a drawing of ours stands on the floor of another storey than the ground where it is no nearer to that, m."""
+OF_BODIES: Final = (BODY, "ID", "SIZE", "Y")
+"""What is read of it."""
 OWN: Final = "COMPOSE_HOMES"
 """The application of our export's extended data."""
 TEXT: Final = 1000
@@ -84,13 +88,16 @@ def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     if len(content) > MOST_BYTES:
         raise SyntaxFault(f"larger than {MOST_BYTES >> 20} MB")
     try:
-        names = drawn_names_of(catalogs or load_catalogs())
+        known = catalogs or load_catalogs()
+        names = drawn_names_of(known)
         drawing = _drawing(content, names)
         space = drawing.modelspace()
         if len(space) > MOST_ENTITIES:
             raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
         unit = METRES.get(drawing.header.get("$INSUNITS", 0))
-        return _plan(space, lambda found: told_by_doors(found, unit), metres, names)
+        bodies: list[_Entity] = []
+        plan = _plan(space, lambda found: told_by_doors(found, unit), metres, names, bodies)
+        return _with_pieces(plan, bodies, known)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
 
@@ -151,7 +158,7 @@ def _said(code: int, lines: list[str]) -> str:
 
 def _is_read(attribute: list[str]) -> bool:
     """Tells whether an attribute of a block says something: a room's name, or that it is a piece of ours."""
-    return _said(2, attribute) == BODY or any(letter.isalpha() for letter in _said(1, attribute))
+    return _said(2, attribute) in OF_BODIES or any(letter.isalpha() for letter in _said(1, attribute))
 
 
 def _begins_a_part(code: str) -> bool:
@@ -231,7 +238,36 @@ def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
             yield _Entity(one, names[0], sort, f"{kind} {number} on layer {names[0]}")
 
 
-def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -> DrawnPlan:
+def _with_pieces(plan: DrawnPlan, bodies: Sequence[_Entity], known: Catalogs) -> DrawnPlan:
+    """Returns the plan of a drawing of ours with the bodies in it; of one that was turned, or of several storeys, they are not read."""
+    if not bodies or plan.metres is None or plan.turned or len(plan.levels) > 1:
+        words = f"{len(bodies)} blocks of our own, which are not read in a drawing that was turned, or of several storeys"
+        return replace(plan, unread=(*plan.unread, *([Unread("furniture", words)] if bodies else [])))
+    pieces = [piece for body in bodies if (piece := _piece(body, plan.metres, known))]
+    lowest = min((piece.y for piece in pieces), default=0.0)
+    floor = lowest if abs(lowest) * plan.metres >= A_STOREY else 0.0
+    return replace(plan, pieces=tuple(replace(piece, y=piece.y - floor) for piece in pieces))
+
+
+def _piece(body: _Entity, metres: float, known: Catalogs) -> DrawnPiece | None:
+    """Returns a body that our export drew, which says its sizes and its height in the house in m; None of who lives there."""
+    one, where = body.it, body.where
+    kind, id, size, y = (one.get_attrib_text(tag) for tag in OF_BODIES)
+    if any(kind in one.kinds for one in known.people.values()):
+        return None
+    try:
+        width, depth, height, under = (a_number({"": float(word)}, "", where) / metres for word in (*size.split(), y))
+    except ValueError:
+        raise FieldError(f"{where}.SIZE", f"is {size!r:.40}", "width, depth, height in m") from None
+    (spot,) = _spots([one.ocs().to_wcs(one.dxf.insert)])
+    entry = known.furniture.get(kind)
+    name = (entry and entry.name) or kind.removesuffix("_upright") or "thing"
+    is_small, sizes = bool(kind) and entry is None, (width, depth, height)
+    return DrawnPiece(name, *spot, under, one.dxf.rotation, sizes, where, id=id, decoration=is_small, kind=kind or None)
+
+
+def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, bodies: list[_Entity]) -> DrawnPlan:
+    """Returns the plan that is drawn, and gathers the bodies of a drawing of ours."""
     make_path = import_module("ezdxf.path").make_path
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     passed: Counter[tuple[str, str]] = Counter()
@@ -253,6 +289,8 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames) -
         elif kind in ("TEXT", "ATTRIB", "MTEXT"):
             at = one.dxf.insert if kind == "MTEXT" else one.ocs().to_wcs(one.dxf.get("align_point", one.dxf.insert))
             texts.append(text_at(one.plain_text(), (float(at.x), -float(at.y)), names))
+        elif kind == "INSERT" and one.has_attrib(BODY):
+            bodies.append(_Entity(one, layer, sort, where))
         else:
             passed[layer, kind] += 1
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
