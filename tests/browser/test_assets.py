@@ -12,7 +12,7 @@ from catalogs import add_assets, load_catalogs
 from compose_homes import Request, generate
 from solver.exchange import write_scene
 from tests.assets.makers import dense, folder, shape, textured, under
-from tests.browser.service_process import running
+from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import POLL_MS, Visit, intercept
 
 pytestmark = pytest.mark.own_page
@@ -33,11 +33,17 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder(tmp_path_factory.mktemp("own"), files, entries)
 
 
-@pytest.fixture
-def furnished(page: Page, own: Path) -> Iterator[Visit]:
-    """A visit to a service with these assets."""
+@pytest.fixture(scope="module")
+def keeper(own: Path) -> Iterator[ServiceProcess]:
+    """A service with these assets."""
     with running(0, "--assets", str(own)) as process:
-        yield Visit(page, process.address)
+        yield process
+
+
+@pytest.fixture
+def furnished(page: Page, keeper: ServiceProcess) -> Visit:
+    """A visit to the service with these assets."""
+    return Visit(page, keeper.address)
 
 
 def come(visit: Visit) -> dict[str, int]:
