@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from urllib.parse import urlparse
 
 import pytest
-from playwright.sync_api import Page, Route, expect
+from playwright.sync_api import Route, expect
 
-from tests.browser.service_process import running
 from tests.browser.visit import SMALL, Visit, furniture_of, intercept
 
 
@@ -66,18 +64,17 @@ def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
     expect(visit.page.get_by_role("alert")).to_be_hidden()
 
 
-@pytest.mark.own_page
-def test_a_lost_service_is_said_to_be_lost_and_found_again(page: Page) -> None:
-    with running() as first:
-        visit = Visit(page, first.address)
-        visit.open(SMALL.format(8))
-        rooms = visit.count("rooms")
+def test_a_lost_service_is_said_to_be_lost_and_found_again(visit: Visit) -> None:
+    page = visit.page
+    visit.open(SMALL.format(8))
+    rooms = visit.count("rooms")
+    intercept(page, "**/generate", lambda route: route.abort("connectionrefused"))
     page.keyboard.press("r")
     expect(page.get_by_role("alert")).to_contain_text("does not answer")
     assert visit.count("rooms") == rooms
-    with running(urlparse(first.address).port or 0):
-        visit.after(lambda: page.get_by_role("button", name="Try again").click())
-        expect(page.get_by_role("alert")).to_be_hidden()
+    page.unroute("**/generate")
+    visit.after(lambda: page.get_by_role("button", name="Try again").click())
+    expect(page.get_by_role("alert")).to_be_hidden()
 
 
 def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
