@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect, sync_playwright
@@ -59,10 +61,24 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
+def window(browser: Browser, size: ViewportSize = WINDOW, **more: Any) -> BrowserContext:
+    """Where pages of a size open that show no flights, and what else a browser can be told of itself."""
+    return browser.new_context(viewport=size, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", **more)
+
+
+@contextmanager
+def visiting(browser: Browser, address: str, size: ViewportSize = WINDOW, **more: Any) -> Iterator[Visit]:
+    """A visit in a window of its own that keeps nothing of any other, and of which nobody looks at what is drawn."""
+    context = window(browser, size, **more)
+    context.add_init_script(NO_TRIANGLES)
+    yield Visit(context.new_page(), address)
+    context.close()
+
+
 @pytest.fixture(scope="session")
 def context(browser: Browser) -> Iterator[BrowserContext]:
     """Where pages of 1000 x 600 open that show no flights; what they load stays compiled, what they remember ends with each."""
-    context = browser.new_context(viewport=WINDOW, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce")
+    context = window(browser)
     context.add_init_script(SHOWN)
     context.new_page()  # keeps the window open: a new one, with its frame and its address bar, costs as much as a page in it
     yield context
@@ -145,20 +161,12 @@ def visit(page: Page, service: ServiceProcess) -> Visit:
 def way(request: pytest.FixtureRequest, browser: Browser, service: ServiceProcess) -> Iterator[Way]:
     """A page for somebody who works in one way, in which the module's `begin` has begun."""
     is_phone = request.param is Touch
-    context = browser.new_context(
-        viewport=PHONE if is_phone else DESK,
-        device_scale_factor=PIXEL_RATIO,
-        reduced_motion="reduce",
-        has_touch=is_phone,
-        is_mobile=is_phone,
-    )
-    for script in (SHOWN, NO_TRIANGLES):
-        context.add_init_script(script)
-    context.grant_permissions(["clipboard-read", "clipboard-write"])
-    made: Way = request.param(Visit(context.new_page(), service.address))
-    request.module.begin(made)
-    yield made
-    context.close()
+    with visiting(browser, service.address, PHONE if is_phone else DESK, has_touch=is_phone, is_mobile=is_phone) as visit:
+        visit.page.context.add_init_script(SHOWN)
+        visit.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+        made: Way = request.param(visit)
+        request.module.begin(made)
+        yield made
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ from typing import Literal
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.conftest import PIXEL_RATIO
+from tests.browser.conftest import visiting
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import violations
 from tests.browser.visit import Visit
@@ -29,11 +29,8 @@ PLACES = """() => [...document.querySelectorAll('.controls, .controls details:no
 @pytest.fixture
 def fresh(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
     """A visit with a browser that remembers nothing, on a laptop that is set to dark."""
-    context = browser.new_context(
-        viewport={"width": 1000, "height": 600}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", color_scheme="dark"
-    )
-    yield Visit(context.new_page(), service.address)
-    context.close()
+    with visiting(browser, service.address, color_scheme="dark") as visit:
+        yield visit
 
 
 def folded(page: Page) -> list[bool]:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Browser, Dialog, expect
 
+from tests.browser.conftest import visiting
 from tests.browser.test_rooms_and_files import DROP
 from tests.browser.visit import SMALL, Visit
 from tests.sweeps import seeds
@@ -214,18 +215,16 @@ def test_a_link_brings_the_changes(visit: Visit, browser: Browser) -> None:
     visit.page.locator("#copy_link").click()
     expect(visit.page.locator("#said")).to_have_text("Link copied: it opens this house with your changes.")
     link = visit.page.evaluate("navigator.clipboard.readText()")
-    other = browser.new_context(viewport={"width": 1000, "height": 600}, device_scale_factor=0.5, reduced_motion="reduce")
-    friend = Visit(other.new_page(), visit.address)
-    friend.after(lambda: friend.page.goto(link))
-    friend.page.wait_for_function(f"wanted => {SCENE} === wanted", arg=edited)
-    assert "#" not in friend.page.url
-    assert again(friend, friend.page.reload) == edited
-    assert len(undone(friend)) == 1
-    friend.page.goto(link[:-5])
-    expect(friend.page.get_by_role("alert")).to_contain_text("The link is damaged")
-    assert text(friend) != made
-    assert friend.console == []
-    other.close()
+    with visiting(browser, visit.address) as friend:
+        friend.after(lambda: friend.page.goto(link))
+        friend.page.wait_for_function(f"wanted => {SCENE} === wanted", arg=edited)
+        assert "#" not in friend.page.url
+        assert again(friend, friend.page.reload) == edited
+        assert len(undone(friend)) == 1
+        friend.page.goto(link[:-5])
+        expect(friend.page.get_by_role("alert")).to_contain_text("The link is damaged")
+        assert text(friend) != made
+        assert friend.console == []
 
 
 @pytest.mark.parametrize("trouble", [DENIED, FULL])

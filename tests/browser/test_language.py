@@ -9,7 +9,8 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.conftest import PIXEL_RATIO
+from tests.browser.conftest import visiting
+from tests.browser.first_picture import LAPTOP
 from tests.browser.service_process import ServiceProcess
 from tests.browser.visit import Visit
 from tests.imports import plans
@@ -23,11 +24,8 @@ HOME = "?program=studio&seed=3"
 @pytest.fixture
 def german(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
     """A visit with a browser that is set to German and remembers nothing."""
-    context = browser.new_context(
-        viewport={"width": 1440, "height": 900}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", locale="de-AT"
-    )
-    yield Visit(context.new_page(), service.address)
-    context.close()
+    with visiting(browser, service.address, LAPTOP, locale="de-AT") as visit:
+        yield visit
 
 
 def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:

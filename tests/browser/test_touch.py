@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.conftest import PIXEL_RATIO
+from tests.browser.conftest import PHONE, visiting
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_gaps import LAID, keep_apart
 from tests.browser.visit import MOVED, SMALL, Visit
@@ -24,11 +24,8 @@ PRESSED = """least => [...document.querySelectorAll('button, select, summary, in
 @pytest.fixture
 def touched(browser: Browser, service: ServiceProcess) -> Iterator[Visit]:
     """A visit from a phone."""
-    context = browser.new_context(
-        viewport={"width": 390, "height": 800}, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", has_touch=True, is_mobile=True
-    )
-    yield Visit(context.new_page(), service.address)
-    context.close()
+    with visiting(browser, service.address, PHONE, has_touch=True, is_mobile=True) as visit:
+        yield visit
 
 
 def test_fingers_turn_come_nearer_and_drag(touched: Visit) -> None:
