@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,12 +11,11 @@ from playwright.sync_api import Frame, Page, Route
 from tests.browser.visit import SMALL, Visit, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
-RUN = """([rules, but, whole]) => axe.run({exclude: whole ? [] : [...document.querySelectorAll('#yaml > *')].filter(one => {
+RUN = """([rules, whole]) => axe.run({exclude: whole ? [] : [...document.querySelectorAll('#yaml > *')].filter(one => {
         const [line, text] = [one, one.parentElement].map(of => of.getBoundingClientRect());
         return line.bottom < Math.max(text.top, 0) || line.top > Math.min(text.bottom, innerHeight);
     })}, {
         resultTypes: ['violations'], selectors: false, ...(rules.length && {runOnly: rules}),
-        rules: Object.fromEntries(but.map(rule => [rule, {enabled: false}])),
     }).then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`))"""
 """Every rule, or some, of the whole page or all but the lines of the text that are out of view.
 
@@ -35,11 +34,11 @@ def violations(visit: Visit) -> list[str]:
     return found_in(visit.page)
 
 
-def found_in(frame: Page | Frame, *rules: str, but: Sequence[str] = (), whole: bool = True) -> list[str]:
-    """What axe-core finds wrong in a page or a frame, which keeps it: by every rule but some, or a few; in the whole text, or in view."""
+def found_in(frame: Page | Frame, *rules: str, whole: bool = True) -> list[str]:
+    """What axe-core finds wrong in a page or a frame, which keeps it: by every rule or a few; in the whole text, or in view."""
     if not frame.evaluate("'axe' in globalThis"):
         frame.evaluate(AXE.read_text())
-    found: list[str] = frame.evaluate(RUN, [rules, but, whole])
+    found: list[str] = frame.evaluate(RUN, [rules, whole])
     return found
 
 

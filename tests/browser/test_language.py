@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import visiting
 from tests.browser.first_picture import LAPTOP
 from tests.browser.service_process import ServiceProcess
+from tests.browser.test_accessible import violations
 from tests.browser.visit import Visit
 from tests.imports import plans
 
@@ -36,6 +37,7 @@ def test_german_is_whole_fits_and_gives_way_to_english(german: Visit) -> None:
     expect(page.locator("#language_words")).to_contain_text("englisch")
     page.evaluate(OPENED)
     assert page.evaluate(CUT_OFF) == []
+    assert violations(german) == []
     widths = [page.locator(one).evaluate("one => one.clientWidth") for one in ("#export_format", "#open_file")]
     assert widths[0] == widths[1], "what a format is for is cut off"
     expect(page.locator("#robot_width")).to_have_attribute("placeholder", "0,6")

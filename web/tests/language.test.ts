@@ -48,6 +48,24 @@ describe("the table of German words", () => {
   });
 });
 
+/** What the regions of a page are called, dialogs by their headings. */
+function regionNames(page: string): string[] {
+  const shown = document.createElement("main");
+  shown.innerHTML = readFileSync(join(SRC, `../${page}.html`), "utf8");
+  const named = [...shown.querySelectorAll("main, nav, aside, section, form, dialog, [role]")].map((one) =>
+    one.getAttribute("aria-label") ?? shown.querySelector(`#${one.getAttribute("aria-labelledby") ?? "none"}`)?.textContent ?? "");
+  return named.filter((name) => name !== "");
+}
+
+describe("the regions of a page", () => {
+  it.each([["index", 15], ["embed", 2]])("have names of their own in German as in English: %s", (page, least) => {
+    const english = new Set(regionNames(page));
+    expect(english.size).toBeGreaterThan(least);
+    const words: Readonly<Record<string, string>> = german;
+    expect(new Set([...english].map((name) => words[name])).size).toBe(english.size);
+  });
+});
+
 describe("the language", () => {
   it("is the one that was chosen, else the browser's, else English", () => {
     expect(languageOf("de", "en-GB")).toBe("de");

@@ -114,6 +114,7 @@ export class Diagnose {
   }
 
   #say(words: readonly string[]): void {
+    this.#said.tabIndex = words.length > 0 ? 0 : -1; // what is long is scrolled, by keys too
     this.#said.replaceChildren(...words.map((text) => {
       const line = document.createElement("p");
       line.textContent = text;
