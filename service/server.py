@@ -34,26 +34,28 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
     _open_store(app, settings)
     gc.freeze()  # what is there by now stays: looking through it all would keep everybody waiting for 80 ms, now and then
     with listening(settings.host, settings.port, settings.connections) as listener:
-        config = Config(
-            app, http=app.connections.protocol, ws="none", lifespan="on", log_level="warning", server_header=False,  # type: ignore[arg-type]
-            timeout_keep_alive=math.ceil(settings.idle_seconds), timeout_graceful_shutdown=math.ceil(settings.grace_seconds),
-        )  # fmt: skip
         shown = f"[{settings.host}]" if listener.family == socket.AF_INET6 else settings.host
         print(f"Compose answers at http://{shown}:{listener.getsockname()[1]}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
         try:
-            _StoppingServer(app, config).run(sockets=[listener])
+            StoppingServer(app).run(sockets=[listener])
         except KeyboardInterrupt:
             print("Compose has stopped.", file=sys.stderr)
 
 
-class _StoppingServer(Server):
-    """Tells the application when it is told to stop: uvicorn would first wait for every answer to end."""
+class StoppingServer(Server):
+    """Runs an application by its settings, and tells it when it is told to stop: uvicorn would first wait for every answer to end."""
 
-    def __init__(self, app: ComposeApp, config: Config) -> None:
+    def __init__(self, app: ComposeApp) -> None:
+        idle, grace = math.ceil(app.settings.idle_seconds), math.ceil(app.settings.grace_seconds)
+        config = Config(
+            app, http=app.connections.protocol, ws="none", lifespan="on", log_level="warning", server_header=False,  # type: ignore[arg-type]
+            timeout_keep_alive=idle, timeout_graceful_shutdown=grace,
+        )  # fmt: skip
         super().__init__(config)
         self._app = app
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """Ends answers that have no end of their own, and waits for the others."""
         self._app.stopping.set()
         await super().shutdown(sockets)
 

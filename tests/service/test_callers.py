@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import http.client
 import socket
-from urllib.parse import urlsplit
 
 import pytest
 from starlette.testclient import TestClient
@@ -12,7 +11,9 @@ from starlette.testclient import TestClient
 from service.app import create_app
 from service.callers import host_name
 from service.service_settings import Settings
-from tests.browser.service_process import running
+from service.service_store import NONE
+from tests.cli.programs import GUARD_S
+from tests.service.here import served
 
 ASKED = b'{"seed": 1, "width": 6, "depth": 5}'
 
@@ -60,7 +61,7 @@ def test_head_answers_as_get_without_the_body(named: TestClient, path: str) -> N
 
 
 def test_a_body_framed_twice_is_refused() -> None:
-    with running() as service, socket.create_connection((urlsplit(service.address).hostname, urlsplit(service.address).port)) as line:
+    with served(Settings(allow_host=("*",), store=NONE)) as place, socket.create_connection(place, timeout=GUARD_S) as line:
         line.sendall(b"POST /view HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n")
         line.sendall(b"Content-Length: 12\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n")
         answer = http.client.HTTPResponse(line, method="POST")

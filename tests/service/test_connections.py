@@ -5,39 +5,38 @@ from __future__ import annotations
 import http.client
 import socket
 from collections.abc import Iterator
-from contextlib import ExitStack
-from typing import cast
-from urllib.parse import urlsplit
+from contextlib import ExitStack, contextmanager
+from typing import Any, Final, cast
 
 import pytest
 
 from service.connections import Connections, WatchedConnection
 from service.service_settings import Settings
-from tests.browser.service_process import running
+from service.service_store import NONE
 from tests.cli.programs import GUARD_S
+from tests.service.here import served
 
-FEW = ("--processes", "1", "--light-processes", "1")
+DAY_S: Final = 86_400.0
 UNREAD = b"GET /core.wasm HTTP/1.1\r\nHost: localhost\r\n\r\n" * 40
 """More than the buffers on the way hold, for a client that reads none of it."""
 DRIBBLE = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\nX-Slow: "
 
 
 class Server:
-    """A service with few connections, and what is opened to it."""
+    """A service, and what is opened to it."""
 
-    def __init__(self, address: str, stack: ExitStack) -> None:
-        self.host, self.port = urlsplit(address).hostname or "", urlsplit(address).port or 0
-        self._stack = stack
+    def __init__(self, place: tuple[str, int], stack: ExitStack) -> None:
+        self._place, self._stack = place, stack
 
     def line(self, begins: bytes = DRIBBLE) -> socket.socket:
         """Opens a connection that says how it begins and no more."""
-        line = self._stack.enter_context(socket.create_connection((self.host, self.port), timeout=GUARD_S))
+        line = self._stack.enter_context(socket.create_connection(self._place, timeout=GUARD_S))
         line.sendall(begins)
         return line
 
     def status(self, path: str = "/healthz") -> int:
         """Returns the status of a request on a connection of its own."""
-        connection = http.client.HTTPConnection(self.host, self.port, timeout=GUARD_S)
+        connection = http.client.HTTPConnection(*self._place, timeout=GUARD_S)
         try:
             connection.request("GET", path)
             return connection.getresponse().status
@@ -46,7 +45,7 @@ class Server:
 
     def figure(self, name: str) -> float:
         """Returns a figure of /metrics."""
-        connection = http.client.HTTPConnection(self.host, self.port, timeout=GUARD_S)
+        connection = http.client.HTTPConnection(*self._place, timeout=GUARD_S)
         try:
             connection.request("GET", "/metrics")
             lines = connection.getresponse().read().decode().splitlines()
@@ -63,12 +62,19 @@ def is_closed(line: socket.socket) -> bool:
         return True
 
 
+@contextmanager
+def served_by(**settings: Any) -> Iterator[Server]:
+    """A service that waits for its clients a day, unless its settings say how long."""
+    patient = {"header_seconds": DAY_S, "body_seconds": DAY_S, "idle_seconds": DAY_S}
+    with served(Settings(allow_host=("*",), store=NONE, **patient | settings)) as place, ExitStack() as stack:
+        yield Server(place, stack)
+
+
 @pytest.fixture
 def small() -> Iterator[Server]:
     """A service of four connections."""
-    words = (*FEW, "--connections", "4", "--header-seconds", "86400", "--body-seconds", "86400", "--idle-seconds", "86400")
-    with running(0, *words) as service, ExitStack() as stack:
-        yield Server(service.address, stack)
+    with served_by(connections=4) as server:
+        yield server
 
 
 def test_who_waits_longest_gives_way(small: Server) -> None:
@@ -86,8 +92,7 @@ def test_a_body_that_does_not_come_gives_way_too(small: Server) -> None:
 
 
 def test_hundreds_that_dribble_keep_nobody_out() -> None:
-    with running(0, *FEW) as service, ExitStack() as stack:
-        server = Server(service.address, stack)
+    with served_by() as server:
         for _ in range(600):
             server.line()
         assert server.status() == 200
@@ -95,13 +100,12 @@ def test_hundreds_that_dribble_keep_nobody_out() -> None:
 
 
 def test_headers_that_never_end_are_waited_for_so_long_and_no_longer() -> None:
-    with running(0, *FEW, "--header-seconds", "0.05") as service, ExitStack() as stack:
-        assert is_closed(Server(service.address, stack).line())
+    with served_by(header_seconds=0.05) as server:
+        assert is_closed(server.line())
 
 
 def test_one_address_has_so_many_connections() -> None:
-    with running(0, *FEW, "--client-connections", "2", "--header-seconds", "86400") as service, ExitStack() as stack:
-        server = Server(service.address, stack)
+    with served_by(client_connections=2) as server:
         first, second = server.line(), server.line()
         assert server.status() == 200
         assert is_closed(first)
@@ -118,8 +122,7 @@ def test_who_takes_no_answer_gives_way(small: Server) -> None:
 
 
 def test_who_takes_no_answer_is_waited_for_so_long_and_no_longer() -> None:
-    with running(0, *FEW, "--body-seconds", "0.05") as service, ExitStack() as stack:
-        server = Server(service.address, stack)
+    with served_by(body_seconds=0.05) as server:
         line = server.line(UNREAD)
         while server.figure("compose_connections_closed") == 0:
             assert server.status() == 200

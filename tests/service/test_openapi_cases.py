@@ -7,7 +7,6 @@ CASES=500 in the environment makes 500 of each call.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -19,12 +18,12 @@ from schemathesis.specs.openapi.checks import positive_data_acceptance
 
 import solver
 from service.app import create_app
-from service.work import Failure, do, do_alone
 from solver import generate
 from solver.answers import Generated
 from solver.export_formats import EXPORTERS
 from solver.request import Request
 from tests.service.heavy import PATIENCE_S
+from tests.service.here import Here
 
 CASES = int(os.environ.get("CASES", "15"))
 """Generated calls of each kind."""
@@ -68,18 +67,6 @@ BEYOND_A_SCHEMA = (
     "is a list",  # a gap from the larger number to the smaller one
 )
 """What is wrong with documents that fit their schema: it shows only when keys are seen together, or with the catalog."""
-
-
-class Here:
-    """Makes calls in this process."""
-
-    async def start(self, *_: object) -> None:
-        """Needs no processes."""
-
-    async def run(self, work: Callable[..., Any], *given: Any, **_: bool) -> Any:
-        done = do(*given) if work is do_alone else work(*given)
-        assert not isinstance(done, Failure), done.trace
-        return done
 
 
 def made_small(request: Request, **more: Any) -> Generated:
