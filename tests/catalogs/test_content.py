@@ -8,11 +8,10 @@ from fractions import Fraction
 from pathlib import Path
 from typing import get_args
 
-import pytest
-
 import catalogs
 from catalogs import load_catalogs
 from catalogs.entries import Category
+from tests.every import every
 
 KNOWN = load_catalogs()
 BEDS = [{"bed": 1, "single_bed": 1}]
@@ -34,8 +33,8 @@ FLOORS = {
     "backyard": "grass", "foyer": "stone",
 }  # fmt: skip
 OUTDOORS = {"patio", "outdoor_deck", "backyard", "balcony"}
-rooms = pytest.mark.parametrize("name", sorted(KNOWN.rooms))
-kinds = pytest.mark.parametrize("kind", sorted(KNOWN.furniture))
+rooms = every("name", sorted(KNOWN.rooms))
+kinds = every("kind", sorted(KNOWN.furniture))
 
 
 def test_the_room_types_and_what_they_require() -> None:

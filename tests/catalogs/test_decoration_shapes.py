@@ -8,6 +8,7 @@ import pytest
 
 from catalogs import load_catalogs
 from catalogs.shapes import Solid
+from tests.every import every
 
 CATALOGS = load_catalogs()
 LIVING = tuple(kind for kind, entry in CATALOGS.furniture.items() if entry.category == "dynamic")
@@ -30,7 +31,7 @@ def _top_at(solids: tuple[Solid, ...], x: float, z: float) -> float:
     return max(tops)
 
 
-@pytest.mark.parametrize("kind", DRAWN)
+@every("kind", DRAWN)
 def test_a_thing_fills_its_box_and_leaves_it_nowhere(kind: str) -> None:
     solids = CATALOGS.shapes[kind]
     assert 1 <= len(solids) <= 16
@@ -42,12 +43,12 @@ def test_a_thing_fills_its_box_and_leaves_it_nowhere(kind: str) -> None:
     assert all(solid.material in CATALOGS.materials for solid in solids)
 
 
-@pytest.mark.parametrize("kind", HUNG)
+@every("kind", HUNG)
 def test_what_hangs_touches_its_wall(kind: str) -> None:
     assert min(solid.z[0] for solid in CATALOGS.shapes[kind]) == 0
 
 
-@pytest.mark.parametrize("kind", [kind for kind, entry in CATALOGS.decorations.items() if entry.surfaces])
+@every("kind", [kind for kind, entry in CATALOGS.decorations.items() if entry.surfaces])
 def test_what_carries_has_its_top_at_its_surface(kind: str) -> None:
     entry = CATALOGS.decorations[kind]
     for surface in entry.surfaces:
@@ -56,7 +57,7 @@ def test_what_carries_has_its_top_at_its_surface(kind: str) -> None:
         assert max(solid.y[1] for solid in CATALOGS.shapes[kind]) * entry.size[2] <= surface.height + MARGIN
 
 
-@pytest.mark.parametrize("kind", RUGS)
+@every("kind", RUGS)
 def test_rugs_are_flat_with_a_border_of_another_shade(kind: str) -> None:
     solids = CATALOGS.shapes[kind]
     assert CATALOGS.decorations[kind].size[2] <= 0.02
@@ -66,7 +67,7 @@ def test_rugs_are_flat_with_a_border_of_another_shade(kind: str) -> None:
     assert len(shades) == len(solids)
 
 
-@pytest.mark.parametrize("kind", DRAWN)
+@every("kind", DRAWN)
 def test_no_two_materials_show_in_one_plane(kind: str) -> None:
     """Flat faces that look the same way, lie in one plane and overlap, would flicker; undersides and backs are not seen."""
     boxes = [solid for solid in CATALOGS.shapes[kind] if solid.form == "box"]
@@ -78,7 +79,7 @@ def test_no_two_materials_show_in_one_plane(kind: str) -> None:
             assert not (same and min(shared) > 1e-9), (one, other, axis)
 
 
-@pytest.mark.parametrize("kind", [kind for kind, pose in POSED.items() if pose == "upright"])
+@every("kind", [kind for kind, pose in POSED.items() if pose == "upright"])
 def test_what_is_tipped_upright_keeps_its_width_and_swaps_the_rest(kind: str) -> None:
     lying, tipped = CATALOGS.shapes[kind], CATALOGS.shapes[f"{kind}_upright"]
     for one, other in zip(lying, tipped, strict=False):

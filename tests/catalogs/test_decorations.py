@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import pytest
-
 from catalogs import load_catalogs
 from catalogs.decoration_types import INDOOR
+from tests.every import every
 
 KNOWN = load_catalogs()
 LIST = [
@@ -75,10 +74,10 @@ LIST = [
 ]
 """What homes have had from the first catalog on."""
 ASKEW = ("book", "magazine", "mug", "figurine", "candle", "picture_frame", "plant_small", "toy_blocks", "toy_car", "stuffed_animal")
-kinds = pytest.mark.parametrize("name", sorted(KNOWN.decorations))
+kinds = every("name", sorted(KNOWN.decorations))
 
 
-@pytest.mark.parametrize("name", LIST)
+@every("name", LIST)
 def test_the_whole_list_is_there(name: str) -> None:
     assert name in KNOWN.decorations
 
@@ -99,7 +98,7 @@ def test_every_kind_has_a_place_somewhere(name: str) -> None:
     assert any(name in row.put for row in rows)
 
 
-@pytest.mark.parametrize("name", ASKEW)
+@every("name", ASKEW)
 def test_what_lies_askew(name: str) -> None:
     assert KNOWN.decorations[name].jitter
 
@@ -112,8 +111,6 @@ def test_names_are_not_those_of_furniture() -> None:
     assert INDOOR not in {*names, *KNOWN.decorations, *KNOWN.rooms}
 
 
-@pytest.mark.parametrize(
-    "name", sorted(kind for kind, entry in KNOWN.furniture.items() if entry.surfaces and not entry.name and entry.category != "seating")
-)
+@every("name", sorted(kind for kind, entry in KNOWN.furniture.items() if entry.surfaces and not entry.name and entry.category != "seating"))
 def test_what_has_a_surface_is_decorated(name: str) -> None:
     assert name in KNOWN.decorating

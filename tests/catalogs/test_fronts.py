@@ -12,6 +12,7 @@ from catalogs.fronts import fronts_of
 from catalogs.shapes import Solid
 from tests.architecture.tree import ROOT
 from tests.catalogs.test_shapes import overlay
+from tests.every import every
 
 KNOWN = load_catalogs()
 OPENING = {kind: found for kind in KNOWN.furniture if (found := fronts_of(KNOWN.shapes[kind]))}
@@ -90,7 +91,7 @@ def deep(one: list[tuple[float, float]], other: list[tuple[float, float]]) -> fl
     return min(min(a[1], b[1]) - max(a[0], b[0]) for a, b in zip(one, other, strict=True))
 
 
-@pytest.mark.parametrize("kind", OPENING)
+@every("kind", OPENING)
 def test_a_front_is_apart_from_all_that_does_not_move_with_it(kind: str) -> None:
     solids = KNOWN.shapes[kind]
     for front in OPENING[kind]:
@@ -100,7 +101,7 @@ def test_a_front_is_apart_from_all_that_does_not_move_with_it(kind: str) -> None
                     assert deep(metres(kind, solids[number]), metres(kind, other)) <= 0.0015, (front.name, solids[number], other)
 
 
-@pytest.mark.parametrize("kind", OPENING)
+@every("kind", OPENING)
 def test_a_drawer_comes_out_past_all_that_is_before_it(kind: str) -> None:
     """Drawn out whole, and on its way, nothing of it is in what does not move."""
     depth = KNOWN.furniture[kind].size[1]
@@ -113,7 +114,7 @@ def test_a_drawer_comes_out_past_all_that_is_before_it(kind: str) -> None:
                 assert all(deep([x, y, (low, high + front.end * depth)], other) <= 0.0015 for other in still), front.name
 
 
-@pytest.mark.parametrize("kind", OPENING)
+@every("kind", OPENING)
 def test_a_drawer_is_a_tray(kind: str) -> None:
     for front in OPENING[kind]:
         if front.slides:

@@ -10,6 +10,7 @@ from catalogs import load_catalogs
 from catalogs.fronts import BodyFront, floor_before, fronts_of
 from solver.furnish.floor_about import floors_about
 from solver.wall_fittings import FRAME_PROUD
+from tests.every import every
 
 KNOWN = load_catalogs()
 
@@ -48,7 +49,7 @@ def test_half_open_takes_less_than_open() -> None:
             assert 0 <= found.above < spec.size[2], name
 
 
-@pytest.mark.parametrize("name", [name for name in KNOWN.furniture if any(ahead(one) for one in fronts_of(KNOWN.shapes.get(name, ())))])
+@every("name", [name for name in KNOWN.furniture if any(ahead(one) for one in fronts_of(KNOWN.shapes.get(name, ())))])
 def test_drawers_and_flaps_pass_the_frame_of_a_door_in_the_wall_beside_them(name: str) -> None:
     """A piece may stand flush with the wall at its side, and the frame of a door there stands out of it."""
     for front in fronts_of(KNOWN.shapes[name]):

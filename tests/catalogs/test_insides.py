@@ -10,6 +10,7 @@ import pytest
 from catalogs import CatalogError, load_catalogs
 from catalogs.insides import InsideSurface, insides_of
 from catalogs.shapes import Solid
+from tests.every import every
 
 KNOWN = load_catalogs()
 INSIDES = {kind: found for kind, entry in KNOWN.furniture.items() if (found := insides_of(KNOWN.shapes[kind], entry.size))}
@@ -27,7 +28,7 @@ def shared(one: Box, other: Box) -> float:
     return min(min(a[1], b[1]) - max(a[0], b[0]) for a, b in zip(one, other, strict=True))
 
 
-@pytest.mark.parametrize("kind", INSIDES)
+@every("kind", INSIDES)
 def test_an_inside_is_free_and_lies_on_a_board(kind: str) -> None:
     for one in INSIDES[kind]:
         free = one.x, (one.height + 1e-4, one.height + one.clearance), one.z
@@ -37,7 +38,7 @@ def test_an_inside_is_free_and_lies_on_a_board(kind: str) -> None:
         assert any(all(a[0] <= b[0] + 1e-6 and b[1] - 1e-6 <= a[1] for a, b in zip(board, below, strict=True)) for board in boards)
 
 
-@pytest.mark.parametrize("kind", INSIDES)
+@every("kind", INSIDES)
 def test_what_lies_in_a_drawer_passes_all_that_stays(kind: str) -> None:
     depth = KNOWN.furniture[kind].size[1]
     for one in INSIDES[kind]:

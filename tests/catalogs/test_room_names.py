@@ -8,12 +8,13 @@ import pytest
 
 from catalogs import CatalogError, load_catalogs
 from catalogs.synonyms import room_names_of, words_of
+from tests.every import every
 
 KNOWN = load_catalogs()
 NAMES = room_names_of(KNOWN)
 
 
-@pytest.mark.parametrize(
+@every(
     ("type_name", "names"),
     [
         (
@@ -79,7 +80,7 @@ def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names:
     assert found == dict.fromkeys(names, type_name)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "key"),
     [
         ("BR 1", "bedroom"),
@@ -124,7 +125,7 @@ def test_what_architects_abbreviate_is_plain(name: str, key: str) -> None:
     assert meaning == (key, True)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "type_name"),
     [
         ("Master bath", "bathroom"),
@@ -146,12 +147,12 @@ def test_of_several_words_those_count_that_say_what_it_is(name: str, type_name: 
     assert meaning.key == type_name
 
 
-@pytest.mark.parametrize("name", ["", "room", "Room 12", "Loft", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
+@every("name", ["", "room", "Room 12", "Loft", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
 def test_what_tells_nothing_is_not_understood(name: str) -> None:
     assert NAMES.meaning(name) is None
 
 
-@pytest.mark.parametrize("name", ["Walk-in closet", "Treppenhaus", "Storage", "Keller", "кладовая"])
+@every("name", ["Walk-in closet", "Treppenhaus", "Storage", "Keller", "кладовая"])
 def test_rooms_that_we_have_no_type_for_are_none_of_ours(name: str) -> None:
     meaning = NAMES.meaning(name)
     assert meaning is not None
@@ -182,7 +183,7 @@ def test_a_room_type_that_is_none_is_refused_with_its_line(tmp_path: Path) -> No
         load_catalogs(tmp_path)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "key"),
     [("Wohnen/Essen/Kochen", "living_room"), ("Bad/WC", "bathroom"), ("Kitchen & Dining", "kitchen"), ("Baño principal", "bathroom")],
 )  # fmt: skip

@@ -10,6 +10,7 @@ import yaml
 
 import catalogs
 from catalogs import CatalogError, load_catalogs
+from tests.every import every
 
 OURS = Path(catalogs.__file__).parent
 
@@ -47,7 +48,7 @@ def area_of(kind: str, surface: dict[str, Any]) -> Ends:
     return {"x": (inset, width - inset), "z": (inset, depth - inset)}
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every("kind", KINDS)
 def test_every_kind_has_a_shape(kind: str) -> None:
     assert 1 <= len(KNOWN["shapes"][kind]) <= 48
 
@@ -59,7 +60,7 @@ def test_no_shape_stands_in_two_files_or_is_of_no_use() -> None:
     assert set(WRITTEN) <= names | poses
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every("kind", KINDS)
 def test_parts_are_ones_and_lie_within_the_body(kind: str) -> None:
     for part in KNOWN["shapes"][kind]:
         assert part["form"] in FORMS and part["material"] in MATERIALS and part["axis"] in ("x", "y", "z")
@@ -67,13 +68,13 @@ def test_parts_are_ones_and_lie_within_the_body(kind: str) -> None:
         assert (part["taper"] == 0) == (part["form"] == "cone") and part["taper"] >= 0
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every("kind", KINDS)
 def test_no_part_stands_twice(kind: str) -> None:
     places = [tuple(tuple(round(end, 6) for end in part[axis]) for axis in "xyz") for part in KNOWN["shapes"][kind]]
     assert len(places) == len(set(places))
 
 
-@pytest.mark.parametrize("kind", [kind for kind, entry in KNOWN["furniture"].items() if entry["category"] != "dynamic"])
+@every("kind", [kind for kind, entry in KNOWN["furniture"].items() if entry["category"] != "dynamic"])
 def test_the_parts_reach_the_bodys_box(kind: str) -> None:
     boxes = [box_of(kind, part) for part in KNOWN["shapes"][kind]]
     for axis, length in zip("xzy", KINDS[kind]["size"], strict=True):
@@ -81,7 +82,7 @@ def test_the_parts_reach_the_bodys_box(kind: str) -> None:
         assert max(box[axis][1] for box in boxes) >= length - 0.02, axis
 
 
-@pytest.mark.parametrize("kind", [kind for kind, entry in KINDS.items() if entry["surfaces"]])
+@every("kind", [kind for kind, entry in KINDS.items() if entry["surfaces"]])
 def test_every_surface_is_the_top_of_parts(kind: str) -> None:
     """Counted on a grid of points: what lies there is carried by what is drawn."""
     parts = [(part["form"], box_of(kind, part)) for part in KNOWN["shapes"][kind]]
@@ -98,7 +99,7 @@ def under(x: float, z: float, form: str, box: Ends) -> bool:
     return u * u + v * v <= 1 if form in ROUND else max(abs(u), abs(v)) <= 1
 
 
-@pytest.mark.parametrize("kind", [kind for kind, entry in KNOWN["furniture"].items() if entry["surfaces"]])
+@every("kind", [kind for kind, entry in KNOWN["furniture"].items() if entry["surfaces"]])
 def test_nothing_of_a_piece_rises_through_its_surfaces(kind: str) -> None:
     for surface in KINDS[kind]["surfaces"]:
         free = area_of(kind, surface) | {"y": (surface["height"] + 0.012, surface["height"] + (surface["clearance"] or 9.0))}
@@ -106,7 +107,7 @@ def test_nothing_of_a_piece_rises_through_its_surfaces(kind: str) -> None:
             assert min(shared(box_of(kind, part), free, "xyz")) <= 0.005, (surface["name"], part)
 
 
-@pytest.mark.parametrize("kind", KNOWN["furniture"])
+@every("kind", KNOWN["furniture"])
 def test_no_two_faces_flicker(kind: str) -> None:
     """Two boxes' faces that look the same way, share an area and lie in one plane would be drawn by turns."""
     parts = [box_of(kind, part) for part in KNOWN["shapes"][kind] if part["form"] in ("box", "rounded")]

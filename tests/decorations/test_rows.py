@@ -9,6 +9,7 @@ import pytest
 from solver.scene import Furniture, Opening, Room, Scene
 from tests.decorations.oracle import complaints
 from tests.decorations.rooms import DOOR, SIDE, THICKNESS, WALLS, at_wall, decorate, piece, room, under
+from tests.every import every
 
 ROWS = {
     "bed": {"pillow": 2, "throw_pillow": 1, "throw_blanket": 1, "wall_frame": 1},
@@ -40,8 +41,8 @@ def right(decorated_room: Room) -> list[str]:
     return list(complaints(Scene(wall_thickness=THICKNESS, rooms=(decorated_room,))))
 
 
-@pytest.mark.parametrize("wall", WALLS)
-@pytest.mark.parametrize("name", ROWS)
+@every("wall", WALLS)
+@every("name", ROWS)
 def test_a_row_is_on_its_parent(name: str, wall: str) -> None:
     for seed in range(3):
         done = decorate(room(at_wall(name, wall)), seed)
@@ -60,8 +61,8 @@ HELD = {
 """By kind of furniture, some of what it may hold inside."""
 
 
-@pytest.mark.parametrize("wall", WALLS)
-@pytest.mark.parametrize("name", HELD)
+@every("wall", WALLS)
+@every("name", HELD)
 def test_what_is_held_lies_on_boards_within_its_piece(name: str, wall: str) -> None:
     found = under(room(), "nobody")
     for seed in range(3):

@@ -21,6 +21,7 @@ from solver import scene
 from solver.request import Request
 from solver.validator import RULES
 from tests.docs.markdown import rows, section, text_of, words
+from tests.every import every
 
 OURS = load_catalogs()
 RECORDS: dict[str, type[Any]] = {
@@ -108,7 +109,7 @@ def test_every_key_of_the_catalog_is_explained(heading: str, described: tuple[ty
     assert [key for key in keys if not re.search(rf"`(\w+: )?{key}\b|\b{key}:", text)] == []
 
 
-@pytest.mark.parametrize(
+@every(
     "word",
     [*get_args(Category), *get_args(Group), *get_args(Form), *load_catalogs().rooms, *load_catalogs().styles, *load_catalogs().presets],
 )

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 
-import pytest
-
 from tests.docs.markdown import ROOT, anchors, documents, links, text_of
+from tests.every import every
 
 PATH = re.compile(r"`((?:solver|service|catalogs|web|tests|scripts|docs|compose_homes)/[\w./-]*)`")
 
 
-@pytest.mark.parametrize("name", sorted(documents()))
+@every("name", sorted(documents()))
 def test_every_link_leads_to_a_file_and_a_heading(name: str) -> None:
     for link in links(name):
         if link.startswith(("http://127.0.0.1", "#", "https://")):
@@ -25,7 +24,7 @@ def test_every_link_leads_to_a_file_and_a_heading(name: str) -> None:
             assert anchor in anchors(str(target.relative_to(ROOT))), f"{name}: {link}"
 
 
-@pytest.mark.parametrize("name", sorted(set(documents()) - {"CHANGELOG.md"}))
+@every("name", sorted(set(documents()) - {"CHANGELOG.md"}))
 def test_every_file_that_is_named_is_there(name: str) -> None:
     for path in PATH.findall(documents()[name]):
         assert (ROOT / path).exists(), f"{name}: {path}"

@@ -14,6 +14,7 @@ from solver.errors import FieldError, RequestError, SceneError
 from solver.exchange import read_request, read_scene, write_scene
 from solver.request import MAX_SEED, Request
 from solver.scene import Scene, Sides
+from tests.every import every
 from tests.exchange.documents import PLAIN, piece, room, scene
 from tests.sweeps import examples
 
@@ -35,8 +36,8 @@ def test_only_sizes_and_places_are_required() -> None:
     assert read_scene({}) == Scene()
 
 
-@pytest.mark.parametrize("key", ["name", "x", "z", "width", "depth", "height"])
-@pytest.mark.parametrize("part", ["furniture", "decorations"])
+@every("key", ["name", "x", "z", "width", "depth", "height"])
+@every("part", ["furniture", "decorations"])
 def test_what_a_piece_must_say(part: str, key: str) -> None:
     for wrong, problem in ({name: value for name, value in piece().items() if name != key}, "missing"), (piece(**{key: None}), "null"):
         error = refused(scene(room(), {"width": 1, "depth": 1, part: [piece(), wrong]}))
@@ -139,15 +140,15 @@ def test_both_rooms_of_a_door_list_it_under_one_id() -> None:
 WRONG_NUMBERS = ["1", True, None, [], {}, math.nan, math.inf, -math.inf, 10**400]
 
 
-@pytest.mark.parametrize("value", [*WRONG_NUMBERS, 0, -1, 1000.001, 0.0, -0.0])
-@pytest.mark.parametrize("key", ["width", "depth", "height"])
+@every("value", [*WRONG_NUMBERS, 0, -1, 1000.001, 0.0, -0.0])
+@every("key", ["width", "depth", "height"])
 def test_sizes_are_positive_and_at_most_a_kilometre(key: str, value: Any) -> None:
     error = refused(scene(room(piece(**{key: value}))))
     assert error.field == f"rooms[0].furniture[0].{key}"
     assert error.allowed == "a number above 0, up to 1000"
 
 
-@pytest.mark.parametrize("value", [*WRONG_NUMBERS, 1e7, -1e300])
+@every("value", [*WRONG_NUMBERS, 1e7, -1e300])
 def test_places_are_numbers_near_the_house(value: Any) -> None:
     error = refused(scene(room(piece(x=value))))
     assert (error.field, error.allowed) == ("rooms[0].furniture[0].x", "a number from -1000000 to 1000000")

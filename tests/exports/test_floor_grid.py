@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from scipy import ndimage
 
 from solver.exports.floor_grid import largest_stretch, squared_distances
+from tests.every import every
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_the_largest_stretch_is_the_largest_label(seed: int) -> None:
     stream = np.random.default_rng(seed)
     cells = stream.random((stream.integers(1, 14), stream.integers(1, 14))) < stream.choice([0.3, 0.55, 0.7, 1.0])
@@ -19,7 +19,7 @@ def test_the_largest_stretch_is_the_largest_label(seed: int) -> None:
     assert np.array_equal(largest_stretch(cells), expected)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_distances_are_exact(seed: int) -> None:
     stream = np.random.default_rng(seed)
     cells = stream.random((stream.integers(1, 30), stream.integers(1, 30))) < stream.choice([0.01, 0.1, 0.5])

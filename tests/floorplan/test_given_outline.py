@@ -11,6 +11,7 @@ from solver.errors import FieldError
 from solver.exchange import read_request
 from solver.floorplan.given import parts_of
 from solver.geometry import Rect
+from tests.every import every
 
 LEAST = 2_000
 FORMS: dict[str, list[tuple[float, float]]] = {
@@ -44,7 +45,7 @@ def share_floor(one: Rect, other: Rect) -> bool:
     return one.x0 < other.x1 and other.x0 < one.x1 and one.z0 < other.z1 and other.z0 < one.z1
 
 
-@pytest.mark.parametrize("seed", range(60))
+@every("seed", range(60))
 def test_parts_tile_the_outline(seed: int) -> None:
     corners = stairs(seed)
     parts = [part.rect for part in parts_of(corners, LEAST)]

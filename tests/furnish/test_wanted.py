@@ -11,11 +11,12 @@ from solver.furnish import space_of, unwanted_pieces, wanted_pieces
 from solver.pieces import Piece, Stand
 from solver.scene import Opening, Room
 from solver.streams import Stream
+from tests.every import every
 from tests.furnish.reference.stage import LIMIT
 from tests.furnish.worlds import DOOR, WINDOW, ask, box_of, catalog, clear_of_zones, den, piece
 
 KNOWN = load_catalogs()
-types = pytest.mark.parametrize("room_type", sorted(KNOWN.rooms))
+types = every("room_type", sorted(KNOWN.rooms))
 
 
 def furnished(room_type: str, area: float, aspect: float, seed: int = 3) -> tuple[Room, tuple[Piece, ...]]:
@@ -112,8 +113,8 @@ def test_a_piece_too_long_for_every_wall_keeps_alternatives() -> None:
 
 
 @types
-@pytest.mark.parametrize("aspect", [1.0, 1.5, 2.0])
-@pytest.mark.parametrize("size", ["min", "typical", "max"])
+@every("aspect", [1.0, 1.5, 2.0])
+@every("size", ["min", "typical", "max"])
 def test_what_every_alternative_of_every_type_must_be(room_type: str, size: str, aspect: float) -> None:
     area = KNOWN.rooms[room_type].area
     room, wanted = furnished(room_type, {"min": area.min[1], "typical": area.typical, "max": area.max}[size], aspect)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import pytest
-
 from catalogs import load_catalogs
+from tests.every import every
 from tests.pipeline.forced import Case, cases
 
 EVERY = 5
@@ -16,7 +15,7 @@ def test_the_slice_holds_every_type() -> None:
     assert {case.room_type for case in SLICE} == set(load_catalogs().rooms)
 
 
-@pytest.mark.parametrize("case", SLICE, ids=str)
+@every("case", SLICE)
 def test_a_forced_room_is_furnished_by_its_rules(case: Case) -> None:
     result = case.furnished()
     assert [issue.message for issue in result.issues if issue.severity == "error"] == []

@@ -11,6 +11,7 @@ from catalogs.schema import RelationSpec
 from solver import place
 from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Opening, Room
+from tests.every import every
 from tests.sweeps import seeds
 
 DOOR = Opening("door_1", "door", "south", 0.7, 0.9, connects_to="EXTERIOR")
@@ -62,8 +63,8 @@ def check(wishes: list[Wish], answer: Answered) -> int:
     return len(bodies)
 
 
-@pytest.mark.parametrize("seed", seeds(range(200), 12))
-@pytest.mark.parametrize("words", ["nf", "fn", "nn", "ff"])
+@every("seed", seeds(range(200), 12))
+@every("words", ["nf", "fn", "nn", "ff"])
 def test_two_that_refer_to_each_other_both_stand(seed: int, words: str) -> None:
     wishes = drawn(seed, "ab", words)
     assert check(wishes, answered(wishes)) == 2

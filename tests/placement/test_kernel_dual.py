@@ -7,6 +7,7 @@ import pytest
 
 from solver.placement.problem import ORIGIN, DifferenceRow, Problem, Term
 from solver.streams import Stream
+from tests.every import every
 from tests.oracles import sums
 from tests.oracles.axis import AxisProgram
 from tests.oracles.problems import anchor, new_variable, solve
@@ -118,7 +119,7 @@ def test_the_optimum_is_daqps(block: int) -> None:
         assert sums.cost(problem, p) == pytest.approx(outcome.cost, rel=CLOSE, abs=CLOSE), seed
 
 
-@pytest.mark.parametrize("seed", range(60))
+@every("seed", range(60))
 def test_the_optimum_is_cvxpys(seed: int) -> None:
     problem = random_programme(seed)
     outcome = solve(problem)

@@ -7,6 +7,7 @@ import pytest
 from tests.bench.__main__ import gap
 from tests.bench.measure import found
 from tests.bench.rooms import room_problem
+from tests.every import every
 from tests.oracles.optimum import optimum
 from tests.oracles.verdict import verdict, witness
 
@@ -20,7 +21,7 @@ A limit by the clock would ask less of a slow machine.
 GUARD_S = 600.0
 
 
-@pytest.mark.parametrize("seed", range(ROOMS))
+@every("seed", range(ROOMS))
 def test_the_verdict_is_the_oracles(seed: int) -> None:
     problem = room_problem(seed)
     ours = found(problem)

@@ -18,6 +18,7 @@ from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.placement.problem import DifferenceRow, Problem, ProblemBox
 from solver.streams import Stream
+from tests.every import every
 from tests.oracles import sums, twin
 from tests.oracles.problems import Outcome, anchor, apart, choose, new_variable, on_lattice, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
@@ -84,7 +85,7 @@ def twins_problem(seed: int) -> tuple[Problem, Outcome]:
     return problem, twin.solve(problem, limit=20_000)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@every("seed", range(60))
 def test_the_verdict_is_the_oracles(seed: int) -> None:
     _, problem = random_problem(seed, 3 + seed % 5)
     outcome = solve(problem, limit=20_000)
@@ -217,7 +218,7 @@ def test_a_second_anchor_is_refused() -> None:
         solve(problem)
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_the_snap_is_exact_in_integers_and_moves_nothing_far(seed: int) -> None:
     space, problem = random_problem(100 + seed, 4 + seed % 6)
     outcome = solve(problem)

@@ -17,6 +17,7 @@ from solver.placement.core import Core
 from solver.placement.encode import encode
 from solver.placement.walkable import find_walkable
 from solver.streams import Stream
+from tests.every import every
 from tests.oracles.walk import missed, side_towards
 from tests.sweeps import seeds
 
@@ -161,7 +162,7 @@ def random_case(seed: int, unit: int) -> tuple[Space, list[Body]]:
     return Space("room", clear, tuple(zones), tuple(doors)), bodies
 
 
-@pytest.mark.parametrize("seed", range(CASES))
+@every("seed", range(CASES))
 def test_the_walk_agrees_with_the_raster(seed: int) -> None:
     space, bodies = random_case(seed, 100)
     assert walks(space, bodies) == raster_walks(space, bodies)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import pytest
-
 from solver.geometry import Rect
 from solver.pieces import Candidate, Doorway, Piece, Space, Zone
 from solver.placement import arrange
 from solver.streams import Stream
+from tests.every import every
 from tests.oracles.walk import missed
 from tests.sweeps import seeds
 
@@ -72,7 +71,7 @@ def proven_cost(seed: int, walk: bool = True) -> float | None:
     return found.cost if len(found.chosen) == len(pieces) and found.proven and found.walkable == walk else None
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@every("seed", SEEDS)
 def test_nothing_on_the_raster_is_cheaper_than_what_is_proven(seed: int) -> None:
     cost = proven_cost(seed)
     if cost is None:

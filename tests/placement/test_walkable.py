@@ -13,6 +13,7 @@ from solver.placement import Budget, feasible, finish, minimal_conflict, move_le
 from solver.placement.empty_floor import places_round_a_floor
 from solver.placement.walkable import find_walkable
 from solver.streams import Stream
+from tests.every import every
 from tests.oracles.walk import missed, side_towards
 
 SEEDS = range(60)
@@ -86,7 +87,7 @@ def anywhere(stream: Stream, slack: int) -> int:
     return (0, slack, stream.below(slack + 1))[stream.below(3)]
 
 
-@pytest.mark.parametrize("seed", SEEDS)
+@every("seed", SEEDS)
 def test_never_is_never_and_what_is_found_holds(seed: int) -> None:
     space, pieces = tight(seed)
     possible, found = find_walkable(space, pieces, Budget())

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import pytest
-
 from catalogs.schema import RelationSpec
 from solver.furnish import scope_of, space_of
 from solver.relations.held import FinishedRoom, held, standing
 from solver.scene import Furniture, Opening, Room
+from tests.every import every
 
 DOOR = Opening("door_1", "door", "south", 2.0, 0.9)
 WINDOW = Opening("window_1", "window", "north", 2.0, 1.4, 1.2, 0.9)
@@ -72,7 +71,7 @@ CASES: list[tuple[dict[str, Any], Pose, Pose, Pose | None]] = [
 ]
 
 
-@pytest.mark.parametrize(("rule", "inside", "outside", "other"), CASES, ids=lambda one: one.get("type") if isinstance(one, dict) else "")
+@every(("rule", "inside", "outside", "other"), CASES)
 def test_a_relation_holds_up_to_its_bound(rule: dict[str, Any], inside: Pose, outside: Pose, other: Pose | None) -> None:
     assert (verdict(rule, inside, other), verdict(rule, outside, other)) == (True, False)
 

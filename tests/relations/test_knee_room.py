@@ -5,8 +5,6 @@ from __future__ import annotations
 from itertools import product
 from random import Random
 
-import pytest
-
 from catalogs import load_catalogs
 from catalogs.schema import RelationSpec, RoomType
 from solver.furnish import space_of, wanted_pieces
@@ -18,6 +16,7 @@ from solver.relations.relation import Fit
 from solver.relations.subject import Kind
 from solver.scene import Room
 from solver.streams import Stream
+from tests.every import every
 from tests.furnish.reference.slots import nearest_free
 
 KNOWN = load_catalogs()
@@ -95,7 +94,7 @@ def test_free_places_are_the_largest_rectangles_left() -> None:
     assert free(Rect(0, 5, 10, 5), [hole]) == [Rect(0, 5, 4, 5), Rect(6, 5, 10, 5)]
 
 
-@pytest.mark.parametrize("seed", range(20))
+@every("seed", range(20))
 def test_free_places_are_all_there_are(seed: int) -> None:
     random = Random(seed)
 
@@ -118,7 +117,7 @@ def test_the_nearest_place_keeps_under_before_it_keeps_in_line() -> None:
     assert nearest_free(wish, Rect(-10, 0, 10, 4), [Rect(-20, -5, 20, 5)], sideways=False) == []
 
 
-@pytest.mark.parametrize(("table", "seat"), TUCKED)
+@every(("table", "seat"), TUCKED)
 def test_what_is_free_under_a_table_crosses_nothing(table: str, seat: str) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
     for turn in (0, 90, 180, 270):
@@ -128,10 +127,8 @@ def test_what_is_free_under_a_table_crosses_nothing(table: str, seat: str) -> No
             assert not any(crosses(parent, own, at, turn) for at in ((place.x0, place.z0), (place.x1, place.z1), (place.x0, place.z1)))
 
 
-@pytest.mark.parametrize(("table", "seat"), TUCKED)
-@pytest.mark.parametrize(
-    "rule", [{"type": "under", "gap": -0.3}, {"type": "under", "gap": -0.2, "align": "any"}, {"type": "around", "gap": -0.15}]
-)
+@every(("table", "seat"), TUCKED)
+@every("rule", [{"type": "under", "gap": -0.3}, {"type": "under", "gap": -0.2, "align": "any"}, {"type": "around", "gap": -0.15}])
 def test_slots_of_room_types_reach_under_and_cross_nothing(table: str, seat: str, rule: dict[str, object]) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
     found = slots(table, seat, rule)
@@ -145,7 +142,7 @@ def test_slots_of_room_types_reach_under_and_cross_nothing(table: str, seat: str
             assert min(shared) >= (10 if rule["type"] == "under" else 0)
 
 
-@pytest.mark.parametrize(("table", "seat"), TUCKED)
+@every(("table", "seat"), TUCKED)
 def test_places_that_are_sought_cross_nothing(table: str, seat: str) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
     spec = RelationSpec.model_validate({"type": "under", "of": ["it"]})

@@ -14,6 +14,7 @@ from solver.repair import bodies as module
 from solver.repair.bodies import Body, all_bodies, brought_along, changed_from_the_floor_up, parents_of, seated_along, without
 from solver.scene import Decoration, Dynamic, Furniture, Room
 from solver.streams import Stream
+from tests.every import every
 
 TABLE = Furniture("table", "table", None, 2.0, 0.0, 2.0, 0, 1.4, 0.8, 0.75)
 TRAY = Furniture("tray", "tray", None, 2.3, 0.75, 1.9, 0, 0.4, 0.3, 0.05, on="table")
@@ -111,7 +112,7 @@ def is_over(body: Body, other: Furniture) -> bool:
     return abs(body.x - other.x) < other.width / 2 - 1e-6 and abs(body.z - other.z) < other.depth / 2 - 1e-6 and other.y < body.y
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_what_carries_what_is_as_said(seed: int) -> None:
     """Pieces: the first on whose top one rests. Things off the floor: of what they lie over or in the piece with the lowest top."""
     room, expected = piled(seed), {}

@@ -16,6 +16,7 @@ from service.app import create_app
 from service.keys import KeyRing, listed_keys, read_keys
 from service.service_settings import Settings, settings_of
 from solver.errors import ComposeError, FieldError
+from tests.every import every
 from tests.service.problems import entry_of, problem_of
 
 ANN, BEN = "ann-has-this-key-of-hers", "ben-has-another-key"
@@ -52,11 +53,11 @@ def test_a_key_in_the_address_lets_in(locked: TestClient) -> None:
     assert locked.get(f"/schema?a=b&key={ANN}").status_code == 200
 
 
-@pytest.mark.parametrize(
+@every(
     "headers",
     [{}, {"X-API-Key": ANN[:-1]}, {"X-API-Key": ""}, {"X-API-Key": f"sha256:{'0' * 64}"}, {"Cookie": f"{COOKIE}=ä"}, {"Cookie": "=;=;"}],
 )
-@pytest.mark.parametrize("path", ["/schema", "/catalog", "/nothing", "/asset/a", "/metrics"])
+@every("path", ["/schema", "/catalog", "/nothing", "/asset/a", "/metrics"])
 def test_without_one_nothing_is_told(locked: TestClient, headers: Mapping[str, str], path: str) -> None:
     answer = locked.get(path, headers={name.encode(): value.encode("latin-1") for name, value in headers.items()})
     assert entry_of(answer, 401)["field"] == "key"

@@ -9,6 +9,7 @@ from jsonschema import Draft202012Validator
 from starlette.testclient import TestClient
 
 from service.problems import STATUS
+from tests.every import every
 from tests.service.conftest import SMALL
 from tests.service.test_refusals import REQUESTS
 
@@ -141,9 +142,7 @@ def test_problems_are_as_described(client: TestClient, document: dict[str, Any])
     assert [answer.status_code for answer in answers] == [400, 422, 413, 415]
 
 
-@pytest.mark.parametrize(
-    "body", [body for body, field, _ in REQUESTS if field not in FAR_SIGHTED and body != {"width": None, "depth": True}]
-)
+@every("body", [body for body, field, _ in REQUESTS if field not in FAR_SIGHTED and body != {"width": None, "depth": True}])
 def test_what_is_refused_does_not_fit_the_schema(document: dict[str, Any], body: dict[str, Any]) -> None:
     assert faults(document, body_schema(document, "/generate"), body)
 

@@ -11,6 +11,7 @@ from starlette.testclient import TestClient
 
 from service.wire import BODY_LIMIT, DRAIN_LIMIT
 from solver.export_formats import EXPORTERS
+from tests.every import every
 from tests.service.problems import entry_of, problem_of
 
 YAML = {"content-type": "application/yaml"}
@@ -58,7 +59,7 @@ REQUESTS = [
 ]
 
 
-@pytest.mark.parametrize(("body", "field", "allowed"), REQUESTS, ids=[json.dumps(body)[:60] for body, _, _ in REQUESTS])
+@every(("body", "field", "allowed"), REQUESTS)
 def test_a_wrong_request_names_its_field(client: TestClient, body: dict[str, Any], field: str, allowed: str) -> None:
     entry = entry_of(client.post("/generate", json=body), 422)
     assert entry["field"].startswith(field)
@@ -76,8 +77,8 @@ def test_every_wrong_field_is_named_at_once(client: TestClient) -> None:
 UNFINITE = [b"NaN", b"Infinity", b"-Infinity", b"1e400", b"-1e400", b"1" + b"0" * 400]
 
 
-@pytest.mark.parametrize("number", UNFINITE, ids=lambda number: number[:12].decode())
-@pytest.mark.parametrize("key", ["seed", "width", "min_room_size", "max_depth", "robot_width"])
+@every("number", UNFINITE)
+@every("key", ["seed", "width", "min_room_size", "max_depth", "robot_width"])
 def test_numbers_beyond_all_bounds_name_their_field(client: TestClient, key: str, number: bytes) -> None:
     entry = entry_of(client.post("/generate", content=b'{"%s": %s}' % (key.encode(), number)), 422)
     assert entry["field"] == key
@@ -108,8 +109,8 @@ UNREADABLE = {
 }
 
 
-@pytest.mark.parametrize("call", POSTS)
-@pytest.mark.parametrize("kind", UNREADABLE)
+@every("call", POSTS)
+@every("kind", UNREADABLE)
 def test_what_is_no_json_document_is_refused(client: TestClient, call: str, kind: str) -> None:
     if call == "/generate" and kind in ("empty", "blank"):
         return  # asks for all defaults
@@ -138,15 +139,15 @@ UNREADABLE_YAML = {
 }
 
 
-@pytest.mark.parametrize("call", POSTS)
-@pytest.mark.parametrize("kind", UNREADABLE_YAML)
+@every("call", POSTS)
+@every("kind", UNREADABLE_YAML)
 def test_what_is_no_yaml_document_is_refused(client: TestClient, call: str, kind: str) -> None:
     entry = entry_of(client.post(call, content=UNREADABLE_YAML[kind], headers=YAML), 400)
     assert entry["field"] == "body"
 
 
-@pytest.mark.parametrize("call", POSTS)
-@pytest.mark.parametrize("body", [[], [{}], 3, "house", True, None, 1.5])
+@every("call", POSTS)
+@every("body", [[], [{}], 3, "house", True, None, 1.5])
 def test_a_body_that_is_no_object_is_refused(client: TestClient, call: str, body: object) -> None:
     entry = entry_of(client.post(call, content=json.dumps(body)), 422)
     assert (entry["field"], entry["allowed"]) == ("body", "an object")
@@ -234,16 +235,16 @@ WRONG_SCENES: list[tuple[Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize("call", OF_SCENES)
-@pytest.mark.parametrize(("scene", "field"), WRONG_SCENES, ids=[f"{field} {json.dumps(scene)[:30]}" for scene, field in WRONG_SCENES])
+@every("call", OF_SCENES)
+@every(("scene", "field"), WRONG_SCENES)
 def test_a_wrong_scene_names_the_place(client: TestClient, call: str, scene: object, field: str) -> None:
     entry = entry_of(client.post(call, json={"scene": scene}), 422)
     assert entry["field"].startswith(field)
     assert entry["allowed"]
 
 
-@pytest.mark.parametrize("call", OF_SCENES)
-@pytest.mark.parametrize("number", [b"NaN", b"Infinity", b"1e400", b"1" + b"0" * 400])
+@every("call", OF_SCENES)
+@every("number", [b"NaN", b"Infinity", b"1e400", b"1" + b"0" * 400])
 def test_numbers_beyond_all_bounds_in_a_scene_name_the_place(client: TestClient, call: str, number: bytes) -> None:
     scene = copy.deepcopy(ROOM)
     scene["furniture"] = [{**BODY, "x": "HERE"}]

@@ -12,6 +12,7 @@ from solver.answers import Issue
 from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
 from solver.validator import validate
 from solver.validator.checking import check
+from tests.every import every
 from tests.oracles.crossing import crossings
 
 KNOWN = load_catalogs()
@@ -77,7 +78,7 @@ def test_a_changed_room_is_judged_anew() -> None:
     assert [issue.rule for issue in after.issues if issue not in before.issues] == ["shapes_cross"]
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_the_oracle_says_the_same_of_what_is_made_of_boxes(seed: int) -> None:
     """Tables and chairs have no round parts: both see the same crossings, as deep, at any angle."""
     random = Random(seed)

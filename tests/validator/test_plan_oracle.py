@@ -5,9 +5,8 @@ from __future__ import annotations
 from random import Random
 from typing import NamedTuple
 
-import pytest
-
 from solver.scene import EXTERIOR, Opening
+from tests.every import every
 from tests.validator.worlds import issues, opening, room, scene
 
 SIDES = {"north": ("z", -1, "south"), "south": ("z", 1, "north"), "west": ("x", -1, "east"), "east": ("x", 1, "west")}
@@ -66,7 +65,7 @@ def counted(floors: dict[str, Floor], holes: list[Hole]) -> dict[str, dict[int, 
     return {name: said for name, said in found.items() if said}
 
 
-@pytest.mark.parametrize("seed", range(60))
+@every("seed", range(60))
 def test_openings_of_any_plan_are_wrong_by_the_millimetres_that_are(seed: int) -> None:
     chance = Random(seed)
     floors = {f"r{k}": Floor(k % 3 * 3000 + chance.choice((0, 0, 0, 40, 450, 700, -30)), k // 3 * 2500, 3000, 2500) for k in range(6)}
