@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from functools import cache
 
 import pytest
 
@@ -33,42 +32,51 @@ for name, call in CALLS.items():
 later = sorted(name for name in set(sys.modules) - before if name.startswith(("catalogs", "service", "solver")))
 assert not later, later
 """
+MARK = "print('\\nLOADED', *sys.modules)"
 GENERATE = "from compose_homes import Request, generate\ngenerate(Request(seed=1, width=4, depth=4))"
 
 
-@cache
-def loaded(program: str) -> set[str]:
-    """The modules that a program has loaded at its end, in a process of its own."""
-    words = f"{program}\nimport sys\nprint('\\n' + ' '.join(sys.modules))"
-    run = subprocess.run([sys.executable, "-c", words], cwd=ROOT, capture_output=True, text=True, check=False)
-    assert run.returncode == 0, run.stderr
-    return set(run.stdout.splitlines()[-1].split())
-
-
-@pytest.mark.parametrize(
-    ("program", "without"),
+CHAINS: list[list[tuple[str, set[str]]]] = [
     [
         ("import compose_homes", KERNEL | SERVER | CATALOGS),
-        ("from compose_homes import Scene, fix, generate, place, reroll, validate", KERNEL | SERVER),
-        (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", KERNEL | SERVER | CATALOGS),
         ("from solver.scene import Scene", KERNEL | SERVER | CATALOGS),
-        ("from solver import fix, generate, place, validate", KERNEL | SERVER),
+        (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", KERNEL | SERVER | CATALOGS),
+        ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
         ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
+        ("from solver import fix, generate, place, validate", KERNEL | SERVER),
+        ("from compose_homes import Scene, fix, generate, place, reroll, validate", KERNEL | SERVER),
+        ("main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
+    ],
+    [
+        ("import service.calls", KERNEL | SERVER | FLOWS),
+        ("import service.app", KERNEL | (FLOWS - {"numpy"})),
+    ],
+    [
         (SCENE + "from compose_homes import validate\nvalidate(scene)", FINAL_SOLVE | SERVER),
         (GENERATE, {"cvxpy", "osqp", "scipy", "jinja2"} | SERVER),
-        ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
-        ("from service.cli import main; main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
-        ("import service.app", KERNEL | (FLOWS - {"numpy"})),
-        ("import service.calls", KERNEL | SERVER | FLOWS),
     ],
-)
-def test_what_is_not_used_is_not_loaded(program: str, without: set[str]) -> None:
-    assert loaded(program) & without == set()
+]
+"""Programs that a process does one after another, each with what none of those up to it loads: less and less."""
+
+
+def loaded(program: str) -> list[set[str]]:
+    """The modules that a program, in a process of its own, has loaded at each mark and at its end."""
+    words = f"import sys\n{program}\n{MARK}"
+    run = subprocess.run([sys.executable, "-c", words], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return [set(line.split()[1:]) for line in run.stdout.splitlines() if line.startswith("LOADED ")]
+
+
+@pytest.mark.parametrize("chain", CHAINS)
+def test_what_is_not_used_is_not_loaded(chain: list[tuple[str, set[str]]]) -> None:
+    found = loaded(f"\n{MARK}\n".join(program for program, _ in chain))
+    assert len(found) == len(chain)
+    assert {program: there & without for (program, without), there in zip(chain, found, strict=True) if there & without} == {}
 
 
 def test_a_call_loads_what_it_needs() -> None:
-    assert loaded(GENERATE) > {"wasmtime", "osqp.ext_builtin"}
+    assert loaded(GENERATE)[-1] > {"wasmtime", "osqp.ext_builtin"}
 
 
 def test_what_calls_load_is_loaded_before_processes_are_forked() -> None:
-    assert loaded(ALL_CALLS) > FLOWS
+    assert loaded(ALL_CALLS)[-1] > FLOWS
