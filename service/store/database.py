@@ -11,23 +11,7 @@ from pathlib import Path
 from threading import Lock
 from typing import Any, Final
 
-from sqlalchemy import (
-    BigInteger,
-    Column,
-    Connection,
-    Engine,
-    ForeignKey,
-    Index,
-    Integer,
-    LargeBinary,
-    MetaData,
-    Table,
-    Text,
-    create_engine,
-    event,
-    inspect,
-    text,
-)
+import sqlalchemy as sa
 from sqlalchemy.engine import URL, make_url
 from sqlalchemy.exc import ArgumentError, DBAPIError, NoSuchModuleError
 from sqlalchemy.types import TypeEngine
@@ -69,7 +53,7 @@ class Database:
             _bring_up_to_date(connection)
 
     @contextmanager
-    def reading(self) -> Iterator[Connection]:
+    def reading(self) -> Iterator[sa.Connection]:
         """Runs a transaction that changes nothing.
 
         Raises:
@@ -79,7 +63,7 @@ class Database:
             yield connection
 
     @contextmanager
-    def writing(self) -> Iterator[Connection]:
+    def writing(self) -> Iterator[sa.Connection]:
         """Runs a transaction: all of it is kept once the block has ended, or nothing.
 
         Raises:
@@ -142,16 +126,16 @@ def _url(place: str) -> URL:
     return url
 
 
-def _engine(url: URL) -> Engine:
+def _engine(url: URL) -> sa.Engine:
     if url.get_backend_name() == "postgresql":
-        return create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": WAIT_S}, pool_timeout=WAIT_S)
+        return sa.create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": WAIT_S}, pool_timeout=WAIT_S)
     try:
         Path(str(url.database)).parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FieldError("store", f"cannot be opened: {system_words(error)}", "a file in a folder that can be written to") from None
-    engine = create_engine(url, connect_args={"timeout": WAIT_S}, pool_timeout=WAIT_S)
-    event.listen(engine, "connect", _set_sqlite_up)
-    event.listen(engine, "begin", _begin_sqlite)
+    engine = sa.create_engine(url, connect_args={"timeout": WAIT_S}, pool_timeout=WAIT_S)
+    sa.event.listen(engine, "connect", _set_sqlite_up)
+    sa.event.listen(engine, "begin", _begin_sqlite)
     return engine
 
 
@@ -162,7 +146,7 @@ def _set_sqlite_up(connection: sqlite3.Connection, _: object) -> None:
         connection.execute(f"PRAGMA {name}={value}")
 
 
-def _begin_sqlite(connection: Connection) -> None:
+def _begin_sqlite(connection: sa.Connection) -> None:
     connection.exec_driver_sql("BEGIN IMMEDIATE" if connection.get_execution_options().get(WRITING) else "BEGIN")
 
 
@@ -182,9 +166,9 @@ def _in_words() -> Iterator[None]:
         raise StoreAway("store", "does not answer", "another try in a moment") from error
 
 
-def _bring_up_to_date(connection: Connection) -> None:
+def _bring_up_to_date(connection: sa.Connection) -> None:
     if connection.dialect.name == "postgresql":
-        connection.execute(text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": LOCK})
+        connection.execute(sa.text("SELECT pg_advisory_xact_lock(:lock)"), {"lock": LOCK})
     if _found(connection) == HEAD:
         return
     # alembic takes as long to import as all else of a start, and there is seldom something to do.
@@ -201,10 +185,10 @@ def _bring_up_to_date(connection: Connection) -> None:
         raise FieldError("store", "was made by a later version of Compose", f"that version, or a store up to {HEAD}") from None
 
 
-def _found(connection: Connection) -> str | None:
-    if not inspect(connection).has_table("alembic_version"):
+def _found(connection: sa.Connection) -> str | None:
+    if not sa.inspect(connection).has_table("alembic_version"):
         return None
-    found: str | None = connection.scalar(text("SELECT version_num FROM alembic_version"))
+    found: str | None = connection.scalar(sa.text("SELECT version_num FROM alembic_version"))
     return found
 
 
@@ -213,60 +197,62 @@ def moment(microseconds: int) -> str:
     return datetime.fromtimestamp(microseconds / 1e6, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
-TABLES: Final = MetaData()
+TABLES: Final = sa.MetaData()
 
 
-def _said(kind: type[TypeEngine[Any]], *names: str) -> list[Column[Any]]:
+def _said(kind: type[TypeEngine[Any]], *names: str) -> list[sa.Column[Any]]:
     """Returns columns that are never null."""
-    return [Column(name, kind, nullable=False) for name in names]
+    return [sa.Column(name, kind, nullable=False) for name in names]
 
 
-OWNERS: Final = Table("owners", TABLES, Column("name", Text, primary_key=True), *_said(Integer, "homes"), *_said(BigInteger, "bytes"))
+OWNERS: Final = sa.Table(
+    "owners", TABLES, sa.Column("name", sa.Text, primary_key=True), *_said(sa.Integer, "homes"), *_said(sa.BigInteger, "bytes")
+)
 """What each owner has: counted where it is changed, so that a limit holds however many save at once."""
-HOMES: Final = Table(
+HOMES: Final = sa.Table(
     "homes",
     TABLES,
-    Column("id", Text, primary_key=True),
-    *_said(Text, "owner", "name", "notes", "tags", "words"),
-    *_said(BigInteger, "created", "changed"),
-    *_said(Integer, "revision", "version", "rooms"),
-    Column("picture", LargeBinary),
-    Column("picture_type", Text),
-    Index("homes_by_change", "owner", "changed", "id"),
+    sa.Column("id", sa.Text, primary_key=True),
+    *_said(sa.Text, "owner", "name", "notes", "tags", "words"),
+    *_said(sa.BigInteger, "created", "changed"),
+    *_said(sa.Integer, "revision", "version", "rooms"),
+    sa.Column("picture", sa.LargeBinary),
+    sa.Column("picture_type", sa.Text),
+    sa.Index("homes_by_change", "owner", "changed", "id"),
 )
 """`tags` has a line each, and one before and after; `words` is what a search looks through; times are microseconds since 1970.
 
 `revision` counts every change but that of the picture, `version` those of the scene.
 """
-VERSIONS: Final = Table(
+VERSIONS: Final = sa.Table(
     "versions",
     TABLES,
-    Column("home", Text, ForeignKey("homes.id", ondelete="CASCADE"), primary_key=True),
-    Column("number", Integer, primary_key=True),
-    *_said(BigInteger, "made"),
-    *_said(LargeBinary, "scene"),
+    sa.Column("home", sa.Text, sa.ForeignKey("homes.id", ondelete="CASCADE"), primary_key=True),
+    sa.Column("number", sa.Integer, primary_key=True),
+    *_said(sa.BigInteger, "made"),
+    *_said(sa.LargeBinary, "scene"),
 )
 """`scene` is its JSON, packed by zlib."""
-JOBS: Final = Table(
+JOBS: Final = sa.Table(
     "jobs",
     TABLES,
-    Column("id", Text, primary_key=True),
-    *_said(Text, "owner", "call"),
-    *_said(LargeBinary, "asked"),
-    *_said(Text, "state"),
-    *_said(Integer, "count", "done", "refused"),
-    *_said(BigInteger, "created", "changed", "beat"),
-    *_said(Text, "runner"),
-    Index("jobs_by_state", "state", "created"),
+    sa.Column("id", sa.Text, primary_key=True),
+    *_said(sa.Text, "owner", "call"),
+    *_said(sa.LargeBinary, "asked"),
+    *_said(sa.Text, "state"),
+    *_said(sa.Integer, "count", "done", "refused"),
+    *_said(sa.BigInteger, "created", "changed", "beat"),
+    *_said(sa.Text, "runner"),
+    sa.Index("jobs_by_state", "state", "created"),
 )
 """`asked` is a JSON list of the bodies of its calls, packed by zlib; `beat` is when `runner`, who runs it, last said that it lives."""
-RESULTS: Final = Table(
+RESULTS: Final = sa.Table(
     "results",
     TABLES,
-    Column("job", Text, ForeignKey("jobs.id", ondelete="CASCADE"), primary_key=True),
-    Column("number", Integer, primary_key=True),
-    *_said(Integer, "status"),
-    *_said(Text, "media_type"),
-    *_said(LargeBinary, "content"),
+    sa.Column("job", sa.Text, sa.ForeignKey("jobs.id", ondelete="CASCADE"), primary_key=True),
+    sa.Column("number", sa.Integer, primary_key=True),
+    *_said(sa.Integer, "status"),
+    *_said(sa.Text, "media_type"),
+    *_said(sa.LargeBinary, "content"),
 )
 """`content` is what was answered, packed by zlib."""

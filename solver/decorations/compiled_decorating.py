@@ -6,20 +6,22 @@ The rows are those of solver/core/decorate/decorating.hpp, in the same order.
 import math
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from struct import Struct
 from typing import Final
 
+from catalogs import Catalogs
 from catalogs.decoration_types import ALL, INDOOR, SURFACE, Decorating, DecoratingRow, DecorationKind, Hangs, Holds, Lies, Stands
 from catalogs.entries import Comfort, Side, Surface
 from catalogs.fronts import FrontFloor, floor_before
 from catalogs.insides import InsideSurface, insides_of
-from catalogs.kind_book import KindBook
+from catalogs.kind_book import UPRIGHT, KindBook
 from catalogs.styles import Leaning
-from solver.body_rows import LooksBySize
+from solver.body_rows import Look, LooksBySize
 from solver.core.core_tables import CoreTables, TableRange
 from solver.decorations.decoration_settings import DecorationSettings
-from solver.decorations.looks_by_kind import looks_by_kind
 from solver.geometry import to_mm
+from solver.records import MadeOnce
 
 SCALE_STEP: Final = 0.1
 """By which share things are made smaller where they do not fit. Our choice."""
@@ -42,6 +44,7 @@ _TABLES: Final = {
 }  # fmt: skip
 _HEADER: Final = Struct("<14i")
 _MOST_KEPT: Final = 64
+_MOST_LOOKS: Final = 20_000
 
 SizeMm = tuple[int, int, int]
 """Width, depth and height, mm."""
@@ -101,6 +104,20 @@ def compiled_decorating(settings: DecorationSettings) -> CompiledDecorating:
 def millimetres(size: tuple[float, float, float]) -> SizeMm:
     """Converts extents in metres."""
     return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
+
+
+@lru_cache(maxsize=4)
+def looks_by_kind(catalogs: Catalogs) -> LooksBySize:
+    """Returns how the things of some catalogs look, by the number of their kind and their size, mm."""
+    kinds, book = tuple(catalogs.decorations), KindBook(catalogs)
+    tipped = frozenset(name for name in kinds if name + UPRIGHT in catalogs.shapes)
+
+    def look(key: tuple[int, int, int, int]) -> Look:
+        number, width, depth, height = key
+        name, size = kinds[number], (width / 1000, depth / 1000, height / 1000)
+        return Look("decoration", name, book.kind_of("decoration", name, size) if name in tipped else name, size)
+
+    return MadeOnce(look, _MOST_LOOKS)
 
 
 class _DecoratingTables(CoreTables):

@@ -1,12 +1,12 @@
 """One house -> the figures that statistics are made of."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import blake2b
 from typing import Any, Final
 
 from solver.answers import Issue
-from solver.scene import EXTERIOR, Room, Scene
-from solver.statistics.signatures import graph_signature, room_signature
+from solver.scene import EXTERIOR, Furniture, Room, Scene
 
 HALLWAY: Final = "hallway"
 PERSON: Final = "person"
@@ -124,3 +124,28 @@ def _room(room: Room, scene: Scene, issues: Sequence[Issue], measured: Mapping[s
         left_out=tuple(entry["reason"].split(";")[0] for entry in certified["left_out"]),
         signature=room_signature(room.furniture),
     )
+
+
+def room_signature(furniture: Iterable[Furniture]) -> str:
+    """Returns a room's pieces and the walls they stand at, whatever their order and exact places."""
+    return _digest(sorted(f"{piece.name} {piece.wall or 'free'}" for piece in furniture))
+
+
+def graph_signature(labels: Mapping[str, str], edges: Sequence[tuple[str, str]]) -> str:
+    """Returns a word that is the same for graphs that differ in the names and order of their nodes only.
+
+    By colour refinement (Weisfeiler and Lehman 1968): a node's colour is its label, then again and again its own colour with those of its
+    neighbours. Few graphs that differ get one word; so it never counts too many.
+    """
+    beside: dict[str, list[str]] = {name: [] for name in labels}
+    for one, other in edges:
+        beside[one].append(other)
+        beside[other].append(one)
+    colours = dict(labels)
+    for _ in labels:
+        colours = {name: _digest([colours[name], *sorted(colours[other] for other in beside[name])]) for name in labels}
+    return _digest(sorted(colours.values()))
+
+
+def _digest(words: Iterable[str]) -> str:
+    return blake2b("\n".join(words).encode(), digest_size=8).hexdigest()

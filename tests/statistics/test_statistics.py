@@ -19,7 +19,7 @@ from solver.answers import Issue
 from solver.exchange import write_scene
 from solver.request import Request
 from solver.statistics import House, house_of, summary
-from solver.statistics.signatures import graph_signature, room_signature
+from solver.statistics.house import graph_signature, room_signature
 from solver.statistics.summary import spread
 from solver.validator import RULES, metrics
 
