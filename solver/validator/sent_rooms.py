@@ -14,6 +14,8 @@ from solver.validator.sent_openings import sent_openings
 from solver.validator.world import PlacedRoom, World, turns_of
 
 _ROOM: Final = Struct("<5q12i")
+_AS_ROWS: Final = slice(13, 15)
+"""Where a room says how much furniture and how many small things are told as rows."""
 _BOX: Final = Struct("<4q")
 _BODY: Final = Struct("<6d40s6i")
 _TURN: Final = Struct("<4d2i")
@@ -79,7 +81,7 @@ def storey_bytes(world: World, placed: Sequence[tuple[PlacedRoom, bytes]], kinds
     """Returns the rooms of a storey as bytes."""
     rooms = [_PLACE.pack(place.x, place.z) + rows for place, rows in placed]
     entrances, most, deepest = floors
-    turns = _TURNS if any(rows_in(place.room, sort) for place, _ in placed for sort in (FurnitureRows, DecorationRows)) else b""
+    turns = _TURNS if any(any(_ROOM.unpack_from(rows)[_AS_ROWS]) for _, rows in placed) else b""
     counts = len(rooms), len(entrances), len(turns) // _TURN.size, most, len(kinds), 0
     head = _STOREY.pack(world.half_wall, reach_of(world), deepest, *counts)
     return b"".join([head, *(_BOX.pack(*box) for box in entrances), turns, kinds.sent(), *rooms])

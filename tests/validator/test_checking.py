@@ -10,6 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from solver import Request, generate
+from solver.exchange import read_scene, write_scene
 from solver.scene import Decoration, Dynamic, Room, Scene
 from solver.validator import check, validate
 from solver.validator import checking as module
@@ -81,3 +83,12 @@ def test_rooms_that_did_not_change_are_not_checked_again(monkeypatch: pytest.Mon
     checked.after(scene(still, replace(other, furniture=(piece(2.5, 2.0),))))
     assert {rule for name, rule in looked if name == "still"} == {"unreachable"}
     assert {rule for name, rule in looked if name == "other"} == set(module.CHECKS) - set(JUDGED)  # type: ignore[attr-defined]
+
+
+def test_rooms_told_as_rows_stay_as_they_were_judged_where_the_same_are_told_one_by_one() -> None:
+    made = generate(Request(seed=5, program="studio", decorate=True)).scene
+    read = read_scene(write_scene(made))
+    name = next(one.id for one in read.rooms if one.furniture)
+    aside = in_room(name, lambda room: replace(room, furniture=tuple(replace(one, x=one.x + 0.4) for one in room.furniture)))(read)
+    again = check(made, CATALOGS).after(aside)
+    assert again.errors == check(aside, CATALOGS).errors != ()
