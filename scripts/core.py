@@ -23,7 +23,7 @@ COMPILER_FOLDER = ROOT / ".tools" / "zig"
 # No fused multiplication and no reassociation: a sum is added in the order it is written in, on every machine.
 NUMBERS = ("-ffp-contract=off", "-fno-fast-math")
 LANGUAGE = ("-std=c++20", "-fno-exceptions", "-fno-rtti", "-Wall", "-Wextra", "-Werror")
-TARGET = ("-target", "wasm32-freestanding", "-mcpu=generic+simd128+bulk_memory", "-O3", "-ffreestanding", "-nostdlib")
+TARGET = ("-target", "wasm32-freestanding", "-mcpu=generic+simd128+bulk_memory", "-O3", "-flto", "-ffreestanding", "-nostdlib")
 # What a call may use: 1 MB of stack (below all data: an overflow traps) and 1 GB of memory.
 LINK = ("-Wl,--no-entry", "-Wl,-z,stack-size=1048576", "-Wl,--max-memory=1073741824", "-s")
 FLAGS = (*TARGET, *LANGUAGE, *NUMBERS, *LINK)
