@@ -20,8 +20,8 @@ struct Standing {
   f64 worth, cost;
 };
 
-// Wider ways between doors: by how much wider than who walks, the share that must stand with them of what optional pieces are worth without,
-// and the most that the room may cost more for them.
+// Wider ways between doors: by how much wider than who walks, the share that must stand with them of what optional pieces are worth
+// without, and the most that the room may cost more for them.
 struct WayMargin {
   i64 wider;
   f64 worth, most;
