@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -44,8 +44,11 @@ def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
     with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
         try:
             yield ServiceProcess(process, _said_address(process))
-        finally:
             process.terminate()
+            process.wait(PATIENCE_S)
+        except BaseException:  # a service that is told to stop first answers what it has accepted, however long that takes
+            process.kill()
+            raise
 
 
 def _said_address(process: subprocess.Popen[str]) -> str:
@@ -60,8 +63,8 @@ def _said_address(process: subprocess.Popen[str]) -> str:
 
 def descendants(process: int) -> list[int]:
     """The processes that a process and those that it started have started, by whichever thread."""
-    try:
-        found = [int(one) for task in Path(f"/proc/{process}/task").glob("*/children") for one in task.read_text().split()]
-    except OSError:
-        return []
+    found: list[int] = []
+    for task in Path(f"/proc/{process}/task").glob("*/children"):
+        with suppress(OSError):  # a thread that has ended since has handed its children to another one, which is looked at later
+            found += map(int, task.read_text().split())
     return [*found, *(other for one in found for other in descendants(one))]

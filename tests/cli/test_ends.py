@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ import pytest
 from service.cli import INTERRUPTED, main
 from service.many import BATCH
 from service.pool import AHEAD
-from tests.cli.programs import GUARD_S, PROGRAM, ROOT, is_gone, said
+from tests.cli.programs import GUARD_S, PROGRAM, ROOT, is_gone, said, started, until
 
 SCENE = b'{"rooms": [{"id": "den", "width": 4, "depth": 3}]}'
 
@@ -85,34 +84,28 @@ def test_nobody_needs_a_home() -> None:
 def test_ctrl_c_ends_any_number_of_homes(tmp_path: Path, workers: str) -> None:
     """A terminal tells it to all processes of the command."""
     command = [*PROGRAM, "generate", "--seed", "1", "--width", "4", "--depth", "4", "-n", "100000000", "--workers", workers]
-    with subprocess.Popen([*command, "-o", str(tmp_path)], stderr=subprocess.PIPE, cwd=ROOT, start_new_session=True) as run:
-        while not list(tmp_path.glob("*.yaml")) and run.poll() is None:
-            pass
+    with started(*command, "-o", str(tmp_path), stderr=subprocess.PIPE) as run:
+        until(lambda: bool(list(tmp_path.glob("*.yaml"))) or run.poll() is not None)
         os.killpg(run.pid, signal.SIGINT)
         _, words = run.communicate(timeout=GUARD_S)
     assert run.returncode == INTERRUPTED
-    assert b"Traceback" not in words
-    assert words.decode().rstrip().endswith("compose: ended")
+    assert "Traceback" not in words
+    assert words.rstrip().endswith("compose: ended")
     assert list(tmp_path.glob("*.part")) == []
     assert len(list(tmp_path.glob("*.yaml"))) < 100_000 > int(workers) * BATCH * AHEAD
 
 
 def test_a_process_that_is_just_starting_ends_with_the_others(tmp_path: Path) -> None:
     (tmp_path / "jobs.py").write_text(STARTS_LATE)
-    command = [PROGRAM[0], str(tmp_path / "jobs.py"), str(tmp_path)]
-    with subprocess.Popen(command, start_new_session=True, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
-        try:
-            while not ((tmp_path / "pid").exists() and (tmp_path / "second").exists()):
-                assert run.poll() is None
-                time.sleep(0.01)
-            run.send_signal(signal.SIGTERM)
-            while not is_gone(int((tmp_path / "pid").read_text())):
-                time.sleep(0.01)
-            (tmp_path / "told").touch()
-            assert run.wait(GUARD_S) == INTERRUPTED
-        finally:
-            if run.poll() is None:
-                os.killpg(run.pid, signal.SIGKILL)
+    command = (PROGRAM[0], str(tmp_path / "jobs.py"), str(tmp_path))
+    with started(*command, env={**os.environ, "PYTHONPATH": str(ROOT)}) as run:
+        until(lambda: ((tmp_path / "pid").exists() and (tmp_path / "second").exists()) or run.poll() is not None)
+        assert run.poll() is None
+        run.send_signal(signal.SIGTERM)
+        first = int((tmp_path / "pid").read_text())
+        until(lambda: is_gone(first))
+        (tmp_path / "told").touch()
+        assert run.wait(GUARD_S) == INTERRUPTED
 
 
 def test_ctrl_c_while_a_command_begins(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:

@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import http.client
 import json
-import re
 import signal
 import socket
 import subprocess
 from collections.abc import Iterator
+from urllib.parse import urlsplit
 
 import pytest
 
-from tests.cli.programs import GUARD_S, PROGRAM, ROOT, compose, said
+from tests.browser.service_process import running
+from tests.cli.programs import GUARD_S, compose, said
 
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[tuple[subprocess.Popen[str], int]]:
     """A running service and its port."""
-    with subprocess.Popen([*PROGRAM, "serve", "--port", "0"], stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=ROOT) as run:
-        assert run.stderr
-        told = re.search(r"http://127\.0\.0\.1:(\d+)/", run.stderr.readline())
-        assert told
-        yield run, int(told.group(1))
-        run.kill()
+    with running() as service:
+        yield service.process, urlsplit(service.address).port or 0
 
 
 def asked(port: int, method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
@@ -70,9 +67,10 @@ def test_a_taken_port_is_bad_use(server: tuple[subprocess.Popen[str], int]) -> N
 
 def test_it_stops_when_told(server: tuple[subprocess.Popen[str], int]) -> None:
     run, port = server
+    assert asked(port, "GET", "/healthz")[0] == 200  # before, it may not have begun to listen for signals
     run.send_signal(signal.SIGINT)
     _, words = run.communicate(timeout=GUARD_S)
-    assert run.returncode == 0
+    assert run.returncode == 0, words
     assert "Traceback" not in words
     with pytest.raises(OSError):
         asked(port, "GET", "/healthz")

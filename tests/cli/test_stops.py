@@ -7,10 +7,7 @@ import json
 import os
 import signal
 import socket
-import subprocess
 import sys
-import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from pathlib import Path
@@ -19,7 +16,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from tests.browser.service_process import ServiceProcess, descendants, running
-from tests.cli.programs import GUARD_S, ROOT, is_gone
+from tests.cli.programs import GUARD_S, is_gone, started, until
 
 FEW = ("--processes", "1", "--light-processes", "1", "--grace-seconds", f"{GUARD_S}")
 SOFAS = {"name": "sofa", "count": 64, "relations": [{"type": "near", "of": "sofa"}]}
@@ -35,13 +32,6 @@ def asked(service: ServiceProcess, method: str, path: str, body: object = None) 
         return answer.status, answer.read()
     finally:
         connection.close()
-
-
-def until(condition: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + GUARD_S
-    while not condition():
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
 
 
 def is_working(service: ServiceProcess) -> bool:
@@ -102,7 +92,7 @@ def test_a_call_without_an_end_ends_with_a_service_that_is_killed(tmp_path: Path
     note = tmp_path / "process"
     work = f"run(Workers(Settings()).run(endless, {str(note)!r}))"
     imports = "from asyncio import run; from service.workers import Settings, Workers; from tests.service.heavy import endless"
-    with subprocess.Popen([sys.executable, "-c", f"{imports}; {work}"], cwd=ROOT) as service:
+    with started(sys.executable, "-c", f"{imports}; {work}") as service:
         until(lambda: note.exists() and note.read_text() != "")
         service.kill()
     until(lambda: is_gone(int(note.read_text())))

@@ -15,6 +15,7 @@ from pathlib import Path
 from starlette.testclient import TestClient
 
 from service.app import ComposeApp
+from tests.service.heavy import PATIENCE_S
 
 KEYS = {"ann": "a-key-that-ann-has", "ben": "a-key-that-ben-has"}
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
@@ -74,7 +75,7 @@ class PostgresqlServer:
         self._run("pg_ctl", "stop", "--wait", "--silent", "--mode=immediate", "--pgdata", str(self.folder / "data"))
 
     def _run(self, program: str, *words: str) -> None:
-        environment = {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C.UTF-8", "TZ": "UTC"}
+        environment = {"PATH": os.environ.get("PATH", os.defpath), "LC_ALL": "C.UTF-8", "TZ": "UTC", "PGCTLTIMEOUT": f"{PATIENCE_S:.0f}"}
         subprocess.run(
             [str(programs() / program), *words], user=self._user, cwd=self.folder, env=environment, stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, check=True,
