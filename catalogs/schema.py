@@ -96,7 +96,7 @@ class RelationSpec(Entry):
     gap: GapInterval | None = None
     sides: tuple[Side, ...] = ()
     align: Literal["back", "centre", "front", "any"] | None = None
-    walls: dict[Literal["door", "window", "exterior", "plain", "short", "long"], Cost] = Field(default_factory=dict)
+    walls: dict[Literal["door", "window", "exterior", "plain", "short", "long", "across"], Cost] = Field(default_factory=dict)
     wall: Literal["same", "opposite", "adjacent", "other"] | None = None
 
     if not TYPE_CHECKING:

@@ -28,7 +28,7 @@ WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
 RELATION_WORDS: Final[tuple[str, ...]] = get_args(RelationWord)
 _CORNERS: Final = (None, "left", "right")
 _ALIGNS: Final = (None, "back", "centre", "front", "any")
-_SORTS: Final = ("door", "window", "exterior", "plain", "short", "long")
+_SORTS: Final = ("door", "window", "exterior", "plain", "short", "long", "across")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {

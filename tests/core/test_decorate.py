@@ -17,7 +17,7 @@ from tests.core.test_native_decorate import answer, request
 from tests.decorations.random_rooms import furnished, random_decorating, random_settings, settings_named
 
 KNOWN = load_catalogs()
-GOLDEN = "0ab53a2746055aa9d80618ff4876582ad64820f4edbe6d305803cb685d9ab38d"
+GOLDEN = "128cf6cebf0b044244e64f6b7d116d76517f86d43000dd602c7ea74832695adc"
 """Of 300 random rooms, half of them decorated at random, recorded when one first walked through garage doors."""
 
 

@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "5ddefcf5bc4844ddb87f6c1a93e1522418b33c69b30a013ee79f9bb3fa31220e"
+GOLDEN = "35eb8cae13f8f9720eaed5b848257e33d176eece63412f4409febf459b3ef895"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from solver.scene import Furniture, Opening, Room, Scene
+from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from tests.density import wet_ruler as ruler
 from tests.density.living_ruler import Count, floor_of
 from tests.density.test_density import body
@@ -39,6 +39,36 @@ def test_a_toilet_keeps_its_distance_from_furniture() -> None:
     toilet = body("toilet", (2.0, 0.08), (0.4, 0.66))
     assert ruler.toilets_with_room(scene(toilet, body("vanity", (2.58, 0.08), (0.8, 0.48)))) == (1, 1)
     assert ruler.toilets_with_room(scene(toilet, body("vanity", (2.57, 0.08), (0.8, 0.48)))) == (0, 1)
+
+
+@pytest.mark.parametrize(("wall", "at", "held"), [("south", 2.848, 1), ("south", 2.85, 0), ("north", 2.2, 0), ("east", 2.2, 0)])
+def test_a_toilet_looks_out_of_no_door(wall: str, at: float, held: int) -> None:
+    toilet = body("toilet", (2.0, 0.08), (0.4, 0.66))
+    for kind, faced in (("door", held), ("window", 0)):
+        openings = (Opening("o", kind, wall, at, 0.9, 2.1),)
+        assert ruler.toilets_faced(scene(toilet, kind="bathroom", openings=openings)) == (faced, 1)
+
+
+def test_a_tub_stands_in_a_corner_and_a_pantry_there_or_at_the_run() -> None:
+    assert ruler.tubs_in_corners(scene(body("bathtub", (0.15, 0.08), (1.7, 0.76)), kind="bathroom")) == (1, 1)
+    assert ruler.tubs_in_corners(scene(body("bathtub", (0.16, 0.08), (1.7, 0.76)), kind="bathroom")) == (0, 1)
+    assert ruler.pantries_apart(scene(*row("pantry"))) == (1, 1)
+    assert ruler.pantries_apart(scene(*row("pantry", "counter"))) == (0, 1)
+    assert ruler.pantries_apart(scene(*row("pantry", start=0.1))) == (0, 1)
+
+
+def test_a_mirror_is_seen_and_things_at_a_wall_hang_apart() -> None:
+    mirror = body("standing_mirror", (2.0, 0.08), (0.6, 0.3))
+    assert ruler.mirrors_seen(scene(mirror, body("dresser", (2.0, 0.98), (0.6, 0.5)))) == (1, 1)
+    assert ruler.mirrors_seen(scene(mirror, body("dresser", (2.0, 0.97), (0.6, 0.5)))) == (0, 1)
+    left, right, below = (
+        Decoration(f"d{k}", "wall_art", x=x, y=y, z=0.07, width=0.6, depth=0.04, height=0.5, mounted_on_wall="north")
+        for k, (x, y) in enumerate(((1.0, 1.4), (1.71, 1.4), (1.0, 0.8)))
+    )
+    for moved, held in ((0.0, 2), (0.01, 0)):
+        home = scene()
+        room = replace(home.rooms[0], decorations=(left, replace(right, x=right.x + moved), below))
+        assert ruler.hung_close(replace(home, rooms=(room,))) == (held, 3)
 
 
 def test_a_stove_has_worktop_at_both_sides() -> None:

@@ -15,8 +15,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 
-from solver.scene import Room, Scene
-from tests.density.living_ruler import Count, Floor, Line, count, floors, strip, windows_behind
+from solver.scene import Decoration, Room, Scene
+from tests.density.living_ruler import FACE, Count, Floor, Line, count, floors, free_before, strip, windows_behind
 from tests.density.ruler import Box, triangle, works
 
 AXIS = 0.38
@@ -40,6 +40,13 @@ ROOMY, BROAD = 15.0, 3.3
 """Kitchens of this area, m2, and short side have room for an island or a table."""
 SMALL = 10.0
 """A bathroom is at most so large, m2."""
+RUN = ("counter", "sink", "stove", "refrigerator", "dishwasher")
+NEAR = 0.1
+"""From a wall's face in a corner, and from a run, at most."""
+MIRROR = 0.6
+"""Of floor before a mirror, from where one looks into it."""
+HUNG = 0.12
+"""Between things at a wall."""
 USED = ("toilet", "wardrobe", "counter", "sink", "stove", "refrigerator")
 PUT_DOWN = ("plant", "laundry_basket", "trash_bin", "basket", "potted_plant", "slim_plant", "plant_small")
 
@@ -58,6 +65,65 @@ def toilets_with_room(scene: Scene) -> Count:
                 yield all(floor.free(strip(toilet, side, aside), (toilet, *floor.things)) for side in ("left", "right"))
 
     return count(cases())
+
+
+def toilets_faced(scene: Scene) -> Count:
+    """Toilets that look straight out of a door: it is in the wall ahead, and some of it is before the toilet."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene, "bathroom"):
+            doors = [one for one in floor.room.openings if one.kind != "window"]
+            for toilet in floor.named("toilet"):
+                ahead = {(0, 1): "south", (0, -1): "north", (1, 0): "east", (-1, 0): "west"}[toilet.ahead]
+                low, high = (toilet.z0, toilet.z1) if toilet.ahead[0] else (toilet.x0, toilet.x1)
+                yield any(one.wall == ahead and abs(one.position - (low + high) / 2) < (one.width + high - low) / 2 - 1e-3 for one in doors)
+
+    return count(cases())
+
+
+def _in_corner(floor: Floor, box: Box) -> bool:
+    """Tells whether a piece is nearer than NEAR to two walls that meet."""
+    room = floor.room
+    x, z = min(box.x0, room.width - box.x1), min(box.z0, room.depth - box.z1)
+    return max(x, z) <= FACE + NEAR + 1e-3
+
+
+def tubs_in_corners(scene: Scene) -> Count:
+    """Bathtubs in a corner of the room."""
+    return count(_in_corner(floor, box) for floor in floors(scene, "bathroom") for box in floor.named("bathtub"))
+
+
+def pantries_apart(scene: Scene) -> Count:
+    """Pantries in no corner, with nothing of the kitchen's run right beside them."""
+    return count(
+        not _in_corner(floor, box) and all(_apart(box, other) > NEAR for other in floor.named(*RUN))
+        for floor in floors(scene, "kitchen")
+        for box in floor.named("pantry")
+    )
+
+
+def mirrors_seen(scene: Scene) -> Count:
+    """Standing mirrors with MIRROR of floor free along their front."""
+    return free_before(MIRROR, "standing_mirror")(scene)
+
+
+def hung_close(scene: Scene) -> Count:
+    """Things at a wall with another one beside them, nearer than HUNG."""
+
+    def cases() -> Iterator[bool]:
+        for room in scene.rooms:
+            hung = [one for one in room.decorations if one.mounted_on_wall]
+            for one in hung:
+                yield any(_hang_close(one, other) for other in hung if other is not one)
+
+    return count(cases())
+
+
+def _hang_close(one: Decoration, two: Decoration) -> bool:
+    if one.mounted_on_wall != two.mounted_on_wall or one.y >= two.y + two.height or two.y >= one.y + one.height:
+        return False
+    middles = (one.x, two.x) if one.mounted_on_wall in ("north", "south") else (one.z, two.z)
+    return abs(middles[0] - middles[1]) - (one.width + two.width) / 2 < HUNG - 2e-3
 
 
 def _neighbour(box: Box, side: str, others: list[Box]) -> Box | None:
@@ -207,6 +273,11 @@ def small_bathrooms(scene: Scene) -> Count:
 
 LINES = (
     Line("toilet: 0.38 m free at both sides of its axis", toilets_with_room, {"*": 0.9}),
+    Line("toilet: looks straight out of a door", toilets_faced, {"*": 0.02}, most=True),
+    Line("bathtub: in a corner", tubs_in_corners, {"*": 0.95}),
+    Line("pantry: neither beside the run nor in a corner", pantries_apart, {"*": 0.15}, most=True),
+    Line("standing mirror: front free, 0.6 m", mirrors_seen, {"*": 0.9}),
+    Line("things at a wall: less than 0.12 m apart", hung_close, {"*": 0.0}, most=True),
     Line("stove: 0.3 m of worktop at both sides", stoves_with_worktop, {"*": 0.85}),
     Line("stove: under a window", stoves_under_windows, {"*": 0.05}, most=True),
     Line("stove: refrigerator within 0.3 m", stoves_at_refrigerators, {"*": 0.0}, most=True),

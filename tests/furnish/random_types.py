@@ -67,7 +67,7 @@ def _rule(rng: Random, names: list[str], words: Sequence[str]) -> dict[str, Any]
         "of": of, "distance": rng.choice((0.0, 0.7, 2.5)), "gap": sorted(rng.choices((-0.3, -0.15, 0.0, 0.015, 0.4), k=2)),
         "sides": rng.sample(SIDES, rng.randint(1, 4)), "align": rng.choice(("back", "centre", "front", "any")),
         "wall": rng.choice(("same", "opposite", "adjacent", "other")), "weight": rng.choice((0.0, 0.02, 1.5, 20.0)),
-        "walls": {sort: rng.choice(COSTS) for sort in rng.sample(("door", "window", "exterior", "plain", "short", "long"), 3)},
+        "walls": {sort: rng.choice(COSTS) for sort in rng.sample(("door", "window", "exterior", "plain", "short", "long", "across"), 3)},
     }  # fmt: skip
     return rule | {key: value for key, value in more.items() if key == "of" or rng.random() < 0.3}
 

@@ -11,7 +11,7 @@ constexpr i64 BEHIND_MM = 150;
 // Furniture that stands this near to the wall, and as high, would hide what hangs there. Our choice.
 constexpr i64 VIEW_MM = 300;
 // From the room's corners, from the ceiling, from one another. Our choice.
-constexpr i64 CORNER_MM = 50, CEILING_MM = 100, APART_MM = 30;
+constexpr i64 CORNER_MM = 50, CEILING_MM = 100, APART_MM = 120;
 
 // A place wished for: over an interval of a wall, at a share of it, the underside's height, over which carrier.
 struct Spot {

@@ -18,7 +18,7 @@ static void check_rule(const Rule& rule, const RoomType& type) {
   check(is_one(rule.word, LAST_WORD) && is_one(rule.align, Align::any) && is_one(rule.wall, Walls::other));
   for (const Name& name : type.of(rule)) check(is_word(name.word, type));
   for (Side side : part_of(type.sides, rule.sides)) check(is_one(side, Side::back));
-  for (const SortCost& sort : part_of(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::longer));
+  for (const SortCost& sort : part_of(type.sorts, rule.sorts)) check(is_one(sort.sort, Sort::across));
 }
 
 static void check_type(const RoomType& type) {

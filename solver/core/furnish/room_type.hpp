@@ -15,7 +15,7 @@ enum class Word : i32 {
 enum class Opening : i32 { none = -1, door = 0, garage_door = 1, window = 2, passage = 3 };
 
 // What a wall has, as `walls` of against_wall prices it.
-enum class Sort : i32 { door = 0, window = 1, exterior = 2, plain = 3, shorter = 4, longer = 5 };
+enum class Sort : i32 { door = 0, window = 1, exterior = 2, plain = 3, shorter = 4, longer = 5, across = 6 };
 
 // How a piece beside another one lines up with it.
 enum class Align : i32 { none = 0, back = 1, centre = 2, front = 3, any = 4 };

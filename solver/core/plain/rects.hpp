@@ -35,6 +35,7 @@ struct Interval {
   i64 low;
   i64 high;
 
+  constexpr bool operator==(const Interval&) const = default;
   constexpr i64 middle() const { return floor_div(low + high, 2); }
 };
 

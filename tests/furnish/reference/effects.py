@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from catalogs.relation_keys import OPENINGS
@@ -199,11 +199,11 @@ def _share(scope: Scope, candidate: Candidate, wall: str, sort: str) -> float:
 
 
 def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
-    """Tells whether the wall behind a candidate is of a sort; only a window right behind it counts."""
+    """Tells whether the wall behind a candidate is of a sort; only a window right behind it counts, or a door straight across."""
     here = [opening for opening in scope.openings if opening.wall == wall]
-    if sort == "window":
+    if sort in ("window", "across"):
         a, b = candidate.footprint.along(wall)
-        return any(one.kind == "window" and one.interval[0] < b and a < one.interval[1] for one in here)
+        return any(low < b and a < high for low, high in _made_by(scope, wall, sort))
     own, other = (scope.clear.width, scope.clear.depth) if wall in ALONG_X else (scope.clear.depth, scope.clear.width)
     return {
         "door": any(one.kind != "window" for one in here),
@@ -214,22 +214,48 @@ def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
     }[sort]
 
 
-def beside_windows(subject: Subject, candidate: Candidate) -> Rect | None:
-    """Returns where a candidate at a wall stays beside its windows, if a rule prices them at SHUNNED or more."""
-    shuns = any(spec.type == "against_wall" and spec.walls.get("window", 0.0) >= SHUNNED for spec in subject.relations)
-    if (
-        candidate.wall is None
-        or not shuns
-        or not (windows := [one for one in subject.scope.opened("window") if one.wall == candidate.wall])
-    ):
+def kept_in(subject: Subject, candidate: Candidate) -> Rect | None:
+    """Returns where a candidate by itself stays: beside windows and doors that it shuns, in its corner, behind its gate."""
+    areas = [*_beside_shunned(subject, candidate), *_in_its_corner(subject, candidate)]
+    if gate := behind_gate(subject, candidate):
+        areas.append(gate)
+    if not areas:
         return None
-    clear, (a, b) = subject.scope.clear, candidate.footprint.along(candidate.wall)
-    if any(low < b and a < high for low, high in (one.interval for one in windows)):
-        return None
-    start, end = clear.along(candidate.wall)
-    low = max([start, *(one.interval[1] for one in windows if one.interval[1] <= a)])
-    high = min([end, *(one.interval[0] for one in windows if b <= one.interval[0])])
-    return Rect(low, clear.z0, high, clear.z1) if candidate.wall in ALONG_X else Rect(clear.x0, low, clear.x1, high)
+    return Rect(max(a.x0 for a in areas), max(a.z0 for a in areas), min(a.x1 for a in areas), min(a.z1 for a in areas))
+
+
+def _beside_shunned(subject: Subject, candidate: Candidate) -> Iterator[Rect]:
+    """Yields the stretch of wall beside its windows, and beside doors across, where a rule prices these at SHUNNED or more."""
+    wall, clear = candidate.wall, subject.scope.clear
+    if wall is None:
+        return
+    shuns = {sort for spec in subject.relations if spec.type == "against_wall" for sort, cost in spec.walls.items() if cost >= SHUNNED}
+    (a, b), (start, end) = candidate.footprint.along(wall), clear.along(wall)
+    for sort in shuns & {"window", "across"}:
+        there = _made_by(subject.scope, wall, sort)
+        if there and not any(low < b and a < high for low, high in there):
+            least = max([start, *(high for _, high in there if high <= a)])
+            most = min([end, *(low for low, _ in there if b <= low)])
+            yield Rect(least, clear.z0, most, clear.z1) if wall in ALONG_X else Rect(clear.x0, least, clear.x1, most)
+
+
+def _made_by(scope: Scope, wall: str, sort: str) -> list[tuple[int, int]]:
+    """Returns the stretches of a wall's windows, or of the doors across from it."""
+    if sort == "window":
+        return [one.interval for one in scope.openings if one.wall == wall and one.kind == "window"]
+    return [one.interval for one in scope.openings if one.wall == OPPOSITE[wall] and one.kind != "window"]
+
+
+def _in_its_corner(subject: Subject, candidate: Candidate) -> Iterator[Rect]:
+    """Yields the corner that a candidate stands in, and 2 gaps more at each side, where a rule prices that at SHUNNED or more."""
+    rect, clear, more = candidate.footprint, subject.scope.clear, 2 * subject.scope.gap_mm
+    wants = any(spec.type == "in_corner" and missed(spec) >= SHUNNED for spec in subject.relations)
+    ends = [(rect.x0 - clear.x0, clear.x1 - rect.x1), (rect.z0 - clear.z0, clear.z1 - rect.z1)]
+    if wants and max(min(pair) for pair in ends) <= more:
+        (west, east), (north, south) = ends
+        x0, x1 = (clear.x0, clear.x0 + rect.width + more) if west <= east else (clear.x1 - rect.width - more, clear.x1)
+        z0, z1 = (clear.z0, clear.z0 + rect.depth + more) if north <= south else (clear.z1 - rect.depth - more, clear.z1)
+        yield Rect(x0, z0, x1, z1)
 
 
 def _along_window(scope: Scope, candidate: Candidate) -> bool:

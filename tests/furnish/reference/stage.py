@@ -22,7 +22,7 @@ from solver.scene import Room
 from solver.streams import Stream
 from tests.furnish.reference.comfort import with_comfort
 from tests.furnish.reference.drawn import CountedPiece, Preferences, count, drawn_preferences, ordered
-from tests.furnish.reference.effects import Effect, behind_gate, beside_windows, effect_of
+from tests.furnish.reference.effects import Effect, behind_gate, effect_of, kept_in
 from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off_boards
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
@@ -155,8 +155,7 @@ class _Furnisher:
                 cost += self._in_the_way(subject, candidate.footprint) + _facing_wall(subject, candidate)
             cost += sum(effect.cost_of(candidate) for _, effect in effects if effect.cost_of)
             if cost < math.inf:
-                within = beside_windows(subject, candidate) or behind_gate(subject, candidate)
-                found.append(replace(candidate, cost=round(cost, 6), weights=(pull, pull), within=within))
+                found.append(replace(candidate, cost=round(cost, 6), weights=(pull, pull), within=kept_in(subject, candidate)))
         return _best_of_each(subject, found)
 
     def _in_the_way(self, subject: Subject, rect: Rect) -> float:

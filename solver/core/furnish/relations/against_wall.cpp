@@ -9,12 +9,17 @@ constexpr f64 ALONG_SHARE = 0.3;
 
 void AgainstWall::effect(const Subject&, const Rule&, Effect& effect) const { effect.has_cost = effect.backs = true; }
 
-// Tells whether a window is right behind a candidate.
-static bool is_before_window(const Subject& subject, const Candidate& candidate) {
+// Tells whether an opening is what makes a wall one of a sort where a piece stands: a window behind it, a door across.
+static bool makes(const Opened& one, Sort sort, Wall wall) {
+  if (sort == Sort::window) return one.kind == Opening::window && one.wall == wall;
+  return sort == Sort::across && one.kind != Opening::window && one.wall == opposite(wall);
+}
+
+// Tells whether a window is right behind a candidate, or a door straight across.
+static bool is_before(Sort sort, const Subject& subject, const Candidate& candidate) {
   const Interval own = subject.footprint(candidate).along(candidate.wall);
   for (const Opened& one : subject.scope.openings) {
-    const bool here = one.kind == Opening::window && one.wall == candidate.wall;
-    if (here && one.stretch.low < own.high && own.low < one.stretch.high) return true;
+    if (makes(one, sort, candidate.wall) && one.stretch.low < own.high && own.low < one.stretch.high) return true;
   }
   return false;
 }
@@ -40,7 +45,7 @@ static bool has_opening(const Scope& scope, Wall wall, bool windows_too) {
   return false;
 }
 
-// Tells whether the wall behind a candidate is of a sort; only a window right behind it counts.
+// Tells whether the wall behind a candidate is of a sort; only a window right behind it counts, or a door straight across.
 static bool is_of(Sort sort, const Subject& subject, const Candidate& candidate) {
   const Scope& scope = subject.scope;
   const Wall wall = candidate.wall;
@@ -52,35 +57,29 @@ static bool is_of(Sort sort, const Subject& subject, const Candidate& candidate)
     case Sort::exterior: return scope.exterior >> static_cast<i32>(wall) & 1;
     case Sort::longer: return own > LONGER * other;
     case Sort::shorter: return other > LONGER * own;
-    case Sort::window: return is_before_window(subject, candidate);
+    case Sort::window:
+    case Sort::across: return is_before(sort, subject, candidate);
   }
   return false;
 }
 
-// What dislikes windows so much stays beside them wherever else it is moved.
-static bool shuns_windows(const Subject& subject, const Rule& rule) {
-  constexpr f64 SHUNNED = 2.0;
-  for (const SortCost& sort : part_of(subject.type.sorts, rule.sorts)) {
-    if (sort.sort == Sort::window && sort.cost >= SHUNNED) return true;
-  }
-  return false;
-}
-
+// What shuns windows or doors across stays beside them wherever else it is moved.
 void AgainstWall::keep(const Subject& subject, const Effect& effect, Candidate& candidate) const {
-  if (candidate.wall == Wall::none || !shuns_windows(subject, *effect.rule) || is_before_window(subject, candidate)) return;
+  if (candidate.wall == Wall::none) return;
   const Rect& clear = subject.scope.clear;
   const Interval own = subject.footprint(candidate).along(candidate.wall);
-  Interval kept = clear.along(candidate.wall);
-  bool beside = false;
-  for (const Opened& one : subject.scope.openings) {
-    if (one.kind != Opening::window || one.wall != candidate.wall) continue;
-    beside = true;
-    if (one.stretch.high <= own.low) kept.low = most(kept.low, one.stretch.high);
-    if (own.high <= one.stretch.low) kept.high = least(kept.high, one.stretch.low);
+  for (const SortCost& sort : part_of(subject.type.sorts, effect.rule->sorts)) {
+    if (sort.cost < SHUNNED || is_before(sort.sort, subject, candidate)) continue;
+    Interval kept = clear.along(candidate.wall);
+    for (const Opened& one : subject.scope.openings) {
+      if (!makes(one, sort.sort, candidate.wall)) continue;
+      if (one.stretch.high <= own.low) kept.low = most(kept.low, one.stretch.high);
+      if (own.high <= one.stretch.low) kept.high = least(kept.high, one.stretch.low);
+    }
+    if (kept == clear.along(candidate.wall)) continue;
+    const bool along_x = runs_along_x(candidate.wall);
+    hold(candidate, along_x ? Rect{kept.low, clear.z0, kept.high, clear.z1} : Rect{clear.x0, kept.low, clear.x1, kept.high});
   }
-  if (!beside) return;
-  const bool along_x = runs_along_x(candidate.wall);
-  candidate.within = along_x ? Rect{kept.low, clear.z0, kept.high, clear.z1} : Rect{clear.x0, kept.low, clear.x1, kept.high};
 }
 
 f64 AgainstWall::cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const {

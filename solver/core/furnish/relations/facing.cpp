@@ -71,13 +71,13 @@ f64 Facing::cost(const Subject& subject, const Effect& effect, const Candidate& 
 void Facing::keep(const Subject& subject, const Effect& effect, Candidate& candidate) const {
   const Opened* gate = gate_before(subject, effect, candidate);
   if (!gate) return;
-  candidate.within = subject.scope.clear;
-  Rect& within = candidate.within;
+  Rect within = subject.scope.clear;
   if (runs_along_x(gate->wall)) {
     within.x0 = most(within.x0, gate->stretch.low), within.x1 = least(within.x1, gate->stretch.high);
   } else {
     within.z0 = most(within.z0, gate->stretch.low), within.z1 = least(within.z1, gate->stretch.high);
   }
+  hold(candidate, within);
 }
 
 }  // namespace furnish

@@ -55,6 +55,16 @@ class Relation {
 
 const Relation& relation_of(Word word);
 
+// From that cost on a place that a relation shuns or wants is kept, wherever else its piece is moved.
+constexpr f64 SHUNNED = 2.0;
+
+// Has a candidate stay in an area, besides where it stays already.
+inline void hold(Candidate& candidate, const Rect& area) {
+  Rect& kept = candidate.within;
+  if (kept == Rect{}) kept = area;
+  kept = {most(kept.x0, area.x0), most(kept.z0, area.z0), least(kept.x1, area.x1), least(kept.z1, area.z1)};
+}
+
 // A link that says nothing yet.
 inline Link link_to(const Rule& rule, i32 piece) {
   Link made{};
