@@ -154,7 +154,13 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
         words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
     else:
         words = f"cannot stand {'as asked anywhere' if alone else 'together'} in {_floor(task)}"
-    return Conflict(members, f"{names} {words}", removals)
+    return Conflict(members, f"{names} {words}{_at_walls([by_label[member] for member in members])}", removals)
+
+
+def _at_walls(pieces: Sequence[Piece]) -> str:
+    """Says which of some pieces are to stand at walls alone: elsewhere they might stand."""
+    labels = [piece.label for piece in pieces if piece.candidates and all(way.wall for way in piece.candidates)]
+    return f", with {' and '.join(labels)} at walls" if labels else ""
 
 
 def _leaving_out(label: str) -> dict[str, object]:

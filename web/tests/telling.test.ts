@@ -28,6 +28,10 @@ describe("in German", () => {
       "festgehalten, wo es nicht stehen kann: Bank ragt nach Osten um 2,9 cm aus der freien Fläche: Diele und Bank steht 22 cm von der Wand im Süden, erlaubt sind höchstens 20 cm: Diele"],
     ["bed cannot stand and be used anywhere: bed 1.40 + to stand 0.60 = 2.00 > 1.50 m along the west wall: 50 cm short; no place was found for it beside the pieces before it; the smallest, small_bed, needs 1.40 x 2.00 m and a free way to it; the room is 1.50 x 3.00 m clear and holds 2 pieces",
       "Bett kann nirgends stehen und benutzt werden: Bett 1,40 + zum Stehen 0,60 = 2,00 > 1,50 m an der Wand im Westen: es fehlen 50 cm; neben den Möbeln davor fand sich kein Platz; das kleinste (kleines Bett) braucht 1,40 × 2,00 m und einen freien Weg dorthin; im Raum sind 1,50 × 3,00 m frei und 2 Möbel"],
+    ["sofa 2.20 x 0.90 m and desk 1.40 x 0.70 m cannot stand together in the 2.87 x 2.77 m of kitchen_2, clear of its doors and windows, with sofa and desk at walls",
+      "Sofa 2,20 × 0,90 m und Schreibtisch 1,40 × 0,70 m können nicht zusammen stehen: Küche, 2,87 × 2,77 m, frei von Türen und Fenstern, mit Sofa und Schreibtisch an Wänden"],
+    ["desk 1.20 x 0.60 m cannot stand in kitchen_2: it stays as sent, 20 cm in the floor before door_1",
+      "Schreibtisch 1,20 × 0,60 m kann dort nicht stehen: Küche; es bleibt, wo es ist, 20 cm in der Fläche vor Tür"],
   ])("says %s", async (english, german) => {
     const { tell } = await spokenIn("de");
     expect(tell(english, HOME)).toBe(german);
