@@ -24,6 +24,7 @@ from itertools import count
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import urlsplit
 
 import httpx2
 from tqdm import tqdm
@@ -153,7 +154,8 @@ async def abandoned(service: ServiceProcess, calls: int) -> tuple[float, float]:
 def dribbling(address: str, lines: int) -> int:
     """Opens connections that begin and never end; returns what another is answered meanwhile."""
     with ExitStack() as stack:
-        server = Server(address, stack)
+        place = urlsplit(address)
+        server = Server((place.hostname or "", place.port or 0), stack)
         for _ in range(lines):
             server.line()
         return server.status("/export")
