@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "35eb8cae13f8f9720eaed5b848257e33d176eece63412f4409febf459b3ef895"
+GOLDEN = "cc0507725dd44917e9724aa2084768413917915bceb6f40118646ec65152aa3f"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -215,8 +215,8 @@ def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
 
 
 def kept_in(subject: Subject, candidate: Candidate) -> Rect | None:
-    """Returns where a candidate by itself stays: beside windows and doors that it shuns, in its corner, behind its gate."""
-    areas = [*_beside_shunned(subject, candidate), *_in_its_corner(subject, candidate)]
+    """Returns where a candidate by itself stays: beside windows and doors that it shuns, behind its gate."""
+    areas = [*_beside_shunned(subject, candidate)]
     if gate := behind_gate(subject, candidate):
         areas.append(gate)
     if not areas:
@@ -244,18 +244,6 @@ def _made_by(scope: Scope, wall: str, sort: str) -> list[tuple[int, int]]:
     if sort == "window":
         return [one.interval for one in scope.openings if one.wall == wall and one.kind == "window"]
     return [one.interval for one in scope.openings if one.wall == OPPOSITE[wall] and one.kind != "window"]
-
-
-def _in_its_corner(subject: Subject, candidate: Candidate) -> Iterator[Rect]:
-    """Yields the corner that a candidate stands in, and 2 gaps more at each side, where a rule prices that at SHUNNED or more."""
-    rect, clear, more = candidate.footprint, subject.scope.clear, 2 * subject.scope.gap_mm
-    wants = any(spec.type == "in_corner" and missed(spec) >= SHUNNED for spec in subject.relations)
-    ends = [(rect.x0 - clear.x0, clear.x1 - rect.x1), (rect.z0 - clear.z0, clear.z1 - rect.z1)]
-    if wants and max(min(pair) for pair in ends) <= more:
-        (west, east), (north, south) = ends
-        x0, x1 = (clear.x0, clear.x0 + rect.width + more) if west <= east else (clear.x1 - rect.width - more, clear.x1)
-        z0, z1 = (clear.z0, clear.z0 + rect.depth + more) if north <= south else (clear.z1 - rect.depth - more, clear.z1)
-        yield Rect(x0, z0, x1, z1)
 
 
 def _along_window(scope: Scope, candidate: Candidate) -> bool:

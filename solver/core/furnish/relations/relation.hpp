@@ -55,7 +55,7 @@ class Relation {
 
 const Relation& relation_of(Word word);
 
-// From that cost on a place that a relation shuns or wants is kept, wherever else its piece is moved.
+// From that cost on what stands clear of what a relation shuns stays so, wherever else its piece is moved.
 constexpr f64 SHUNNED = 2.0;
 
 // Has a candidate stay in an area, besides where it stays already.
