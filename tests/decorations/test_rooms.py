@@ -11,7 +11,6 @@ from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from solver.validator import validate
 from tests.decorations.oracle import complaints
 from tests.decorations.rooms import DOOR, SIDE, THICKNESS, at_wall, decorate, on_floor, piece, room
-from tests.every import every
 
 KNOWN = load_catalogs()
 INDOORS = sorted(name for name, kind in KNOWN.rooms.items() if not kind.outdoor)
@@ -27,8 +26,8 @@ def errors(done: Room) -> list[str]:
     return [*told, *complaints(scene)]
 
 
-@every("name", [name for name in INDOORS if name != "hallway"])
-@every("size", [(4.0, 3.0), (3.0, 5.2), (1.5, 1.5)])
+@pytest.mark.parametrize("name", [name for name in INDOORS if name != "hallway"])
+@pytest.mark.parametrize("size", [(4.0, 3.0), (3.0, 5.2), (1.5, 1.5)])
 def test_every_indoor_room_has_a_rug_of_four_fifths_of_its_size(name: str, size: tuple[float, float]) -> None:
     done = decorate(room(type=name, width=size[0], depth=size[1]))
     (rug,) = rugs(done)
@@ -54,9 +53,9 @@ def test_with_a_style_long_halls_have_several_runners_one_behind_another(length:
     assert all(0.6 <= after[0] - before[1] + 1e-9 < 0.62 for before, after in pairwise(ends))
 
 
-@every("name", sorted(GROUPS))
-@every("at", [(2.5, 2.0), (0.8, 2.0), (4.3, 3.2)])
-@every("turn", [0, 90, 180, 270])
+@pytest.mark.parametrize("name", sorted(GROUPS))
+@pytest.mark.parametrize("at", [(2.5, 2.0), (0.8, 2.0), (4.3, 3.2)])
+@pytest.mark.parametrize("turn", [0, 90, 180, 270])
 def test_with_a_style_a_rug_is_as_large_as_what_it_lies_under_and_a_little_more(name: str, at: tuple[float, float], turn: int) -> None:
     kind, beyond, begins = GROUPS[name]
     holder = piece(kind, *at, turn)
