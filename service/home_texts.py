@@ -12,7 +12,7 @@ from service import problems
 from service.kept_contract import HomeBody, HomeChange, HomeHead
 from service.store.saved_homes import PackedScene
 from solver.errors import ComposeError, FieldError
-from solver.exchange import GLB, dump_plain, dump_scene, load_text, read, write
+from solver.exchange import GLB, dump_scene, load_text, read, write
 from solver.scene import Scene
 
 
@@ -49,8 +49,3 @@ def home_text(home: HomeHead, scene: bytes) -> bytes:
     """Writes a home with its packed scene as JSON; the scene is not read for it."""
     head = json.dumps(write(home), ensure_ascii=False).encode()
     return head[:-1] + b', "scene": ' + zlib.decompress(scene).strip() + b"}"
-
-
-def as_yaml(text: bytes) -> bytes:
-    """Writes a JSON document as YAML."""
-    return dump_plain(json.loads(text), "yaml")

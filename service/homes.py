@@ -10,7 +10,7 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.home_texts import HomeSent, as_yaml, home_text, read_sent_home
+from service.home_texts import HomeSent, home_text, read_sent_home
 from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
 from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
@@ -109,7 +109,7 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
         return _tagged(Response(status_code=304, headers={"Vary": "Accept"}), home, wanted)
     text = await to_thread.run_sync(home_text, home, scene, limiter=request.app.store_threads)
     if wanted != "json":
-        text = await request.app.workers.run(as_yaml, text)
+        text = await request.app.workers.run(FORMATS[wanted].of_json, text)
     answer = Response(text, media_type=FORMATS[wanted].media_type, headers={"Vary": "Accept"})
     return _tagged(answer, home, wanted) if shown else answer
 

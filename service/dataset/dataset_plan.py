@@ -16,7 +16,7 @@ from service.packed_catalogs import packed, unpacked
 from solver import generate
 from solver.answers import Issue
 from solver.errors import ComposeError, FieldError
-from solver.exchange import FORMATS, dump_scene, load_text, read_request, write_request
+from solver.exchange import dump_plain, dump_scene, load_text, read_request, write_request
 from solver.plain import Document
 from solver.request import NO_ACCESS, Request
 from solver.scene import Scene
@@ -141,7 +141,7 @@ def again(row: Mapping[str, Any], catalogs: Catalogs) -> tuple[Any, str, Catalog
 
 def request_text(request: Request) -> str:
     """Returns a request with its seed as one line of JSON."""
-    return FORMATS[JSON].dump(write_request(request)).strip()
+    return dump_plain(write_request(request), JSON).decode().strip()
 
 
 def packed_all(catalogs: Mapping[str, Catalogs]) -> dict[str, bytes]:

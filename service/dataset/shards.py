@@ -24,7 +24,7 @@ import pyarrow.parquet as pq
 from service.dataset.dataset_plan import JSON, DatasetPlan, MadeHome, Shard, request_text, split_of
 from service.packed_catalogs import unpacked
 from solver.errors import FieldError, system_words
-from solver.exchange import FORMATS
+from solver.exchange import dump_plain
 from solver.exports import packed
 from solver.exports.table_rows import Row, rows_of
 from solver.pipeline.export import export_each
@@ -269,7 +269,7 @@ def house_row(plan: DatasetPlan, home: MadeHome, split: str) -> Document:
         "id": f"house_{home.request.seed}",
         "split": split,
         "status": REFUSED if home.scene is None else WITH_ERRORS if errors else CLEAN,
-        "program": asked if asked is None or isinstance(asked, str) else FORMATS[JSON].dump(dict(asked)).strip(),
+        "program": asked if asked is None or isinstance(asked, str) else dump_plain(dict(asked), JSON).decode().strip(),
         "request": request_text(home.request),
         "catalog": home.catalog,
         "catalog_fingerprint": plan.fingerprints[home.catalog],

@@ -1,4 +1,4 @@
-"""Scenes -> their text; as JSON at once, without the document between, which costs more than the text.
+"""Scenes -> their text, at once, without the document between, which costs more than the text.
 
 The fields' types say how values are written, as in writer.py.
 """
@@ -13,7 +13,7 @@ from typing import Any, Final, NamedTuple, TypeVar
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furniture_ids, rows_in
 from solver.exchange import json_text
-from solver.exchange.text import dump_plain
+from solver.exchange.text import FORMATS, dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
 from solver.fields import EXTRA
 from solver.plain import Wrong, is_plain, plain
@@ -42,13 +42,11 @@ def dump_scene(scene: Scene, format: str) -> bytes:
     Raises:
         SceneError: the scene holds something that no format can say, such as a number that is not finite.
     """
-    if format == "json":
-        try:
-            parts = [part.encode() for part in f"{_record(scene)}\n".split(_TOLD)]
-            return b"".join(chain.from_iterable(zip(parts, [*_texts_told(scene), b""], strict=True)))
-        except (Wrong, TypeError, ValueError):  # the document's writer says where
-            pass
-    return dump_plain(write_scene(scene), format)
+    try:
+        parts = [part.encode() for part in f"{_record(scene)}\n".split(_TOLD)]
+        return FORMATS[format].of_json(b"".join(chain.from_iterable(zip(parts, [*_texts_told(scene), b""], strict=True))))
+    except (Wrong, TypeError, ValueError):  # the document's writer says where
+        return dump_plain(write_scene(scene), format)
 
 
 class _Layout(NamedTuple):

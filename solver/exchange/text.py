@@ -15,17 +15,17 @@ from solver.plain import Wrong, path, plain
 
 @dataclass(frozen=True)
 class TextFormat:
-    """A way to write documents: how to read it, how to write it, its media type and file endings."""
+    """A way to write documents: how to read it, how to write it from its JSON, its media type and file endings."""
 
     load: Callable[[str], object]
-    dump: Callable[[Any], str]
+    of_json: Callable[[bytes], bytes]
     media_type: str
     endings: tuple[str, ...]
 
 
 FORMATS: Final = {
-    "json": TextFormat(json_text.load, json_text.dump, "application/json", (".json",)),
-    "yaml": TextFormat(yaml_text.load, yaml_text.dump, "application/yaml", (".yaml", ".yml")),
+    "json": TextFormat(json_text.load, bytes, "application/json", (".json",)),
+    "yaml": TextFormat(yaml_text.load, yaml_text.of_json, "application/yaml", (".yaml", ".yml")),
 }
 GLB: Final = "glb"
 """What is read beside texts: a .glb with a scene inside."""
@@ -88,7 +88,7 @@ def dump_text(document: object, format: str) -> bytes:
 
 def dump_plain(document: object, format: str) -> bytes:
     """Writes a document of plain values, as `write` returns them, in the same way; nothing is looked at again."""
-    return FORMATS[format].dump(document).encode()
+    return FORMATS[format].of_json(json_text.dump(document).encode())
 
 
 def _decoded(text: bytes | str) -> str:

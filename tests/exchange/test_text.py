@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catalogs import yaml_reading
+from solver.core import CoreFailed
 from solver.errors import SceneError, SyntaxFault
 from solver.exchange import FORMATS, dump_text, load_text, read_scene
 
@@ -234,3 +235,16 @@ def test_texts_and_numbers_of_other_types_are_written_as_pythons_own(name: str) 
     own = {"yes": ["yes", 1.5, ["yes"]], "b": {"c": {"d": 2.0}}}
     assert dump_text(given, name) == dump_text(own, name)
     assert load_text(dump_text(given, name), name) == own
+
+
+def test_what_is_no_json_is_not_written_as_yaml() -> None:
+    """The core ends the call: it neither reads on behind the text nor writes a part of it."""
+    whole = dump_text({"a": [1.5, "\u00e9\n\U0001f600", {"b": [[], {}]}], "c": {"d": None}}, "json").strip()
+    wrong = [whole[:end] for end in range(len(whole))]
+    wrong += [whole + b"]", b'{"a":1 2}', b'{"a" 1}', b"[1,]", b'"\\ud800"', b'"\\udc00"', b'"\\x"', b'"\\u12g4"']
+    wrong += [b"[" * 3000 + b"]" * 3000]
+    for text in wrong:
+        with pytest.raises(CoreFailed):
+            FORMATS["yaml"].of_json(text)
+    for letter, meant in (('"\\ud83d\\ude00"', '"\\U0001F600"'), ('"\\/"', '"/"'), ('"\\b"', '"\\x08"'), ('"\\u0041"', "A")):
+        assert FORMATS["yaml"].of_json(letter.encode()) == f"{meant}\n".encode()

@@ -1,8 +1,14 @@
 // What the host calls of this stage.
 #include "text/bodies.hpp"
+#include "text/yaml.hpp"
 
-// Returns the answer's size, bytes, in the upper half, and where it begins in the lower.
-extern "C" __attribute__((export_name("bodies_text"))) i64 entry_bodies_text(u8* rows, i64 size) {
-  const Bytes answer = text::bodies_text({rows, size});
-  return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data));
-}
+namespace {
+
+// An answer's size, bytes, in the upper half, and where it begins in the lower.
+i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
+
+}  // namespace
+
+extern "C" __attribute__((export_name("bodies_text"))) i64 entry_bodies_text(u8* rows, i64 size) { return told(text::bodies_text({rows, size})); }
+
+extern "C" __attribute__((export_name("yaml_text"))) i64 entry_yaml_text(u8* json, i64 size) { return told(text::yaml_text({json, size})); }
