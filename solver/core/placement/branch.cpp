@@ -139,16 +139,40 @@ void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling) {
   open_family(engine, parent, count);
 }
 
+// Tells whether a row holds only where another one does.
+static bool implies(const DifferenceRow& row, const DifferenceRow& other) {
+  return row.axis == other.axis && row.i == other.i && row.j == other.j && row.s >= other.s;
+}
+
+// Tells whether whatever a row of `wide` allows at a node is found without it: below a sibling of the node's path that was opened on top of
+// it, or beside it, by a row of its own family that forbids less.
+static bool is_covered(const Engine& engine, i64 slot, const Span<i64>& rows, i32 at) {
+  const Nodes& nodes = engine.nodes;
+  const DifferenceRow& row = engine.work.wide[rows[at]];
+  for (i32 k = 0; k < rows.size; k++) {
+    const bool other = rows[k] != UNTOLD && (rows[k] != rows[at] || k < at);
+    if (other && implies(row, engine.work.wide[rows[k]])) return true;
+  }
+  for (i64 pick = nodes.last_pick[slot]; pick >= 0; pick = nodes.pick_before[pick]) {
+    for (i64 q = pick + 1; q < nodes.state->picked && nodes.pick_before[q] == nodes.pick_before[pick]; q++) {
+      if (implies(row, row_of(engine.work, nodes.pick_option[q]))) return true;
+    }
+  }
+  return false;
+}
+
 void widen(const Engine& engine, i64 parent, f64 ceiling, bool all) {
   const arena::Scope scope;
   const Nodes& nodes = engine.nodes;
   i64 count = 0;
   reach_out(engine, parent);
-  for (const i64 row : wider_rows(engine.room, engine.work, engine.grid, all)) {
+  const Span<i64> rows = wider_rows(engine.room, engine.work, engine.grid, all);
+  for (i32 at = 0; at < rows.size; at++) {
+    const i64 row = rows[at];
     const bool fits = count < nodes.family.size && nodes.state->spare >= OPTIONS;
     if (all && (row == UNTOLD || !fits)) nodes.result->exhausted = 0;
     if (!fits) break;
-    if (row == UNTOLD) continue;
+    if (row == UNTOLD || (all && is_covered(engine, parent, rows, at))) continue;
     if (!possible(engine, engine.work.wide[row])) {
       nodes.result->solves++;  // a QP would say so, too
       continue;
