@@ -91,6 +91,10 @@ def test_seats_see_what_is_before_them() -> None:
     assert ruler.screen_before_sofa(scene(sofa, ahead)) == (1, 1)
     assert ruler.screen_before_sofa(scene(sofa, aside)) == (0, 1)
     assert ruler.screen_before_sofa(scene(sofa)) == (0, 1)
+    table = body("dining_table", (1.6, 2), (0.8, 0.8))
+    assert ruler.screen_before_sofa(scene(sofa, ahead, table)) == (0, 1)
+    assert ruler.screen_before_sofa(scene(sofa, ahead, replace(table, x=3.2))) == (1, 1)
+    assert ruler.screen_before_sofa(scene(sofa, ahead, replace(table, height=0.5))) == (1, 1)
     assert ruler.fireplaces_faced(scene(sofa, body("fireplace", (1.4, 4.5), (1.2, 0.4), 180))) == (1, 1)
     assert ruler.fireplaces_faced(scene(sofa, body("fireplace", (4.6, 0.1), (1.2, 0.4)))) == (0, 1)
 
