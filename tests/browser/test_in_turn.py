@@ -169,7 +169,8 @@ def test_a_file_that_is_being_written_is_said_and_not_written_twice(visit: Visit
         button.click()
         page.locator("#random").click()  # another home does not take the file back
         page.wait_for_function("seed => compose.scene.seed !== seed", arg=3)
-        waiting.continue_()
+        with page.expect_download():
+            waiting.continue_()
         visit.settle()
         assert [one for one in visit.requests[asked:] if one.endswith(call)] == [f"{visit.address}{call}"]
         assert files.pop() == file

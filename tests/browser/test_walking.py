@@ -27,10 +27,15 @@ ALL_OPEN = """() => compose.house.doors.leaves.forEach(({opening}, i) => {
 """Opens the doors that are shut: one may stand open from the way there."""
 OFTEN_OF_ONE_MOMENT = """() => {
     const real = requestAnimationFrame.bind(globalThis);
-    let told = 0, frames = 0;
-    globalThis.requestAnimationFrame = (step) => real((now) => step(told = [now, told, told + 0.01][frames++ % 3]));
+    let told = 0, frames = 0, last = -1;
+    globalThis.requestAnimationFrame = (step) => real((now) => {
+        if (now !== last) told = [now, told, told + 0.01][frames++ % 3];
+        last = now;
+        step(told);
+    });
 }"""
-"""Lets one of three frames say the time of the one before and one hardly a later one, as frames of a busy machine may."""
+"""Lets one of three frames say the time of the one before and one hardly a later one, as frames of a busy machine may; whoever asks for a
+frame is told the same of it."""
 AT_REST_FRAMES = 3
 
 

@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from playwright.sync_api import Locator, Page, Request, Response, Route, expect
+from playwright.sync_api import Locator, Page, Request, Response, Route
 
 from tests.architecture.tree import ROOT
 
@@ -29,6 +29,13 @@ TURNED = """([eye, target, least]) => {
 AT_REST = f"""() => document.querySelector('#stage')?.ariaBusy === 'false' && globalThis.compose?.state?.moving === false
     && document.querySelector("{IN_WORK}") === null"""
 """Whether nothing is under way, as `Visit.settle` has it."""
+COME_TO_REST = f"""async patience => {{
+    const end = performance.now() + patience;
+    do await new Promise(requestAnimationFrame);
+    while (!({AT_REST})() && performance.now() < end);
+    return ({AT_REST})();
+}}"""
+"""Waits for that in the page itself, from its next frame on: until then it has begun what it puts off to a frame."""
 FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
     localStorage.clear();
     const gone = indexedDB.deleteDatabase('compose');
@@ -159,13 +166,7 @@ class Visit:
 
     def settle(self) -> None:
         """Wait until no call and no edit is under way, the plan is drawn and nothing moves."""
-        expect(self.page.locator("#stage")).to_have_attribute("aria-busy", "false", timeout=ANSWER_MS)
-        expect(self.page.locator(IN_WORK)).to_have_count(0, timeout=ANSWER_MS)
-        for _ in range(ANSWER_MS // POLL_MS):
-            if not self.state()["moving"]:
-                return
-            self.page.wait_for_timeout(POLL_MS)
-        raise AssertionError("the canvas does not come to rest")
+        assert self.page.evaluate(COME_TO_REST, ANSWER_MS), "the page does not come to rest"
 
     def idle(self, frames: int = 30) -> int:
         """How many frames the page draws while the browser shows so many."""
