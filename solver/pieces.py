@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from solver.body_rows import LooksBySize
-from solver.geometry import Rect, gaps_between, strip, turned
+from solver.geometry import ALONG_X, Rect, gaps_between, strip, turned
 from solver.records import late, maker_in
 
 Extents = tuple[int, int, int]
@@ -52,6 +52,21 @@ class Doorway(NamedTuple):
     walked: Walked = "through"
 
 
+class Opened(NamedTuple):
+    """An opening of the room: its kind, wall, and the ends of its stretch along that wall, mm."""
+
+    kind: str
+    wall: str
+    interval: tuple[int, int]
+    across: int
+
+    @property
+    def centre(self) -> tuple[int, int]:
+        """Its middle on the wall's line (x, z), mm."""
+        along = sum(self.interval) // 2
+        return (along, self.across) if self.wall in ALONG_X else (self.across, along)
+
+
 @dataclass(frozen=True)
 class Space:
     """Where a room's furniture may stand.
@@ -70,6 +85,8 @@ class Space:
     """How wide the ways from door to door shall be where that is wider than who walks."""
     cover_mm2: int = 0
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
+    openings: tuple[Opened, ...] = ()
+    """Those of the room's openings whose wall it tells."""
 
     @property
     def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:
@@ -236,8 +253,9 @@ NamedKinds = tuple[NamedKind, ...]
 class WantedRows(NamedTuple):
     """What the core furnishes and places in one go: a room and its type as bytes, and what the numbers of its answer mean.
 
-    `kinds` are those of the room's type, `looks` is how furniture of these looks. `labels` returns the labels of wanted pieces, in their
-    order, from rows of spec, number and side of floor (NameRow of core/rooms/made.hpp), `candidate` a candidate from its row and them.
+    `kinds` are those of the room's type, `looks` is how furniture of these looks. `label` returns the label of a wanted piece from
+    rows of spec, number and side of floor (NameRow of core/rooms/made.hpp) and its place among them, `candidate` a candidate from its row
+    and all labels.
     """
 
     space: Space
@@ -245,7 +263,7 @@ class WantedRows(NamedTuple):
     room_rows: bytes
     kinds: NamedKinds
     looks: LooksBySize
-    labels: Callable[[Sequence[tuple[int, int, int]]], list[str]]
+    label: Callable[[Sequence[tuple[int, int, int]], int], str]
     candidate: Callable[[bytes, Sequence[str]], Candidate]
 
 

@@ -25,7 +25,7 @@ _SIDE, _SEAT, _SURFACE = 1, 2, 3
 """What a slot is called by."""
 _FLOOR: Final = "floor"
 """The kind of floor that is better kept free."""
-_FLOORS: Final = ("floor at the", "floor opened over at the", "floor asked for at the", "")
+_FLOORS: Final = ("floor at the", "floor opened over at the", "floor asked for at the")
 _TURNING: Final = 12
 _PERSON_MM: Final = 1800
 """Height of the space to be kept free there."""
@@ -70,27 +70,27 @@ def answer_of(data: bytes) -> Answer:
     return Answer(state, *tables)
 
 
-def labels_of(known: CompiledType, rows: Sequence[tuple[int, int, int]]) -> list[str]:
-    """Returns the labels of wanted pieces, in their order.
+def label_of(known: CompiledType, rows: Sequence[tuple[int, int, int]], at: int) -> str:
+    """Returns the label of a wanted piece.
 
     Args:
         known: the room's type.
-        rows: of each its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them, and the side,
-            four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in.
+        rows: of each wanted piece its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them and
+            the side, four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in.
+        at: its place among them.
     """
-    labels: list[str] = []
-    for spec, number, side in rows:
-        if side < 0:
-            labels.append(f"{known.specs[spec].piece}_{number}")
-        else:
-            sort, at = _FLOORS[side // len(SIDES)], SIDES[side % len(SIDES)]
-            labels.append(f"{sort} {at} of {labels[number]}" if side < _TURNING else "floor to turn in")
-    return labels
+    spec, number, side = rows[at]
+    if side < 0:
+        return f"{known.specs[spec].piece}_{number}"
+    if side >= _TURNING:
+        return "floor to turn in"
+    return f"{_FLOORS[side // len(SIDES)]} {SIDES[side % len(SIDES)]} of {label_of(known, rows, number)}"
 
 
 def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     """Returns the pieces of an answer."""
-    labels = labels_of(known, [(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces])
+    named = [(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces]
+    labels = [label_of(known, named, at) for at in range(len(named))]
     candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
     pieces = []
     for label, (spec_at, _, kind_at, ways, bonds, side, required, with_next, skip_cost) in zip(labels, answer.pieces, strict=True):

@@ -10,7 +10,7 @@ from catalogs.relation_keys import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
-from solver.furnish.core_rows import Answer, answer_of, candidate_in, labels_of, pieces_of, place_rows, room_rows
+from solver.furnish.core_rows import Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
 from solver.furnish.zones import scope_of
 from solver.pieces import Piece, Space, WantedRows
 from solver.scene import Room
@@ -38,7 +38,7 @@ def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) ->
     """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
     known = compiled_type(catalogs.rooms.get(room.type), catalogs, room.type)
     rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
-    told = partial(labels_of, known), partial(candidate_in, known)
+    told = partial(label_of, known), partial(candidate_in, known)
     return WantedRows(space, known.data, rows + place_rows(space), known.named, known.looks, *told)
 
 

@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, edges_round, strip_at, tiles_between, to_mm
-from solver.pieces import Doorway, Space, Zone
-from solver.relations.subject import Opened, Scope
+from solver.pieces import Doorway, Opened, Space, Zone
+from solver.relations.subject import Scope
 from solver.scene import WALLS, Opening, Room, Sides
 
 DOOR_SQUARE_MM = 900
@@ -30,10 +30,12 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
     lines, edges, half = bounds_of(room), outline_edges(room), (to_mm(wall_thickness) + 1) // 2
     zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
     doorways: list[Doorway] = []
+    openings: list[Opened] = []
     for opening in room.openings:
         line = _line_among(lines, edges, opening)
         if line is None:
             continue
+        openings.append(_opened(opening, line))
         zone = opening_zone(opening, line, lines)
         if zone is None:
             continue
@@ -44,7 +46,15 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
-    return Space(room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width), cover_mm2=cover_mm2)
+    return Space(
+        room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width), cover_mm2=cover_mm2, openings=tuple(openings)
+    )
+
+
+def _opened(opening: Opening, line: WallLine) -> Opened:
+    """Returns an opening as the relations see it, in a stretch of wall line."""
+    centre, half = line[2] + to_mm(opening.position), to_mm(opening.width) // 2
+    return Opened(opening.kind, line[0], (centre - half, centre + half), line[1])
 
 
 def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
@@ -58,16 +68,8 @@ def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
 
 
 def scope_of(room: Room, space: Space) -> Scope:
-    """Returns a room as the relations see it, with the openings whose wall it tells."""
-    found: list[Opened] = []
-    lines, edges = bounds_of(room), outline_edges(room)
-    for opening in room.openings:
-        line = _line_among(lines, edges, opening)
-        if line is not None:
-            wall, across, start, _ = line
-            centre, half = start + to_mm(opening.position), to_mm(opening.width) // 2
-            found.append(Opened(opening.kind, wall, (centre - half, centre + half), across))
-    return Scope(space.clear, tuple(found), space.gap_mm, room.exterior_walls or Sides())
+    """Returns a room as the relations see it; `space` is its own."""
+    return Scope(space.clear, space.openings, space.gap_mm, room.exterior_walls or Sides())
 
 
 def bounds_of(room: Room) -> Rect:

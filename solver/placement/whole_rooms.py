@@ -125,16 +125,16 @@ class _Placing:
     standing: StandingRows
 
     def __call__(self) -> tuple[Placed, ...]:
-        labels, candidate = self.labels, self.room.candidate
+        labels, candidate = [self.room.label(self.named, at) for at in range(len(self.named))], self.room.candidate
         return tuple(
             Placed(labels[piece], candidate(way, labels), rotation, _WALL_NAMES[wall], Rect(x0, z0, x1, z1))
             for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
         )
 
     @cached_property
-    def labels(self) -> list[str]:
-        """The labels of the wanted pieces."""
-        return self.room.labels([*_NAME.iter_unpack(self.names)])
+    def named(self) -> list[tuple[int, int, int]]:
+        """The rows of the wanted pieces' labels."""
+        return [*_NAME.iter_unpack(self.names)]
 
 
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
@@ -154,8 +154,8 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
 def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
     """Yields the label of each piece that was left out, and why."""
     gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
-    labels, kinds = placing.labels, room.kinds
+    named, kinds = placing.named, room.kinds
     for piece, why, parent, kind, at_walls, *free in rows:
         longest = [free[number] for number in _AS_NAMED] if at_walls else ()
-        at = named_parent(labels[parent], parent in gone) if parent >= 0 else None
-        yield labels[piece], f"{_WHY[why]}; {room_needed(kinds[kind], at, longest, holds)}"
+        at = named_parent(room.label(named, parent), parent in gone) if parent >= 0 else None
+        yield room.label(named, piece), f"{_WHY[why]}; {room_needed(kinds[kind], at, longest, holds)}"

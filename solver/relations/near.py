@@ -4,9 +4,10 @@ import math
 
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, Rect
+from solver.pieces import Opened
 from solver.relations.centred import about
 from solver.relations.relation import SOUGHT, Box, Fit, Relation, Standing, Tolerance, distance_mm
-from solver.relations.subject import Footing, Opened, Scope
+from solver.relations.subject import Footing, Scope
 
 NEAR_MM = 1500
 """How far is near where the relation names no distance."""

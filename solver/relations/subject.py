@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
-from solver.geometry import ALONG_X, Rect, to_mm
-from solver.pieces import Extents, Stance, Stand
+from solver.geometry import Rect, to_mm
+from solver.pieces import Extents, Opened, Stance, Stand
 from solver.relations.knee_room import PartBox, boxes_of
 from solver.scene import Sides
 
@@ -19,21 +19,6 @@ TALL_MM, SHALLOW_MM = 1200, 900
 """What is as tall as that, and no deeper, is used from one side and stands at a wall."""
 LEAST_USED_MM = (300, 300)
 """Shorter side and height of the smallest thing that a person has to come to."""
-
-
-class Opened(NamedTuple):
-    """An opening of the room: its kind, wall, and the ends of its stretch along that wall, mm."""
-
-    kind: str
-    wall: str
-    interval: tuple[int, int]
-    across: int
-
-    @property
-    def centre(self) -> tuple[int, int]:
-        """Its middle on the wall's line (x, z), mm."""
-        along = sum(self.interval) // 2
-        return (along, self.across) if self.wall in ALONG_X else (self.across, along)
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from solver.furnish import space_of
+from solver import Request, generate
+from solver.furnish import space_of, zones
 from solver.geometry import Rect
 from solver.scene import Opening, Room
 
@@ -119,3 +120,15 @@ def test_an_opening_may_name_an_edge_of_the_outline(edge: int, position: float, 
     space = space_of(room(Opening("d", "door", None, position, 0.9, edge=edge), outline=L_SHAPE), 0.1)
     assert [zone.rect for zone in space.zones if zone.cause == "d"] == [rect]
     assert space.doorways[0].wall == ("north", "east", "south", "east", "south", "west")[edge]
+
+
+def test_each_opening_of_a_home_is_sought_in_its_wall_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    sought, seek = list[str](), zones._line_among
+
+    def seeking(lines: Rect, edges: list[zones.WallLine], opening: Opening) -> zones.WallLine | None:
+        sought.append(opening.id)
+        return seek(lines, edges, opening)
+
+    monkeypatch.setattr(zones, "_line_among", seeking)
+    made = generate(Request(program="studio", seed=3)).scene
+    assert sorted(sought) == sorted(opening.id for room in made.rooms for opening in room.openings)

@@ -10,9 +10,10 @@ from catalogs.checks import BETWEEN, TO_SOMETHING
 from catalogs.relation_keys import EVERY, KEYS
 from catalogs.schema import RelationSpec, RelationWord
 from solver.geometry import Rect
+from solver.pieces import Opened
 from solver.relations import RELATIONS, Relation
 from solver.relations.relation import Fit
-from solver.relations.subject import Footing, Opened, Scope
+from solver.relations.subject import Footing, Scope
 
 CLEAR = Rect(0, 0, 5000, 4000)
 SCOPE = Scope(CLEAR, (Opened("door", "south", (1000, 1900), 4000), Opened("window", "north", (2000, 3400), 0)))

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect
-from solver.pieces import LOOKS_AT, Candidate, Link
+from solver.pieces import LOOKS_AT, Candidate, Link, Opened
 from solver.relations.relation import distance_mm, missed
-from solver.relations.subject import Kind, Opened, Scope, Subject
+from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
 from tests.furnish.reference.slots import slots_of
 
