@@ -211,10 +211,10 @@ def bounds_of_points(points: Sequence[tuple[float, float]]) -> tuple[float, floa
     return min(xs), min(zs), max(xs), max(zs)
 
 
-def gaps_between(whole: tuple[int, int], blocked: Iterable[tuple[int, int]]) -> list[tuple[int, int]]:
+def gaps_between(whole: tuple[Number, Number], blocked: Iterable[tuple[Number, Number]]) -> list[tuple[Number, Number]]:
     """Returns what intervals leave free of a whole interval, from its low end up."""
     at, high = whole
-    free: list[tuple[int, int]] = []
+    free: list[tuple[Number, Number]] = []
     for start, end in sorted(blocked):
         if start > at:
             free.append((at, min(start, high)))

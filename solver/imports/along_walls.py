@@ -8,6 +8,7 @@ from typing import Final
 
 import numpy as np
 
+from solver.geometry import doubled_area, edges_round, gaps_between
 from solver.imports.drawn import DrawnAlong, DrawnRoom, DrawnWall, Spot
 
 PARALLEL: Final = 0.02
@@ -26,9 +27,8 @@ def outer_walls(rooms: Sequence[DrawnRoom], thicknesses: Sequence[Sequence[float
     """
     lines = _Lines(rooms)
     for number, (room, own) in enumerate(zip(rooms, thicknesses, strict=True)):
-        pairs = list(zip(room.points, (*room.points[1:], *room.points[:1]), strict=True))
-        clockwise = 1 if sum(x * next_z - next_x * z for (x, z), (next_x, next_z) in pairs) >= 0 else -1
-        for (a, b), thickness in zip(pairs, own, strict=False):
+        clockwise = 1 if doubled_area(room.points) >= 0 else -1
+        for (a, b), thickness in zip(edges_round(room.points), own, strict=False):
             length = math.dist(a, b)
             if thickness is None or not length:
                 continue
@@ -44,7 +44,7 @@ class _Lines:
     def __init__(self, rooms: Sequence[DrawnRoom]) -> None:
         self._edges: dict[tuple[int, int, float], list[tuple[int, float, float]]] = defaultdict(list)
         for number, room in enumerate(rooms):
-            for a, b in zip(room.points, (*room.points[1:], *room.points[:1]), strict=True):
+            for a, b in edges_round(room.points):
                 for axis in (0, 1):
                     if a[1 - axis] == b[1 - axis]:
                         ends = min(a[axis], b[axis]), max(a[axis], b[axis])
@@ -55,13 +55,8 @@ class _Lines:
         axis = 0 if a[1] == b[1] else 1
         ahead = 1 if b[axis] >= a[axis] else -1
         others = self._edges.get((level, axis, a[1 - axis]), []) if a[1 - axis] == b[1 - axis] else []
-        taken = [sorted((ahead * (low - a[axis]), ahead * (high - a[axis]))) for room, low, high in others if room != number]
-        at, length, found = 0.0, math.dist(a, b), []
-        for low, high in sorted(taken):
-            if low > at:
-                found.append((at, min(low, length)))
-            at = max(at, high)
-        return [(low, high) for low, high in (*found, (at, length)) if high > low]
+        ends = ((ahead * (low - a[axis]), ahead * (high - a[axis])) for room, low, high in others if room != number)
+        return gaps_between((0.0, math.dist(a, b)), ((min(pair), max(pair)) for pair in ends))
 
 
 def drawn_along(rooms: Sequence[DrawnRoom], walls: Sequence[DrawnWall]) -> tuple[DrawnAlong, float | None]:
@@ -76,7 +71,7 @@ def drawn_along(rooms: Sequence[DrawnRoom], walls: Sequence[DrawnWall]) -> tuple
     within = float(thick[thick >= thick.max() / THINNER].min()) * WITHIN
     on_line = measured = 0.0
     for room in rooms:
-        for a, b in zip(room.points, (*room.points[1:], *room.points[:1]), strict=True):
+        for a, b in edges_round(room.points):
             length = math.dist(a, b)
             if not length:
                 continue

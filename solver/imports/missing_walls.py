@@ -1,9 +1,10 @@
 """Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Final
 
+from solver.geometry import gaps_between
 from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes, Spot
 from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
@@ -44,7 +45,7 @@ def passages(
             taken = [_of_wall(wall, edge) for wall in walls] + [
                 (one.low, one.high) for one in found if edge in one.edges or other in one.edges
             ]
-            for low, high in _left(span, sorted(part for part in taken if part)):
+            for low, high in _left(span, (part for part in taken if part)):
                 is_gap = drawn or (high - low <= WIDEST and span != (low, high))
                 if high - low >= NARROWEST and is_gap:
                     walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
@@ -69,18 +70,9 @@ def _of_wall(wall: DrawnWall, edge: PlanEdge) -> AlongWall | None:
     return math.floor(low - wall.thickness / 2), math.ceil(high + wall.thickness / 2)
 
 
-def _left(span: AlongWall, taken: Sequence[AlongWall]) -> list[AlongWall]:
+def _left(span: AlongWall, taken: Iterable[AlongWall]) -> list[AlongWall]:
     """Returns the stretches of a span that nothing takes, each as long as one whose middle is on whole mm."""
-    left, low = [], span[0]
-    for start, end in taken:
-        if start > low:
-            left.append((low, min(start, span[1])))
-        low = max(low, end)
-        if low >= span[1]:
-            break
-    else:
-        left.append((low, span[1]))
-    return [(low, high - (high - low) % 2) for low, high in left]
+    return [(low, high - (high - low) % 2) for low, high in gaps_between(span, taken)]
 
 
 def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> tuple[FloorCorners, int]:

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import count
-from typing import Final
+from typing import Final, TypeVar
 
 from catalogs import Catalogs
 from catalogs.kind_book import UPRIGHT
@@ -16,6 +16,7 @@ from solver.imports.rectilinear import FloorCorner
 from solver.imports.unsized_things import with_usual_sizes
 from solver.scene import Decoration, Furniture, Room
 
+Body = TypeVar("Body", Furniture, Decoration)
 LIVING: Final = "dynamic"
 """The category of who is no furniture."""
 SEAT_WIDTH: Final = 0.8
@@ -70,14 +71,15 @@ def with_pieces(
             if piece.usual:
                 unsized[piece.name, _written(sizes)] += 1
             body = _named(body, f"{room.id}/small_", len(decorations[place]), taken)
-            decorations[place].append(_decoration(body, kind))
+            decorations[place].append(_written_body(Decoration, body, kind))
         elif meaning is not None and meaning.sort == "other":
             notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
         else:
             if piece.usual:
                 notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
             body = _named(body, f"{room.id}/", len(furniture[place]), taken)
-            furniture[place].append(_furniture(_on_whole_mm(body), furniture[place], kind))
+            body = _on_whole_mm(body)
+            furniture[place].append(replace(_written_body(Furniture, body, kind), on=_under(body, furniture[place])))
     for (name, usual), many in unsized.items():
         notes.guess("plan", "size", usual, f"{name!r:.60}: the file gives no size of {many} of them")
     return [
@@ -175,18 +177,9 @@ def _shared(a: Furniture, b: Furniture) -> float:
     return min(across - abs(a.x - b.x), along - abs(a.z - b.z))
 
 
-def _furniture(piece: DrawnPiece, there: Sequence[Furniture], kind: str | None) -> Furniture:
+def _written_body(of: type[Body], piece: DrawnPiece, kind: str | None) -> Body:
     width, depth, height = piece.size or (0.0, 0.0, 0.0)
-    return Furniture(
-        piece.id, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
-        rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, on=_under(piece, there),
-        kind=kind,
-    )  # fmt: skip
-
-
-def _decoration(piece: DrawnPiece, kind: str | None) -> Decoration:
-    width, depth, height = piece.size or (0.0, 0.0, 0.0)
-    return Decoration(
+    return of(
         piece.id, piece.name, x=piece.x, y=round(max(piece.y, 0.0), 4), z=piece.z,
         rotation=round(piece.rotation % 360, 3) % 360, width=width, depth=depth, height=height, color=piece.color, kind=kind,
     )  # fmt: skip

@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 from math import isnan
-from typing import Any, Final, TypeVar, overload
+from typing import Any, Final, TypeAlias, TypeVar, overload
+from xml.etree.ElementTree import Element
 
 from solver.errors import FieldError
 from solver.plain import is_text
@@ -12,6 +13,8 @@ FARTHEST: Final = 1e9
 LONGEST: Final = 200
 """Letters of a text that are kept."""
 Default = TypeVar("Default", float, None)
+Written: TypeAlias = Mapping[str, str] | Element
+"""What says texts by their names."""
 
 
 def an_object(value: object, where: str) -> Mapping[str, Any]:
@@ -57,6 +60,20 @@ def a_number(said: Mapping[str, Any], key: str, where: str, default: float | str
             place, "is not a number" if isinstance(value, float) and isnan(value) else "is too large", f"a number up to {FARTHEST:g}"
         )
     return float(value)
+
+
+@overload
+def number_in(said: Written, key: str, where: str, /) -> float: ...
+@overload
+def number_in(said: Written, key: str, where: str, default: Default, /) -> float | Default: ...
+def number_in(said: Written, key: str, where: str, /, *default: float | None) -> float | None:
+    """Returns a number that is written as text, as `a_number` does."""
+    text = said.get(key)
+    try:
+        value: object = None if text is None else float(text)
+    except ValueError:
+        value = text
+    return a_number({key: value}, key, where, *default)
 
 
 def a_text(said: Mapping[str, Any], key: str, where: str) -> str:

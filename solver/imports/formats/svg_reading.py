@@ -27,7 +27,7 @@ from solver.imports.formats.svg_elements import (
     unescaped,
     view_of,
 )
-from solver.imports.plain_values import a_number, one_of
+from solver.imports.plain_values import a_number, number_in, one_of
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
@@ -69,32 +69,19 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
     unit = _unit_of(said, openings) if openings or stated else PlanUnit(plan.metres, plan.unit_words)
     openings = openings or list(plan.openings)
-    thickness = _attribute(said, "data-wall-thickness", "svg")
+    thickness = number_in(said, "data-wall-thickness", "svg", None)
     drawn: DrawnAlong = "inner" if one_of(said, "data-drawn", ("", "lines", "inner"), "svg") == "inner" else "lines"
-    level = int(_attribute(said, "data-level", "svg") or 0)
-    pieces = tuple(_pieces(elements, unit.metres, _attribute(said, "data-elevation", "svg") or 0.0))
+    level = int(number_in(said, "data-level", "svg", None) or 0)
+    elevation = number_in(said, "data-elevation", "svg", None)
+    pieces = tuple(_pieces(elements, unit.metres, elevation or 0.0))
     solid = tuple(outer_walls([room for room, _ in drawn_rooms], [_outer(element) for _, element in drawn_rooms], thickness or 0.0))
     return DrawnPlan(
         tuple(rooms), tuple(openings), () if stated else plan.walls, pieces,
-        plan.levels or (DrawnLevel(level, "", _attribute(said, "data-elevation", "svg"), _attribute(said, "data-level-height", "svg")),),
+        plan.levels or (DrawnLevel(level, "", elevation, number_in(said, "data-level-height", "svg", None)),),
         metres=unit.metres, drawn=drawn if stated or "data-drawn" in said else plan.drawn,
         wall_thickness=plan.wall_thickness if thickness is None else thickness, unread=() if stated else plan.unread,
         unit_words=unit.words, solid=solid or (() if stated else plan.solid), faces=() if stated else plan.faces,
     )  # fmt: skip
-
-
-def _attribute(said: Mapping[str, str], key: str, where: str) -> float | None:
-    """Returns an attribute that is a number, None where it is missing.
-
-    Raises:
-        FieldError: it is none.
-    """
-    text = said.get(key)
-    try:
-        value: object = None if text is None else float(text)
-    except ValueError:
-        value = text
-    return a_number({key: value}, key, where, None)
 
 
 def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> PlanUnit:
@@ -105,7 +92,7 @@ def _unit_of(said: Mapping[str, str], openings: Sequence[DrawnOpening]) -> PlanU
     if not found or found[2] not in PIXELS or found[2] in ("", "px"):
         return _of_pixels(openings)
     paper = PIXELS[found[2]] / PIXELS["mm"] / 1000 * float(found[1]) / (view[2] if view else float(found[1]) * PIXELS[found[2]])
-    scale = _attribute({**said, "data-scale": said["data-scale"].removeprefix("1:")} if "data-scale" in said else said, "data-scale", "svg")
+    scale = number_in({"data-scale": said["data-scale"].removeprefix("1:")} if "data-scale" in said else {}, "data-scale", "svg", None)
     if scale:
         return PlanUnit(paper * scale)
     doors = [math.dist(one.start, one.end) * paper for one in openings if one.kind == "door"]
@@ -126,7 +113,7 @@ def _of_pixels(openings: Sequence[DrawnOpening]) -> PlanUnit:
 def _outer(element: SvgElement) -> list[float | None]:
     """Returns how thick a room says that its outer walls are, by edge of its outline; None where it says `-`."""
     words = element.said.get("data-outer-walls", "").split()
-    return [None if word == "-" else _attribute({"data-outer-walls": word}, "data-outer-walls", element.where) for word in words]
+    return [None if word == "-" else number_in({"data-outer-walls": word}, "data-outer-walls", element.where, None) for word in words]
 
 
 def _room(element: SvgElement, points: tuple[Spot, ...]) -> DrawnRoom:
@@ -159,8 +146,8 @@ def _opening(element: SvgElement) -> Iterator[DrawnOpening]:
             f"{where}.data-towards", f"is {said['data-towards']!r:.40}", "two numbers: a point on the side it swings to"
         ) from None
     yield DrawnOpening(
-        next(one for one in OPENINGS if one == kind), start, end, where, _attribute(said, "data-height", where),
-        _attribute(said, "data-sill", where), hinge=_end(hinge), towards=aim, main_entrance=main == "true" if main else None,
+        next(one for one in OPENINGS if one == kind), start, end, where, number_in(said, "data-height", where, None),
+        number_in(said, "data-sill", where, None), hinge=_end(hinge), towards=aim, main_entrance=main == "true" if main else None,
         id=said.get("data-id", ""),
     )  # fmt: skip
 
@@ -185,7 +172,7 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
             raise FieldError(f"{where}.data-size", f"is {size!r:.40}", "width, depth, height in m") from None
         x, z = placed(element.matrix, (0.0, 0.0), where)
         turn = -math.degrees(math.atan2(element.matrix[1], element.matrix[0]))
-        y = (_attribute(said, "data-y", where) or 0.0) / metres - elevation
+        y = (number_in(said, "data-y", where, None) or 0.0) / metres - elevation
         name = said.get("data-name") or said.get("data-kind") or "thing"
         yield DrawnPiece(
             name, x, z, y, turn, (width, depth, height), where, id=said.get("data-id", ""),

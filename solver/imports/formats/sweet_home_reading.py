@@ -29,7 +29,7 @@ from solver.imports.drawn import (
     check_count,
     check_plan,
 )
-from solver.imports.plain_values import a_number
+from solver.imports.plain_values import number_in
 from solver.imports.shapes_plan import DrawnText, labelled, text_at
 from solver.imports.walls_alone import with_rooms_between
 
@@ -91,7 +91,7 @@ def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catal
         elif element.tag == "doorOrWindow":
             openings.append(_opening(element, where, level))
         elif element.tag == "label":
-            spot, words = (_number(element, "x", where), _number(element, "y", where)), element.findtext("text", "")[:LONGEST]
+            spot, words = (number_in(element, "x", where), number_in(element, "y", where)), element.findtext("text", "")[:LONGEST]
             texts[level] += [text for text in (text_at(words, spot, names),) if text.means]
         elif element.tag in PIECES:
             pieces += _piece(element, where, level, unread)
@@ -108,27 +108,13 @@ class _Storey:
 
     def __init__(self, element: Element, where: str) -> None:
         self.name, self.said = element.get("id", ""), element.get("name", "")
-        self.elevation, self.height = _number(element, "elevation", where, 0.0), _number(element, "height", where, 250.0)
-        self.order = _number(element, "elevationIndex", where, 0.0)
+        self.elevation, self.height = number_in(element, "elevation", where, 0.0), number_in(element, "height", where, 250.0)
+        self.order = number_in(element, "elevationIndex", where, 0.0)
 
 
 def _levels(root: Element) -> list[_Storey]:
     found = [_Storey(element, where) for element, where in numbered(root.iter("level"), HOME)]
     return sorted(found, key=lambda one: (one.elevation, one.order))
-
-
-def _number(element: Element, key: str, where: str, default: float | None = None) -> float:
-    """Returns an attribute that is a number.
-
-    Raises:
-        FieldError: it is none; or it is missing and there is no default.
-    """
-    text = element.get(key)
-    try:
-        value: object = None if text is None else float(text)
-    except ValueError:
-        value = text
-    return a_number({key: value}, key, where) if default is None else a_number({key: value}, key, where, default)
 
 
 def _said(element: Element) -> dict[str, str]:
@@ -137,7 +123,7 @@ def _said(element: Element) -> dict[str, str]:
 
 def _room(element: Element, where: str, level: int) -> DrawnRoom:
     points = tuple(
-        (_number(point, "x", f"{where} point[{at}]"), _number(point, "y", f"{where} point[{at}]"))
+        (number_in(point, "x", f"{where} point[{at}]"), number_in(point, "y", f"{where} point[{at}]"))
         for at, point in enumerate(element.findall("point"))
     )
     said = _said(element)
@@ -159,16 +145,16 @@ def _color(said: str) -> str | None:
 
 
 def _wall(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnWall]:
-    if _number(element, "arcExtent", where, 0.0):
+    if number_in(element, "arcExtent", where, 0.0):
         unread.append(Unread(where, "a round wall: the rooms' outlines tell where it is"))
         return
-    start, end = ((_number(element, f"x{at}", where), _number(element, f"y{at}", where)) for at in ("Start", "End"))
-    yield DrawnWall(start, end, _number(element, "thickness", where, 0.0), where, level)
+    start, end = ((number_in(element, f"x{at}", where), number_in(element, f"y{at}", where)) for at in ("Start", "End"))
+    yield DrawnWall(start, end, number_in(element, "thickness", where, 0.0), where, level)
 
 
 def _opening(element: Element, where: str, level: int) -> DrawnOpening:
-    x, y, angle = _number(element, "x", where), _number(element, "y", where), _number(element, "angle", where, 0.0)
-    half, sill = _number(element, "width", where) / 2, _number(element, "elevation", where, 0.0)
+    x, y, angle = number_in(element, "x", where), number_in(element, "y", where), number_in(element, "angle", where, 0.0)
+    half, sill = number_in(element, "width", where) / 2, number_in(element, "elevation", where, 0.0)
     c, s = math.cos(angle), math.sin(angle)
     start, end = (x - half * c, y - half * s), (x + half * c, y + half * s)
     said = _said(element)
@@ -177,8 +163,8 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     towards = None
     sashes = element.findall("sash")
     if len(sashes) in (1, 2):  # of a door of two leaves the first one is told of: the other hangs opposite
-        axis, turn = _number(sashes[0], "xAxis", where, 0.0), 0.0
-        first, last = _number(sashes[0], "startAngle", where, 0.0), _number(sashes[0], "endAngle", where, 0.0)
+        axis, turn = number_in(sashes[0], "xAxis", where, 0.0), 0.0
+        first, last = number_in(sashes[0], "startAngle", where, 0.0), number_in(sashes[0], "endAngle", where, 0.0)
         mirrored = element.get("modelMirrored") == "true"
         hinge = "start" if (axis < 0.5) != mirrored else "end"
         turn = math.sin(last) if abs(math.sin(last)) > abs(math.sin(first)) else math.sin(first)
@@ -187,7 +173,7 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     kind = _kind(name, sill, said.get("kind", ""))
     main = said["main_entrance"] == "true" if "main_entrance" in said else None
     return DrawnOpening(
-        kind, start, end, where, _number(element, "height", where, 210.0), sill, level, hinge, towards, main, id=said.get("id", "")
+        kind, start, end, where, number_in(element, "height", where, 210.0), sill, level, hinge, towards, main, id=said.get("id", "")
     )
 
 
@@ -207,14 +193,14 @@ def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> It
         unread.append(Unread(where, f"{name!r:.60}: it is hidden"))
         return
     said = _said(element)
-    size = (_number(element, "width", where), _number(element, "depth", where), _number(element, "height", where))
+    size = (number_in(element, "width", where), number_in(element, "depth", where), number_in(element, "height", where))
     color = element.get("color", "")
     yield DrawnPiece(
         said.get("name", name),
-        _number(element, "x", where),
-        _number(element, "y", where),
-        _number(element, "elevation", where, 0.0),
-        -math.degrees(_number(element, "angle", where, 0.0)),
+        number_in(element, "x", where),
+        number_in(element, "y", where),
+        number_in(element, "elevation", where, 0.0),
+        -math.degrees(number_in(element, "angle", where, 0.0)),
         size,
         where,
         level,
