@@ -10,14 +10,16 @@ from typing import TypeVar
 
 T = TypeVar("T")
 _MASK = (1 << 64) - 1
+_BEGUN = blake2b(digest_size=8)
 
 
 class Stream:
     """A stream of random numbers named by (seed, stage, room): the room's index or id, or any finer name; empty for the whole house."""
 
     def __init__(self, seed: int, stage: str, room: int | str = "") -> None:
-        digest = blake2b(f"{seed}/{stage}/{room}".encode(), digest_size=8).digest()
-        self.state = int.from_bytes(digest, "little")
+        digest = _BEGUN.copy()  # takes a quarter less time than a new one
+        digest.update(f"{seed}/{stage}/{room}".encode())
+        self.state = int.from_bytes(digest.digest(), "little")
         """Where the stream is: 64 bits; the core's streams go on from here."""
 
     def bits(self) -> int:
