@@ -5,9 +5,9 @@ Not here: candidates (furnish), reading documents (service).
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from types import MappingProxyType
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 from annotated_types import Ge, Le, MaxLen, MinLen
 
@@ -20,9 +20,12 @@ from catalogs.synonyms import synonyms_of
 from solver.answers import Conflict, Issue
 from solver.errors import RequestError, all_of
 from solver.fields import GIVEN, STRICT, WHOLE, Flag, Record
-from solver.relations import RELATIONS
+from solver.relations.rows import RELATION_WORDS
 from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Room, Scene
+
+if TYPE_CHECKING:
+    from solver.relations.asking import Traits
 
 MOST_PIECES: Final = 64
 """Most pieces of one request, copies counted; our choice: a furnished living room holds fifteen."""
@@ -36,8 +39,6 @@ LEAST_LENGTH: Final = 0.001
 """Smallest size of a wished piece, m: the lattice's step."""
 RELATION_COST: Final = 6.0
 """What doing without a relation costs where the request does not say: as much as moving 2.4 m."""
-GIVING_PLACE: Final = tuple(word for word, relation in RELATIONS.items() if relation.gives_place)
-"""Relations that give a piece its place at another one, which must then be placed before it."""
 
 WishedMetres = Annotated[float, STRICT, Ge(LEAST_LENGTH), Le(MOST_LENGTH)]
 WishedName = Annotated[str, MinLen(1), MaxLen(100), STRICT]
@@ -126,7 +127,7 @@ def _check_relation(field: str, request: PieceRequest, rule: RelationSpec, names
         return
     openings = OPENINGS if rule.type in TO_SOMETHING else ()
     known = [*dict.fromkeys(names), *openings]
-    alone = request.count == 1 or not RELATIONS[rule.type].among_copies
+    alone = request.count == 1 or not _traits(rule.type).among_copies
     others = _some([one for one in known if not (alone and one == request.id)])
     if takes and not rule.of:
         raise RequestError(f"{field}.of", f"is missing: {rule.type} is a relation to something", others)
@@ -178,14 +179,14 @@ def _range() -> str:
 def in_order(requests: Sequence[PieceRequest], goes_to: Mapping[str, Collection[str]] = MappingProxyType({})) -> tuple[PieceRequest, ...]:
     """Returns the requests so that each comes after those it refers to or `goes_to` (by id), required ones first, else as given.
 
-    Where they refer to each other in a circle, places at another piece (`GIVING_PLACE`) go before other relations, and then the
+    Where they refer to each other in a circle, places at another piece (`giving_place`) go before other relations, and then the
     given order decides.
     """
     waiting = sorted(requests, key=lambda request: not request.required)
     ordered: list[PieceRequest] = []
     while waiting:
         names = {request.id for request in waiting}
-        every = (*GIVING_PLACE, *BETWEEN, *TO_SOMETHING)
+        every = (*giving_place(), *BETWEEN, *TO_SOMETHING)
         refers = {request.id: _refers(request, every) | {*goes_to.get(request.id, ())} for request in waiting}
         free = _first_free(waiting, names, refers) or _most_wanted(waiting, names, goes_to)
         ordered.append(free)
@@ -196,7 +197,7 @@ def in_order(requests: Sequence[PieceRequest], goes_to: Mapping[str, Collection[
 def _most_wanted(waiting: Sequence[PieceRequest], names: set[str], goes_to: Mapping[str, Collection[str]]) -> PieceRequest:
     """Returns where to cut a circle: the piece that most others refer to, of those that have no place at a waiting one."""
     refers = [other for request in waiting for other in {name for rule in request.relations for name in rule.of} - {request.id}]
-    placed_at = {request.id: _refers(request, GIVING_PLACE) | {*goes_to.get(request.id, ())} for request in waiting}
+    placed_at = {request.id: _refers(request, giving_place()) | {*goes_to.get(request.id, ())} for request in waiting}
     free = [request for request in waiting if _first_free([request], names, placed_at)] or waiting
     return max(free, key=lambda request: refers.count(request.id))
 
@@ -227,6 +228,18 @@ def kinds_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs) -
 def _weighed(rule: RelationSpec) -> RelationSpec:
     """Gives a rule that does not say what it is worth the worth of a wish."""
     return rule if "cost" in rule.model_fields_set else rule.model_copy(update={"cost": RELATION_COST})
+
+
+def _traits(word: str) -> "Traits":
+    from solver.relations.asking import traits  # noqa: PLC0415 - what only reads the types of requests needs no core
+
+    return traits(word)
+
+
+@cache
+def giving_place() -> Sequence[str]:
+    """Returns the relations that give a piece its place at another one, which must then be placed before it."""
+    return [word for word in RELATION_WORDS if _traits(word).gives_place]
 
 
 def relations_of(requests: Sequence[PieceRequest]) -> Iterator[tuple[str, RelationSpec]]:

@@ -4,19 +4,15 @@ A box is a rectangle of where the piece's centre may lie, from the other's centr
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from itertools import product
 from math import inf
 from typing import NamedTuple
 
 from catalogs.schema import RelationSpec
 from solver.furnish.stances import Costed, ListedPiece, PairRelation, cheapest, within_both
-from solver.geometry import Rect, rotate, turned
+from solver.geometry import Rect, rotate
 from solver.pieces import Attach, Candidate, Placed, Stance
-from solver.relations import RELATIONS
-from solver.relations.at_side import whole
-from solver.relations.knee_room import taken
-from solver.relations.on import On
-from solver.relations.relation import ANYWHERE, Fit, missed
+from solver.relations.asking import ANYWHERE, boxes, missed, suits, traits
 from solver.relations.subject import Footing, Kind, Parent
 
 SLIDING_COST = 0.04
@@ -29,7 +25,7 @@ SLACK_MM = 2
 """What halves of odd extents may add up to."""
 BETWEEN_OTHERS = 12
 """Most candidates of a piece between others that stand."""
-ANY_PLACE = Rect(int(ANYWHERE[0]), int(ANYWHERE[0]), int(ANYWHERE[1]), int(ANYWHERE[1]))
+ANY_PLACE = Rect(ANYWHERE[0], ANYWHERE[0], ANYWHERE[1], ANYWHERE[1])
 POINT = (0, 0)
 
 
@@ -50,7 +46,7 @@ def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed
     for label in dict.fromkeys(label for pair in listed.pairs for label in listed.earlier(pair)):
         mine = [pair for pair in listed.pairs if label in listed.earlier(pair)]
         rest = [pair.spec for pair in listed.pairs if label not in listed.earlier(pair)]
-        others = sum(spec.cost * (1.0 if RELATIONS[spec.type].gives_place else UNSURE) for spec in rest)
+        others = sum(spec.cost * (1.0 if traits(spec.type).gives_place else UNSURE) for spec in rest)
         if any(pair.spec.type == "on" for pair in mine):
             yield from _resting_on(listed, [pair.spec for pair in mine], label)
             continue
@@ -64,11 +60,15 @@ def attached(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed
 
 def _resting_on(listed: ListedPiece, specs: Sequence[RelationSpec], label: str) -> Iterator[Candidate]:
     """Yields the places on another piece's surface; it stands as that piece does."""
-    for spec in specs:
-        relation = RELATIONS[spec.type]
-        for slot in relation.slots(listed.subject, spec) if isinstance(relation, On) else ():
-            if slot.attach is not None and slot.attach.parent == label and slot.attach.parent_stance is not None:
-                yield replace(slot, cost=0.0, weights=(FIRM, FIRM), stance=Stance(slot.attach.parent_stance.rotation))
+    kind = listed.kind
+    for spec, parent in product((spec for spec in specs if spec.type == "on"), listed.subject.standing[label]):
+        for box, level in boxes(spec, kind, parent.kind, 0):
+            surface = parent.kind.levels[level]
+            attach = Attach(label, parent.kind.name, (box.x0, box.x1), (box.z0, box.z1), f"on {surface.name}", parent.stance)
+            yield Candidate(
+                kind.name, kind.size, 0, weights=(FIRM, FIRM), attach=attach, on=label, bottom_mm=surface.height_mm,
+                stance=Stance(_stance(parent).rotation),
+            )  # fmt: skip
 
 
 class _Frames:
@@ -79,7 +79,7 @@ class _Frames:
 
     def __init__(self, listed: ListedPiece, pairs: Sequence[PairRelation], others: float) -> None:
         self.listed, self._pairs, self._others = listed, pairs, others
-        pull = FIRM if any(RELATIONS[pair.spec.type].gives_place for pair in pairs) else LOOSE
+        pull = FIRM if any(traits(pair.spec.type).gives_place for pair in pairs) else LOOSE
         self._pulls = (pull, pull)
         clear = listed.space.clear
         self._far = max(clear.width, clear.depth)
@@ -94,16 +94,16 @@ class _Frames:
     def boxes(self, parent: Parent, footing: Footing) -> list[Costed]:
         """Returns boxes that each hold at least one relation, cheapest first."""
         stance = _stance(parent)
-        suits = tuple(_suits(pair, footing.wall, stance.wall) for pair in self._pairs)
+        suiting = tuple(_suits(pair, footing.wall, stance.wall) for pair in self._pairs)
         turn = (footing.rotation - stance.rotation) % 360
-        if (turn, suits) not in self._known:
-            found = _boxes(self.listed, [*zip(self._pairs, suits, strict=True)], parent.kind, turn)
-            self._known[turn, suits] = found
+        if (turn, suiting) not in self._known:
+            found = _boxes(self.listed, [*zip(self._pairs, suiting, strict=True)], parent.kind, turn)
+            self._known[turn, suiting] = found
             for pair in self._pairs:
                 if pair.owner is None and tucks(pair.spec):
                     held = _held_boxes(pair, self.listed.kind, parent.kind, turn)
                     self._tucked |= {(turn, box) for box, _ in found if any(within_both(box, other, POINT) == box for other in held)}
-        return self._known[turn, suits]
+        return self._known[turn, suiting]
 
     def centres(self, box: Rect, parent: Parent) -> Rect:
         """Returns where the centre may be in the room, wherever the other stands so."""
@@ -141,12 +141,7 @@ def _in_room(box: Rect, rotation: int, centre: Rect) -> Rect:
 def _suits(pair: PairRelation, mine: str | None, theirs: str | None) -> bool:
     """Tells whether the walls at the backs of a piece and an earlier one lie as a relation between them wants."""
     walls = (mine, theirs) if pair.owner is None else (theirs, mine)
-    return RELATIONS[pair.spec.type].suits(pair.spec, *walls)
-
-
-def _fit(spec: RelationSpec, own: Kind, other: Kind, turn: int) -> Fit:
-    blocked = taken(other.parts, own.parts, turn) if tucks(spec) else ()
-    return Fit(spec, other.size[:2], turned(*own.size[:2], turn), turn, blocked=blocked)
+    return suits(pair.spec, *walls)
 
 
 def _cheapest(
@@ -155,17 +150,17 @@ def _cheapest(
     """Returns the cheapest places of all stances beside one stance of another piece, those of the likeliest stances first."""
     likely: list[tuple[float, int, Footing, list[Costed], Sequence[Costed]]] = []
     for footing, found in every:
-        boxes = frames.boxes(parent, footing)
-        if boxes and found:
-            likely.append((boxes[0][1] + found[0][1], len(likely), footing, boxes, found))
+        held = frames.boxes(parent, footing)
+        if held and found:
+            likely.append((held[0][1] + found[0][1], len(likely), footing, held, found))
     likely.sort(key=lambda entry: entry[:2])
     places: list[_Beside] = []
     most = frames.listed.kept.beside
-    for least, _, footing, boxes, found in likely:
+    for least, _, footing, held, found in likely:
         if least >= dearest or (len(places) >= most and least >= places[most - 1].cost):
             frames.dropped(least)
             break
-        places += [place for place in _in_both(frames, footing, parent, (boxes, found)) if place.cost < dearest]
+        places += [place for place in _in_both(frames, footing, parent, (held, found)) if place.cost < dearest]
         places.sort(key=lambda place: round(place.cost, 9))
     for place in places[most : most + 1]:
         frames.dropped(place.cost)
@@ -174,8 +169,8 @@ def _cheapest(
 
 def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequence[Costed], Sequence[Costed]]) -> list[_Beside]:
     """Returns the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together."""
-    boxes, found = at
-    pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(boxes) for j, (_, more) in enumerate(found))
+    held, found = at
+    pairs = sorted((cost + more, i, j) for i, (_, cost) in enumerate(held) for j, (_, more) in enumerate(found))
     half_x, half_z = footing.extent[0] // 2, footing.extent[1] // 2
     places: list[_Beside] = []
     for cost, i, j in pairs:
@@ -184,9 +179,9 @@ def _in_both(frames: _Frames, footing: Footing, parent: Parent, at: tuple[Sequen
         if len(places) == frames.listed.kept.places:
             frames.dropped(cost)
             break
-        (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(boxes[i][0], parent)
+        (x0, z0, x1, z1), (low_x, low_z, high_x, high_z) = found[j][0], frames.centres(held[i][0], parent)
         if low_x <= x1 - half_x and x0 + half_x <= high_x and low_z <= z1 - half_z and z0 + half_z <= high_z:
-            places.append(_Beside(cost, footing, boxes[i][0], found[j][0]))
+            places.append(_Beside(cost, footing, held[i][0], found[j][0]))
     return places
 
 
@@ -225,12 +220,12 @@ def _held_at(listed: ListedPiece, pair: PairRelation, footing: Footing, placed: 
         if other is None or other.chosen.stance != parent.stance or pair.spec.type == "on":
             continue
         stance = _stance(parent)
-        suits = _suits(pair, footing.wall, stance.wall)
+        suiting = _suits(pair, footing.wall, stance.wall)
         width, depth = footing.extent
         # Twice the other's centre is whole; its halves are rounded outwards.
         x, z = other.footprint.x0 + other.footprint.x1, other.footprint.z0 + other.footprint.z1
         own = Rect((x - width) // 2, (z - depth) // 2, (x + width + 1) // 2, (z + depth + 1) // 2)
-        for box, cost in _boxes(listed, [(pair, suits)], parent.kind, (footing.rotation - stance.rotation) % 360):
+        for box, cost in _boxes(listed, [(pair, suiting)], parent.kind, (footing.rotation - stance.rotation) % 360):
             if cost < pair.spec.cost:
                 attach = Attach(parent.label, parent.kind.name, (box.x0, box.x1), (box.z0, box.z1), parent_stance=stance)
                 found.append((attach, _in_room(box, other.rotation, own)))
@@ -244,11 +239,10 @@ def tucks(spec: RelationSpec) -> bool:
 
 def _held_boxes(pair: PairRelation, own: Kind, other: Kind, turn: int) -> list[Rect]:
     """Returns the boxes in the other's frame in which a relation surely holds: to it, or its own to this piece."""
-    relation = RELATIONS[pair.spec.type]
     if pair.owner is None:
-        return [whole(box) for box in relation.boxes(_fit(pair.spec, own, other, turn))]
-    boxes = (whole(box) for box in relation.boxes(_fit(pair.spec, other, own, -turn % 360)))
-    return [_in_room(Rect(-box.x1, -box.z1, -box.x0, -box.z0), turn, Rect(0, 0, 0, 0)) for box in boxes]
+        return [box for box, _ in boxes(pair.spec, own, other, turn)]
+    theirs = (box for box, _ in boxes(pair.spec, other, own, -turn % 360))
+    return [_in_room(Rect(-box.x1, -box.z1, -box.x0, -box.z0), turn, Rect(0, 0, 0, 0)) for box in theirs]
 
 
 def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], other: Kind, turn: int) -> list[Costed]:
@@ -257,9 +251,9 @@ def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], othe
     Each relation comes with whether the walls at their backs suit it; `turn` is the own rotation minus the other's.
     """
     found: list[Costed] = [(ANY_PLACE, 0.0)]
-    for pair, suits in pairs:
-        boxes = _held_boxes(pair, listed.kind, other, turn) if suits else []
-        priced = [(box, _sliding(pair.spec, box, turn)) for box in boxes]
+    for pair, suiting in pairs:
+        hold = _held_boxes(pair, listed.kind, other, turn) if suiting else []
+        priced = [(box, _sliding(pair.spec, box, turn)) for box in hold]
         held = [(both, cost + more) for box, cost in found for other_box, more in priced if (both := within_both(box, other_box, POINT))]
         without = missed(pair.spec)
         found = cheapest([*held, *((box, cost + without) for box, cost in found)], listed.kept.boxes, listed.dropped)
@@ -267,7 +261,7 @@ def _boxes(listed: ListedPiece, pairs: Sequence[tuple[PairRelation, bool]], othe
 
 
 def _sliding(spec: RelationSpec, box: Rect, turn: int) -> float:
-    relation = RELATIONS[spec.type]
+    relation = traits(spec.type)
     across = turn % 180 != 0 and not relation.turns
     return SLIDING_COST * ((box.x0 < box.x1) + (box.z0 < box.z1) + across) if relation.gives_place else 0.0
 

@@ -3,36 +3,29 @@
 The rows are those of solver/core/furnish/room_type.hpp, in the same order.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
 from struct import Struct
-from typing import Final, get_args
+from typing import Final
 
 from catalogs.entries import Run
-from catalogs.relation_keys import OPENINGS
-from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RelationWord, RoomType, Variant
+from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType, Variant
 from solver.body_rows import LooksBySize, furniture_look
 from solver.core.core_tables import CoreTables
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
 from solver.pieces import NamedKinds
-from solver.relations.relation import distance_mm
+from solver.relations.rows import LEVEL, NAME, PART, RULE, SIDES, level_row, name_row, part_row, rule_row, side_numbers
 from solver.relations.subject import Kind, SurfaceHeight
 
-SIDES: Final = ("left", "right", "front", "back")
-"""As the core numbers them."""
-WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
-"""How the walls of two pieces should lie, as the core numbers it."""
-RELATION_WORDS: Final[tuple[str, ...]] = get_args(RelationWord)
 _CORNERS: Final = (None, "left", "right")
-_ALIGNS: Final = (None, "back", "centre", "front", "any")
 _SORTS: Final = ("door", "window", "exterior", "plain", "short", "long", "across")
 _ROW: Final = {
     name: Struct(layout)
     for name, layout in {
-        "kind": "<3q14i", "level": "<3q", "part": "<6q", "piece": "<12i4d", "variant": "<2i3d", "rule": "<12i3q2d", "name": "<2i",
+        "kind": "<3q14i", "level": LEVEL, "part": PART, "piece": "<12i4d", "variant": "<2i3d", "rule": RULE, "name": NAME,
         "sort": "<2id", "side": "<i", "comfort": "<2i2qd4q2iq", "order": "<2i", "word": "<i", "worktop": "<i", "landing": "<i",
         "end": "<i", "triangle": "<i", "leaving": "<2iqd",
     }.items()
@@ -136,7 +129,7 @@ class _Tables(CoreTables):
     def _add_kind(self, kind: Kind) -> None:
         sides, spec = sum({1 << SIDES.index(side) for side in kind.use_sides}), self._catalogs.furniture.get(kind.name)
         levels = self._added("level", kind.levels, self._level)
-        parts = self._added("part", kind.parts, lambda part: (*part.rect, part.low, part.high))
+        parts = self._added("part", kind.parts, part_row)
         about = floors_about(spec, self._catalogs.shapes.get(kind.name, ())) if spec else ()
         about += asked_about(self._profile, self._room, self._catalogs.name_of(kind.name)) if self._profile else ()
         use = self._sides(kind.use_sides)
@@ -149,12 +142,12 @@ class _Tables(CoreTables):
         other = -1 if floor.other is None else SIDES.index(floor.other)
         return (SIDES.index(floor.side), floor.opens + floor.along_side, *floor[2:-3], other, floor.off)
 
-    def _sides(self, sides: Iterable[str]) -> tuple[int, int]:
-        return self._added("side", sides, lambda side: (SIDES.index(side),))
+    def _sides(self, sides: Sequence[str]) -> tuple[int, int]:
+        return self._added("side", side_numbers(sides), lambda side: (side,))
 
-    def _level(self, one: SurfaceHeight) -> tuple[int, int, int]:
+    def _level(self, one: SurfaceHeight) -> tuple[int, ...]:
         name = self._surfaces.setdefault(one.name, len(self._surfaces))
-        return one.height_mm, -1 if one.clearance_mm is None else one.clearance_mm, name
+        return level_row(one, name)
 
     def _add_piece(self, spec: PieceSpec) -> None:
         variants = self._added("variant", spec.variants, self._variant)
@@ -169,10 +162,7 @@ class _Tables(CoreTables):
         return self._kind(one.kind), _CORNERS.index(one.corner) - 1, one.cost, one.min_area, inf if one.max_area is None else one.max_area
 
     def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
-        names = self._added("name", rule.of, lambda name: (self._word(name), OPENINGS.index(name) if name in OPENINGS else -1))
+        names = self._added("name", rule.of, lambda name: name_row(self._word(name), name))
         sides = self._sides(rule.sides)
         sorts = self._added("sort", rule.walls.items(), lambda sort: (_SORTS.index(sort[0]), 0, sort[1]))
-        low, high = map(to_mm, rule.gap or (0.0, 0.0))
-        asked = RELATION_WORDS.index(rule.type), rule.required, _ALIGNS.index(rule.align), WALLS_ASKED.index(rule.wall)
-        given = rule.distance is not None, rule.gap is not None
-        return (*asked, *given, *names, *sides, *sorts, distance_mm(rule, 0), low, high, rule.cost, rule.weight)
+        return rule_row(rule, names, sides, sorts)

@@ -4,22 +4,20 @@ from collections.abc import Sequence
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
-from solver.furnish.compiled_types import RELATION_WORDS, SIDES, WALLS_ASKED, CompiledType
+from solver.furnish.compiled_types import CompiledType
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Link, Piece, Space, Stand, Zone
+from solver.relations.rows import RELATION_WORDS, SIDES, WALL, WALLS_ASKED, opened_rows
 from solver.relations.subject import Scope
 from solver.scene import WALLS
 
 _ROOM: Final = Struct("<Qd5q4i")
-_OPENED: Final = Struct("<2i3q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
 _CANDIDATE: Final = Struct("<10i12q2d2q")
 _LINK: Final = Struct("<6i5d")
-_OPENING: Final = {"door": 0, "garage_door": 1, "window": 2, "passage": 3}
-_WALL: Final = {wall: i for i, wall in enumerate(WALLS)}
 _WALL_NAMES: Final = (*WALLS, None)
 _SIDE, _SEAT, _SURFACE = 1, 2, 3
 """What a slot is called by."""
@@ -48,14 +46,14 @@ def room_rows(scope: Scope, zones: Sequence[Zone], area: float, state: int, coun
     openings, exterior = scope.openings, scope.exterior
     walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
     rows = [_ROOM.pack(state, area, *scope.clear, scope.gap_mm, walls, len(openings), len(zones), counts_only)]
-    rows += [_OPENED.pack(_OPENING.get(one.kind, -1), _WALL[one.wall], *one.interval, one.across) for one in openings]
+    rows.append(opened_rows(openings))
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == "outline") for zone in zones]
     return b"".join(rows)
 
 
 def place_rows(space: Space) -> bytes:
     """Returns what placement is asked of a room, as bytes behind its own: PlaceHeader of solver/core/rooms/asking.hpp, and its doorways."""
-    doorways = (_DOORWAY.pack(_WALL[one.wall], 0, *one.square) for one in space.doorways)
+    doorways = (_DOORWAY.pack(WALL[one.wall], 0, *one.square) for one in space.doorways)
     return b"".join((_PLACE.pack(space.robot_mm, space.cover_mm2, len(space.doorways)), *doorways))
 
 

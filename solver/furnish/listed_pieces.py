@@ -19,7 +19,7 @@ from solver.furnish.stances import FEW, Costed, Kept, ListedPiece, PairRelation,
 from solver.furnish.zones import scope_of
 from solver.geometry import ALONG_X, Rect, turned
 from solver.pieces import Candidate, Piece, Placed, Space, Stance
-from solver.relations import RELATIONS
+from solver.relations.asking import pulls, traits
 from solver.relations.subject import Footing, Kind, Parent, Subject
 from solver.requested import PieceRequest
 from solver.scene import Room
@@ -132,7 +132,7 @@ def _owing(label: str, spec: RelationSpec, meant: Mapping[str, Sequence[str]]) -
     `meant` are the labels that each name of an `of` stands for.
     """
     others = [other for name in spec.of for other in meant.get(name, ()) if other != label]
-    return others if spec.type != "on" and (len(others) == 1 or RELATIONS[spec.type].with_all) else []
+    return others if spec.type != "on" and (len(others) == 1 or traits(spec.type).with_all) else []
 
 
 def _stances(piece: Piece) -> dict[Stance, list[Candidate]]:
@@ -168,7 +168,7 @@ def _unlikely(piece: Piece, dear: float) -> set[tuple[str, Stance]]:
 def _piece(listed: ListedPiece, label: str, required: bool) -> Piece:
     kind, subject = listed.kind, listed.subject
     ways, only = _candidates(listed), (kind.name, kind.size)
-    links = [link for spec in listed.to_pieces if ways for link in RELATIONS[spec.type].pulls(spec, subject.labels(spec.of))]
+    links = [link for spec in listed.to_pieces if ways for link in pulls(spec, subject.labels(spec.of))]
     return Piece(label, required, ways, tuple(links), kind.stands, kind.need_all, skip_cost=GONE, only=only)
 
 
@@ -205,7 +205,7 @@ def _alone(listed: ListedPiece, every: Sequence[tuple[Footing, Sequence[Costed]]
 
 def _unsure(spec: RelationSpec) -> float:
     """Returns what is paid for a relation by a way to stand that does not know whether it holds; without a required one a piece is gone."""
-    return GONE if spec.required else spec.cost * (UNSURE if RELATIONS[spec.type].by_degree else 1.0)
+    return GONE if spec.required else spec.cost * (UNSURE if traits(spec.type).by_degree else 1.0)
 
 
 def _in_its_cell(listed: ListedPiece, footing: Footing, found: Sequence[Costed]) -> Sequence[Costed]:

@@ -10,8 +10,7 @@ from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import INWARDS, ROTATION_AT_WALL, Rect, strip_at, turned
 from solver.pieces import Space, Stance, Stretch
-from solver.relations import RELATIONS
-from solver.relations.relation import missed
+from solver.relations.asking import missed, regions, traits
 from solver.relations.subject import Footing, Kind, Subject
 from solver.scene import WALLS
 
@@ -96,7 +95,7 @@ class ListedPiece:
         """Its relations to earlier pieces; to keep away from what has no way to stand is kept."""
         subject = self.subject
         named = [spec for spec in subject.relations if subject.labels(spec.of)]
-        return tuple(spec for spec in named if subject.parents(spec.of) or not RELATIONS[spec.type].with_all)
+        return tuple(spec for spec in named if subject.parents(spec.of) or not traits(spec.type).with_all)
 
     @cached_property
     def pairs(self) -> tuple[PairRelation, ...]:
@@ -122,7 +121,7 @@ def _footings(listed: ListedPiece) -> Iterator[Footing]:
     """Yields the ways a piece may be turned: with its back at each wall, and free in the room."""
     clear, gap = listed.space.clear, listed.space.gap_mm
     width, depth, _ = listed.kind.size
-    relations = [RELATIONS[spec.type] for spec in listed.subject.relations]
+    relations = [traits(spec.type) for spec in listed.subject.relations]
     if listed.kind.at_walls or any(relation.at_walls for relation in relations):
         for wall in WALLS:
             turn = ROTATION_AT_WALL[wall]
@@ -146,8 +145,8 @@ def _places(listed: ListedPiece, footing: Footing) -> list[Costed]:
     """Returns rectangles for a footing, each holding some of the relations to the room, cheapest first."""
     found = [(footing.reach, 0.0)] if within_both(footing.reach, footing.reach, footing.extent) else []
     for spec in listed.to_room:
-        regions = RELATIONS[spec.type].regions(listed.subject.scope, spec, footing)
-        held = [(both, cost) for rect, cost in found for region in regions if (both := within_both(rect, region, footing.extent))]
+        hold = regions(listed.subject.scope, spec, footing)
+        held = [(both, cost) for rect, cost in found for region in hold if (both := within_both(rect, region, footing.extent))]
         without = missed(spec)
         found = cheapest([*held, *((rect, cost + without) for rect, cost in found)], listed.kept.rects, listed.dropped)
     return found

@@ -20,9 +20,8 @@ from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
 from solver.pipeline.staying import obstacles
-from solver.relations import RELATIONS
+from solver.relations.asking import Standing, traits
 from solver.relations.held import FinishedRoom, at_wall, held, standing
-from solver.relations.relation import Standing
 from solver.relations.subject import Kind
 from solver.requested import (
     Held,
@@ -166,7 +165,7 @@ def without_partings(request: PieceRequest, gone: set[str]) -> PieceRequest:
     """Returns a request of a piece that is gone without what has to keep it away from others that are gone, too; any other as it is."""
     if gone.isdisjoint(request.labels):
         return request
-    held = [spec for spec in request.relations if spec.required and RELATIONS[spec.type].with_all and gone.issuperset(spec.of)]
+    held = [spec for spec in request.relations if spec.required and traits(spec.type).with_all and gone.issuperset(spec.of)]
     return replace(request, relations=tuple(spec for spec in request.relations if spec not in held))
 
 

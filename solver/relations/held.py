@@ -10,10 +10,12 @@ from dataclasses import dataclass, replace
 
 from catalogs.schema import RelationSpec
 from solver.geometry import WALL_BEHIND, Rect, extents
-from solver.relations import RELATIONS
-from solver.relations.relation import AT_WALL_MM, Standing
+from solver.relations.asking import Standing, holds_in_room, holds_with, suits, traits
 from solver.relations.subject import Scope
 from solver.scene import Furniture
+
+AT_WALL_MM = 50
+"""A piece whose back is at most this far from a wall's face stands at that wall."""
 
 
 @dataclass(frozen=True)
@@ -49,21 +51,19 @@ def held(room: FinishedRoom, label: str, spec: RelationSpec) -> tuple[bool, str 
     own = room.bodies.get(label)
     if own is None:
         return False, spec.of[0] if spec.of else None
-    relation = RELATIONS[spec.type]
     if not spec.of:
-        return relation.holds_in_room(room.scope, spec, own), None
+        return holds_in_room(room.scope, spec, own), None
     answers = [(name, _holds_with(room, own, spec, name)) for name in spec.of]
-    if relation.with_all:
+    if traits(spec.type).with_all:
         return all(holds for _, holds in answers), spec.of[0]
     return next(((True, name) for name, holds in answers if holds), (False, spec.of[0]))
 
 
 def _holds_with(room: FinishedRoom, own: Standing, spec: RelationSpec, name: str) -> bool:
     """Tells whether a relation holds with what a name stands for: any of its pieces, or any opening of that kind."""
-    relation = RELATIONS[spec.type]
     if name not in room.names:
-        return relation.holds_in_room(replace(room.scope, openings=tuple(room.scope.opened(name))), spec, own)
+        return holds_in_room(room.scope, spec, own, (name,))
     others = [room.bodies[one] for one in room.names[name] if one in room.bodies and one != own.id]
-    if relation.with_all:
-        return all(relation.holds_with(spec, own, other) for other in others)
-    return any(relation.suits(spec, own.wall, other.wall) and relation.holds_with(spec, own, other) for other in others)
+    if traits(spec.type).with_all:
+        return all(holds_with(spec, own, other) for other in others)
+    return any(suits(spec, own.wall, other.wall) and holds_with(spec, own, other) for other in others)

@@ -10,13 +10,13 @@ from catalogs.schema import RelationSpec, RoomType
 from solver.furnish import space_of, wanted_pieces
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate
-from solver.relations import RELATIONS
-from solver.relations.knee_room import PartBox, free, taken
-from solver.relations.relation import Fit
+from solver.relations.asking import boxes
+from solver.relations.knee_room import PartBox
 from solver.relations.subject import Kind
 from solver.scene import Room
 from solver.streams import Stream
 from tests.every import every
+from tests.furnish.reference.knee_room import free, taken
 from tests.furnish.reference.slots import nearest_free
 
 KNOWN = load_catalogs()
@@ -146,11 +146,10 @@ def test_slots_of_room_types_reach_under_and_cross_nothing(table: str, seat: str
 def test_places_that_are_sought_cross_nothing(table: str, seat: str) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
     spec = RelationSpec.model_validate({"type": "under", "of": ["it"]})
-    blocked = tuple(taken(parent.parts, own.parts, 180))
-    boxes = RELATIONS["under"].boxes(Fit(spec, parent.size[:2], own.size[:2], 180, blocked=blocked))
-    assert boxes
-    for across, along in boxes:
-        assert not any(crosses(parent, own, at, 180) for at in product(across, along))
+    places = boxes(spec, own, parent, 180)
+    assert places
+    for (x0, z0, x1, z1), _ in places:
+        assert not any(crosses(parent, own, at, 180) for at in product((x0, x1), (z0, z1)))
 
 
 def test_a_corner_seat_moves_off_the_leg_and_stays_apart_from_its_neighbour() -> None:

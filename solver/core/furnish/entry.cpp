@@ -1,10 +1,34 @@
 // What the host calls of this stage.
 #include "furnish/furnish.hpp"
+#include "furnish/relations/vocabulary.hpp"
 
 using namespace furnish;
 
+static i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
+
 // Returns the answer's size, bytes, in the upper half, and where it begins in the lower.
 extern "C" __attribute__((export_name("furnish"))) i64 entry_furnish(u8* type_rows, i64 type_size, u8* room_rows, i64 room_size) {
-  const Bytes answer = furnish_room({type_rows, type_size}, {room_rows, room_size});
-  return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data));
+  return told(furnish_room({type_rows, type_size}, {room_rows, room_size}));
+}
+
+// Relations as solver/relations asks of them. The rectangles where one holds to the room; the boxes where it holds to another piece.
+extern "C" __attribute__((export_name("relation_regions"))) i64 entry_relation_regions(u8* asked, i64 size) {
+  return told(relation_regions({asked, size}));
+}
+
+extern "C" __attribute__((export_name("relation_boxes"))) i64 entry_relation_boxes(u8* asked, i64 size) {
+  return told(relation_boxes({asked, size}));
+}
+
+extern "C" __attribute__((export_name("relation_holds"))) i32 entry_relation_holds(u8* asked, i64 size, i32 in_room) {
+  return relation_holds({asked, size}, in_room != 0);
+}
+
+extern "C" __attribute__((export_name("relation_suits"))) i32 entry_relation_suits(i32 word, i32 walls, i32 mine, i32 theirs) {
+  return relation_of(static_cast<Word>(word)).suits(static_cast<Walls>(walls), static_cast<Wall>(mine), static_cast<Wall>(theirs));
+}
+
+// The usual distance, mm, and seven bits: what it is, in the order of `Traits` of solver/relations.
+extern "C" __attribute__((export_name("relation_traits"))) i64 entry_relation_traits(i32 word) {
+  return relation_traits(static_cast<Word>(word));
 }

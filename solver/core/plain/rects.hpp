@@ -111,7 +111,11 @@ struct Rect {
   }
   // The free distance to a point; 0 inside.
   f64 distance_to(Point at) const {
-    return length(most<i64>(most(x0 - at.x, at.x - x1), 0), most<i64>(most(z0 - at.z, at.z - z1), 0));
+    return distance_to(Rect{at.x, at.z, at.x, at.z});
+  }
+  // The same to another one; 0 where they touch or overlap.
+  f64 distance_to(const Rect& other) const {
+    return length(most<i64>(most(x0 - other.x1, other.x0 - x1), 0), most<i64>(most(z0 - other.z1, other.z0 - z1), 0));
   }
 };
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from catalogs.schema import Catalogs
 from solver.furnish.floor_about import FloorAbout, floors_about
 from solver.pieces import Attach, Candidate, Piece
-from solver.relations.at_side import at_side, spans, whole
+from tests.furnish.reference.at_side import at_side, spans, whole
 
 WEIGHED = 1.0
 """Floor of a required piece that is worth as much is weighed together with where the required pieces stand."""

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
-from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect, to_mm
 from solver.pieces import LOOKS_AT, Candidate, Link, Opened
-from solver.relations.relation import distance_mm, missed
+from solver.relations.asking import missed
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
 from tests.furnish.reference.slots import slots_of
@@ -302,3 +302,8 @@ _EFFECTS: dict[str, Callable[[Subject, RelationSpec], Effect]] = {
     "near_door": _near, "far_from_door": _far_from,
 }  # fmt: skip
 """The relations that are more than slots at another piece's sides."""
+
+
+def distance_mm(spec: RelationSpec, usual: int) -> int:
+    """Returns the distance a relation wishes, mm."""
+    return usual if spec.distance is None else to_mm(spec.distance)

@@ -8,11 +8,9 @@ from dataclasses import replace
 from catalogs.schema import RelationSpec
 from solver.geometry import Rect, to_mm, turned
 from solver.pieces import Attach, Candidate, Extents
-from solver.relations import RELATIONS
-from solver.relations.at_side import TOWARDS, at_side, spans, whole
-from solver.relations.knee_room import free, taken
-from solver.relations.on import On
 from solver.relations.subject import Kind, Parent, Subject
+from tests.furnish.reference.at_side import TOWARDS, at_side, lined_up, spans, whole
+from tests.furnish.reference.knee_room import free, taken
 
 SIDE_COST, SEAT_COST = 0.05, 0.01
 """What each later side, and each later place around a piece, costs more than the one before it."""
@@ -32,9 +30,7 @@ LEAST_TUCKED_MM = {"under": -10}
 def slots_of(subject: Subject, spec: RelationSpec) -> tuple[Candidate, ...]:
     """Returns the slots of a relation that gives a piece its place."""
     if spec.type == "on":
-        relation = RELATIONS["on"]
-        assert isinstance(relation, On)
-        return relation.slots(subject, spec)
+        return tuple(_on(subject, spec))
     if spec.type == "around":
         return tuple(_around(subject, spec))
     looks = spec.type == "under" or (spec.type != "in_row" and faces(subject, spec.of))
@@ -71,6 +67,21 @@ def _at_sides(subject: Subject, spec: RelationSpec, turn: bool) -> Iterator[Cand
                     places = _tucked(spec, places[0], whole(at_side(sizes, side, gap, None)), (parent.kind, kind, rotation), side)
                 for place in places:
                     yield _slot(kind, parent, place, (side, rotation, gap[0] < 0, cost + SIDE_COST * order))
+
+
+def _on(subject: Subject, spec: RelationSpec) -> Iterator[Candidate]:
+    """The first surface of every parent that has room above it."""
+    for kind, cost in subject.variants:
+        width, depth, height = kind.size
+        for parent in subject.parents(spec.of):
+            wide, deep, _ = parent.kind.size
+            level = next((one for one in parent.kind.levels if one.clearance_mm is None or one.clearance_mm >= height), None)
+            if level is None or width > wide:
+                continue
+            slide = (wide - width) // 2 if spec.align == "any" else 0
+            low, high = lined_up(deep, depth, spec.align if spec.align in ("back", "front") else "centre")
+            attach = Attach(parent.label, parent.kind.name, (-slide, slide), (round(low), round(high)), f"on {level.name}", parent.stance)
+            yield Candidate(kind.name, kind.size, 0, cost=cost, attach=attach, on=parent.label, bottom_mm=level.height_mm)
 
 
 def _around(subject: Subject, spec: RelationSpec) -> Iterator[Candidate]:

@@ -16,7 +16,6 @@ from solver.furnish import scope_of
 from solver.furnish.floor_about import floors_about
 from solver.geometry import Rect, rotate, strip, to_mm, turned, wall_faced
 from solver.pieces import Candidate, Piece, Space, Stand
-from solver.relations import RELATIONS
 from solver.relations.subject import Kind, Parent, Scope, Subject
 from solver.scene import Room
 from solver.streams import Stream
@@ -27,6 +26,8 @@ from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
 from tests.furnish.reference.slots import faces
+
+GIVE_PLACE = ("beside", "in_front_of", "around", "in_row", "on", "under")
 
 TOUCH_MM = 20
 """Overlaps up to this between meant places do not matter."""
@@ -129,7 +130,7 @@ class _Furnisher:
         subject = Subject(self.scope, counted.variants, spec.rules, dict(self._labels), dict(self._standing))
         effects = [(rule, effect_of(subject, rule)) for rule in spec.rules]
         candidates = [replace(slot, within=behind_gate(subject, slot)) for slot in _slots(effects, subject, preferences)]
-        if not any(rule.required and RELATIONS[rule.type].gives_place for rule in spec.rules):
+        if not any(rule.required and rule.type in GIVE_PLACE for rule in spec.rules):
             candidates += self._alone(subject, effects, preferences)
         if not candidates:
             return False
@@ -191,7 +192,7 @@ def _piece(spec: PieceSpec, number: int, kind: Kind, candidates: Sequence[Candid
 
 def _slots(effects: Effects, subject: Subject, preferences: Preferences) -> list[Candidate]:
     """Returns the slots; one that meets a relation pays for the other relations with slots that it misses."""
-    must = [i for i, (rule, _) in enumerate(effects) if rule.required and RELATIONS[rule.type].gives_place]
+    must = [i for i, (rule, _) in enumerate(effects) if rule.required and rule.type in GIVE_PLACE]
     found: list[Candidate] = []
     for i, (_, effect) in enumerate(effects):
         if not must or i in must:

@@ -7,6 +7,7 @@ namespace furnish {
 
 class AlignedWith : public Relation {
  public:
+  constexpr AlignedWith() { by_degree = among_copies = into_line = true; }
   // Draws the middles into line, and asks for the walls it names.
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
     const i32 piece = subject.first(rule);
@@ -15,6 +16,13 @@ class AlignedWith : public Relation {
     link.walls = rule.wall;
     link.cost = rule.wall == Walls::any ? 0.0 : rule.cost;
     link.align = rule.weight;
+  }
+
+  // Middles in line, across or along.
+  void boxes(const Fit& fit, List<DoubleBox>& found) const override {
+    const Interval line{-2 * fit.asked.tolerance.nearly, 2 * fit.asked.tolerance.nearly};
+    found.add({line, ANYWHERE});
+    found.add({ANYWHERE, line});
   }
 };
 

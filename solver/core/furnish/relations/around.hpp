@@ -7,7 +7,7 @@ namespace furnish {
 
 class Around : public AtSide {
  public:
-  constexpr Around() : AtSide({SIDES, 4, 50, 0, true}) {}
+  constexpr Around() : AtSide({SIDES, 4, 50, 0, true, {20, 280}, {-10'000, 300}, Align::none}) {}
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
 
  private:

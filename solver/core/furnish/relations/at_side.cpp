@@ -5,19 +5,68 @@ namespace furnish {
 // What each later side in a relation's list costs more than the one before it.
 constexpr f64 SIDE_COST = 0.05;
 
-Rect at_side(Extent parent, Extent own, Side side, Interval gap, Align align) {
-  const bool beside = is_lateral(side);
-  const i64 touching = beside ? parent.x + own.x : parent.z + own.z;
+// How much of a tucked piece's depth stays outside the other where places are sought.
+constexpr i64 UNTUCKED_MM = 160;
+// How far a free space between two pieces may be from the one that is asked for.
+constexpr i64 GAP_MM = 20;
+// Most rectangles that are sought of the places where a piece can reach under another one.
+constexpr i32 MOST_PLACES = 4;
+
+static bool is_end(Align align) { return align == Align::back || align == Align::front; }
+
+DoubleBox beside(Extent parent, Extent own, Side side, Interval gap, Align align, const Tolerance& tolerance) {
+  const bool lateral = is_lateral(side);
+  const i64 touching = lateral ? parent.x + own.x : parent.z + own.z;
   const i64 sign = side == Side::left || side == Side::back ? -1 : 1;
   const i64 one = sign * (touching + 2 * gap.low), other = sign * (touching + 2 * gap.high);
-  const Interval away = rounded({least(one, other), most(one, other)});
-  if (beside) {
-    const Interval line = rounded(lined_up(parent.z, own.z, align));
-    return {away.low, line.low, away.high, line.high};
+  const Interval away{least(one, other), most(one, other)};
+  if (lateral) return {away, lined_up(parent.z, own.z, align, tolerance)};
+  return {lined_up(parent.x, own.x, is_end(align) ? Align::none : align, tolerance), away};
+}
+
+Rect at_side(Extent parent, Extent own, Side side, Interval gap, Align align) {
+  return rounded(beside(parent, own, side, gap, align, EXACT));
+}
+
+void AtSide::boxes(const Fit& fit, List<DoubleBox>& found) const {
+  const Span<Side> named = fit.asked.sides;
+  for (i32 k = 0; k < (named.size ? named.size : meaning_.side_count); k++) {
+    const Side side = named.size ? named[k] : meaning_.sides[k];
+    if (!meaning_.looks || towards(side) == fit.turn) add_boxes(fit, side, found);
   }
-  const bool no_such_end = align == Align::back || align == Align::front;
-  const Interval line = rounded(lined_up(parent.x, own.x, no_such_end ? Align::none : align));
-  return {line.low, away.low, line.high, away.high};
+}
+
+void AtSide::add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const {
+  const Rule& rule = fit.asked.rule;
+  const Tolerance& tolerance = fit.asked.tolerance;
+  const bool lateral = is_lateral(side);
+  const bool any_will_do = !tolerance.judged && !rule.has_gap && rule.align == Align::none;
+  const Align best = lateral || meaning_.best == Align::none ? meaning_.best : Align::centre;
+  if (best != Align::none && any_will_do && !(meaning_.best == Align::back && fit.turn)) {
+    found.add(beside(fit.parent, fit.own, side, {meaning_.gap, meaning_.gap}, best, EXACT));
+  }
+  Interval gap = asked_gap(fit);
+  if (tolerance.judged) gap.low = most(gap.low, 1 - (lateral ? fit.own.x : fit.own.z));
+  if (gap.low > gap.high) return;
+  const DoubleBox box = beside(fit.parent, fit.own, side, gap, rule.align, tolerance);
+  const List<Rect> blocked = gap.low < 0 ? blocked_places(fit.parent_parts, fit.parts, fit.turn) : List<Rect>{};
+  if (blocked.size() == 0) return static_cast<void>(found.add(box));
+  List<Rect> places = free_of(rounded(box), blocked);
+  places.cut(MOST_PLACES);
+  for (const Rect& place : places) found.add({{2 * place.x0, 2 * place.x1}, {2 * place.z0, 2 * place.z1}});
+}
+
+// The free space with which it holds, or is sought; none (low above high) where it does not reach under what it is to reach under.
+Interval AtSide::asked_gap(const Fit& fit) const {
+  const Rule& rule = fit.asked.rule;
+  const bool judged = fit.asked.tolerance.judged;
+  const i64 more = judged ? GAP_MM : 0;
+  Interval gap = judged ? meaning_.held : meaning_.sought;
+  if (rule.has_gap) gap = {rule.gap.low - more, rule.gap.high + more};
+  if (meaning_.least_tucked == 0) return gap;
+  if (judged) return {gap.low, least<i64>(gap.high, -1)};
+  gap.low = most(gap.low, UNTUCKED_MM - (fit.turn % 180 == 0 ? fit.own.z : fit.own.x));
+  return gap.high < 0 ? gap : Interval{0, -1};
 }
 
 Span<const Side> AtSide::sides(const Subject& subject, const Rule& rule) const {
@@ -54,7 +103,7 @@ void AtSide::add_slots(const Subject& subject, const Rule& rule, bool turn, Effe
 void AtSide::add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const {
   const Interval gap = slot_gap(rule);
   Align align = rule.align != Align::none ? rule.align : is_lateral(pair.side) ? Align::back : Align::centre;
-  if ((align == Align::back || align == Align::front) && !is_lateral(pair.side)) align = Align::centre;
+  if (is_end(align) && !is_lateral(pair.side)) align = Align::centre;
   const Extent parent = subject.type.kinds[pair.parent.kind].size(), own = turned(subject.type.kinds[pair.kind].size(), pair.rotation);
   const Rect wish = at_side(parent, own, pair.side, gap, align);
   Candidate slot = free_candidate(pair.kind, cost);

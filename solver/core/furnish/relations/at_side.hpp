@@ -8,26 +8,27 @@
 
 namespace furnish {
 
-// Where a centre may lie in another piece's frame, doubled.
-struct DoubleBox {
-  Interval across, along;
-};
-
 // The turn, in the other's frame, with which a piece at that side faces it.
 constexpr i32 towards(Side side) { return side == Side::left ? 90 : side == Side::right ? 270 : side == Side::front ? 180 : 0; }
 
-// The doubled offsets along a side with which two lengths line up; by default the shorter one within the longer one.
-constexpr Interval lined_up(i64 parent, i64 own, Align align) {
-  if (align == Align::back) return {own - parent, own - parent};
-  if (align == Align::front) return {parent - own, parent - own};
-  if (align == Align::centre) return {0, 0};
-  const i64 half = parent > own ? parent - own : own - parent;
+// The doubled offsets along a side with which two lengths line up; by default they share a part of the shorter one, exactly: all of it.
+constexpr Interval lined_up(i64 parent, i64 own, Align align, const Tolerance& tolerance = EXACT) {
+  const i64 edge = align == Align::back ? own - parent : parent - own;
+  if (align == Align::back || align == Align::front) return {edge - 2 * tolerance.flush, edge + 2 * tolerance.flush};
+  if (align == Align::centre) return {-2 * tolerance.nearly, 2 * tolerance.nearly};
+  const i64 half = most<i64>(parent + own - tolerance.shared_halves * least(parent, own) - 2 * tolerance.inside, 0);
   return {-half, half};
 }
 
 constexpr Interval rounded(Interval doubled) { return {rounded_half(doubled.low), rounded_half(doubled.high)}; }
 
-// Where the centre of a piece lies that stands at a side of its parent, a gap away and lined up with it, rounded.
+constexpr Rect rounded(const DoubleBox& box) {
+  const Interval across = rounded(box.across), along = rounded(box.along);
+  return {across.low, along.low, across.high, along.high};
+}
+
+// Where the centre of a piece lies that stands at a side of its parent, a gap away and lined up with it; the same, exactly, rounded.
+DoubleBox beside(Extent parent, Extent own, Side side, Interval gap, Align align, const Tolerance& tolerance);
 Rect at_side(Extent parent, Extent own, Side side, Interval gap, Align align);
 
 // Another piece, and how the own kind is turned at it.
@@ -41,17 +42,26 @@ struct Pair {
 class AtSide : public Relation {
  public:
   // What one word of them means: its sides, the gap where none is named, the gap of what was to reach under the other where parts leave
-  // no room for it, mm, and whether it must face the other.
+  // no room for it, mm, and whether it must face the other. Asked for, without a gap: the free space with which it is sought, with which it
+  // holds, and how the place at `gap` lines up, where that is better than the rest.
   struct Meaning {
     const Side* sides;
     i32 side_count;
     i64 gap;
     i64 least_tucked;
     bool looks;
+    Interval sought, held;
+    Align best;
   };
 
-  explicit constexpr AtSide(Meaning meaning) : meaning_(meaning) { gives_place = true; }
+  explicit constexpr AtSide(Meaning meaning, bool of_copies = false) : meaning_(meaning) {
+    gives_place = true;
+    turns = meaning.looks;
+    among_copies = of_copies;
+  }
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
+  // At each side: the place that looks best, then all that hold.
+  void boxes(const Fit& fit, List<DoubleBox>& found) const override;
 
  protected:
   Span<const Side> sides(const Subject& subject, const Rule& rule) const;
@@ -62,6 +72,8 @@ class AtSide : public Relation {
   const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
 
  private:
+  Interval asked_gap(const Fit& fit) const;
+  void add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const;
   void add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const;
 
   Meaning meaning_;

@@ -24,4 +24,15 @@ f64 AtWindow::cost(const Subject& subject, const Effect& effect, const Candidate
   return off_middle(*effect.rule, nearest);
 }
 
+// At the wall of each window, about its middle.
+void AtWindow::regions(const Footing& at, List<Rect>& found) const {
+  const i64 more = 2 * at.asked.tolerance.nearly;
+  for (const Opened& one : at.scope.openings) {
+    if (one.kind != Opening::window) continue;
+    const bool level = runs_along_x(one.wall);
+    const Interval over = about(2 * one.middle(), (level ? at.extent.x : at.extent.z) + more);
+    found.add(strip(at.scope.clear, one.wall, over, (level ? at.extent.z : at.extent.x) + more));
+  }
+}
+
 }  // namespace furnish

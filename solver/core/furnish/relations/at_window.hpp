@@ -9,6 +9,7 @@ class AtWindow : public Relation {
  public:
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override;
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override;
+  void regions(const Footing& at, List<Rect>& found) const override;
 };
 
 }  // namespace furnish

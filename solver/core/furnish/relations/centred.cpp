@@ -25,4 +25,13 @@ f64 Centred::cost(const Subject& subject, const Effect& effect, const Candidate&
   return off_middle(*effect.rule, static_cast<f64>(off));
 }
 
+// About the middle of the wall at its back, or of the room.
+void Centred::regions(const Footing& at, List<Rect>& found) const {
+  const Rect& clear = at.scope.clear;
+  const i64 more = 2 * at.asked.tolerance.nearly;
+  const Interval x = about(clear.x0 + clear.x1, at.extent.x + more), z = about(clear.z0 + clear.z1, at.extent.z + more);
+  const bool level = at.wall != Wall::none && runs_along_x(at.wall), upright = at.wall != Wall::none && !level;
+  found.add({upright ? clear.x0 : x.low, level ? clear.z0 : z.low, upright ? clear.x1 : x.high, level ? clear.z1 : z.high});
+}
+
 }  // namespace furnish

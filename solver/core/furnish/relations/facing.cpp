@@ -80,4 +80,39 @@ void Facing::keep(const Subject& subject, const Effect& effect, Candidate& candi
   hold(candidate, within);
 }
 
+// Anywhere, turned to the wall of an opening.
+void Facing::regions(const Footing& at, List<Rect>& found) const {
+  for (const Opened& one : at.openings(false)) {
+    if (one.wall == wall_ahead(at.rotation)) return static_cast<void>(found.add(at.reach));
+  }
+}
+
+// The places from which a piece with that turn has the other's centre before it, so far off and aside, doubled.
+static DoubleBox before(i32 turn, i64 off, i64 half) {
+  const Point ahead = facing(turn);
+  const Interval side{-half, half}, along = ahead.x + ahead.z > 0 ? Interval{-NO_END, -off} : Interval{off, NO_END};
+  return ahead.x ? DoubleBox{along, side} : DoubleBox{side, along};
+}
+
+// Distances of the other's middle at which places are sought from where it lies within half a right angle of the front.
+constexpr i64 AHEAD_MM[] = {250, 700, 1500};
+
+// Straight before the own front, or within half a right angle of it at several distances of the other's middle.
+void Facing::boxes(const Fit& fit, List<DoubleBox>& found) const {
+  const bool level = fit.turn % 180 == 0;
+  const i64 aside = (level ? fit.parent.x : fit.parent.z) - 2 * fit.asked.tolerance.inside;
+  const Extent touching = fit.touching();
+  if (aside > 0) found.add(before(fit.turn, (level ? touching.z : touching.x) + fit.spare(), aside));
+  for (i64 ahead : AHEAD_MM) found.add(before(fit.turn, 2 * ahead + fit.spare(), 2 * (ahead - 10)));
+}
+
+// The other's middle lies before its front, no farther aside than ahead; or the other straight before it.
+bool Facing::holds_with(const Fit&, const Standing& own, const Standing& other) const {
+  const Point d = facing(own.rotation), way = other.double_way_from(own);
+  const i64 ahead = way.x * d.x + way.z * d.z, aside = magnitude(way.x * d.z) + magnitude(way.z * d.x);
+  const Rect &a = own.rect, &b = other.rect;
+  const i64 reach = d.x ? a.width() + b.width() : a.depth() + b.depth();
+  return (aside <= ahead && ahead > 0) || (ahead >= reach && aside <= (d.x ? b.depth() : b.width()));
+}
+
 }  // namespace furnish

@@ -19,6 +19,16 @@ class InCorner : public Relation {
     const i64 z = least(rect.wall_distance(Wall::north, clear), rect.wall_distance(Wall::south, clear));
     return most(x, z) <= 2 * subject.scope.gap ? 0.0 : effect.rule->missed();
   }
+
+  // In each of the four corners.
+  void regions(const Footing& at, List<Rect>& found) const override {
+    const Rect& clear = at.scope.clear;
+    const i64 w = at.extent.x + at.asked.tolerance.nearly, d = at.extent.z + at.asked.tolerance.nearly;
+    const i64 xs[] = {clear.x0, clear.x1 - w}, zs[] = {clear.z0, clear.z1 - d};
+    for (i64 z : zs) {
+      for (i64 x : xs) found.add({x, z, x + w, z + d});
+    }
+  }
 };
 
 }  // namespace furnish

@@ -37,4 +37,20 @@ void InRow::effect(const Subject& subject, const Rule& rule, Effect& effect) con
   }
 }
 
+// At either end, turned alike, backs in line, always; round a corner no box says where.
+void InRow::boxes(const Fit& fit, List<DoubleBox>& found) const {
+  if (fit.turn || fit.asked.rule.wall == Walls::adjacent) return;
+  Rule rule = fit.asked.rule;
+  rule.align = Align::back;
+  const Asked asked{rule, fit.asked.sides, fit.asked.of, fit.asked.tolerance};
+  AtSide::boxes({asked, fit.parent, fit.own, fit.turn, fit.height, fit.levels, fit.parent_parts, fit.parts}, found);
+}
+
+// It continues the row; round a corner it is enough to be close.
+bool InRow::holds_with(const Fit& fit, const Standing& own, const Standing& other) const {
+  constexpr f64 ROUND_CORNER_MM = 100.0;
+  if (fit.asked.rule.wall == Walls::adjacent) return own.rect.distance_to(other.rect) <= ROUND_CORNER_MM;
+  return AtSide::holds_with(fit, own, other);
+}
+
 }  // namespace furnish

@@ -10,8 +10,7 @@ static Rect turned_rect(const Rect& rect, i32 turn) {
   return {least(a.x, b.x), least(a.z, b.z), most(a.x, b.x), most(a.z, b.z)};
 }
 
-// The open rectangles in which the centre must not be: there a part of a piece, so turned, stands in one of its parent.
-static List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
+List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
   List<Rect> all;
   for (const PartBox& mine : own) {
     const Rect at = turned_rect(mine.rect, turn);
@@ -70,8 +69,7 @@ static bool is_larger(const Rect& a, const Rect& b) {
   return girth_a != girth_b ? girth_a > girth_b : goes_before(a, b);
 }
 
-// The largest of the rectangles that places leave without what is blocked; a line or a point may be one.
-static List<Rect> free_of(const Rect& places, const List<Rect>& blocked) {
+List<Rect> free_of(const Rect& places, const List<Rect>& blocked) {
   List<Rect> left;
   left.add(places);
   for (const Rect& hole : blocked) left = without_covered(cut_by(hole, left));

@@ -17,6 +17,11 @@ struct TurnedPair {
   bool operator==(const TurnedPair&) const = default;
 };
 
+// The open rectangles in which the centre must not be: there a part of a piece, so turned, stands in one of its parent.
+List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn);
+// The largest of the rectangles that places leave without what is blocked; a line or a point may be one.
+List<Rect> free_of(const Rect& places, const List<Rect>& blocked);
+
 // Answers for a room, each worked out once: every copy of a chair asks the same.
 class KneeRoom {
  public:

@@ -7,7 +7,10 @@ namespace furnish {
 
 class Near : public Relation {
  public:
-  explicit constexpr Near(bool doors) : doors_(doors) {}
+  explicit constexpr Near(bool doors) : doors_(doors) {
+    by_degree = among_copies = true;
+    usual = NEAR_MM;
+  }
 
   // Pulls towards a piece; what is farther from an opening than wished costs, in full at twice the distance.
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
@@ -23,11 +26,17 @@ class Near : public Relation {
   }
 
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override {
-    constexpr i64 NEAR_MM = 1500;
     return off_distance(subject, effect, candidate, NEAR_MM, Off::beyond);
   }
 
+  void regions(const Footing& at, List<Rect>& found) const override;
+  void boxes(const Fit& fit, List<DoubleBox>& found) const override;
+  bool holds_in_room(const Footing& at) const override;
+  bool holds_with(const Fit& fit, const Standing& own, const Standing& other) const override;
+
  private:
+  static constexpr i64 NEAR_MM = 1500;
+
   bool doors_;
 };
 

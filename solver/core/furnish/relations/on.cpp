@@ -12,26 +12,44 @@ static i32 surface_for(Span<Level> levels, i64 height) {
   return -1;
 }
 
-// Offers the first surface of every parent that has room above it.
+// The first surface with room above it: in its middle, at its back or front, or anywhere along it.
+void On::boxes(const Fit& fit, List<DoubleBox>& found) const {
+  const Align align = fit.asked.rule.align;
+  const i32 level = surface_for(fit.levels, fit.height);
+  if (level < 0 || fit.own.x > fit.parent.x) return;
+  const i64 slide = align == Align::any ? 2 * floor_div(fit.parent.x - fit.own.x, 2) : 0;
+  const bool edge = align == Align::back || align == Align::front;
+  found.add({{-slide, slide}, lined_up(fit.parent.z, fit.own.z, edge ? align : Align::centre), level});
+}
+
+// Its middle is over the other, and its underside on one of the other's surfaces.
+bool On::holds_with(const Fit&, const Standing& own, const Standing& other) const {
+  const i64 x = own.rect.x0 + own.rect.x1, z = own.rect.z0 + own.rect.z1;
+  const Rect& at = other.rect;
+  return own.rests && 2 * at.x0 <= x && x <= 2 * at.x1 && 2 * at.z0 <= z && z <= 2 * at.z1;
+}
+
+// Offers the places on every parent.
 void On::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
+  const Asked asked{rule, {}, {}, EXACT};
   for (const Variant& variant : subject.variants) {
     const Kind& kind = subject.type.kinds[variant.kind];
     for (const Parent& parent : subject.parents(rule)) {
       const Kind& other = subject.type.kinds[parent.kind];
       const Span<Level> levels = subject.type.levels_of(other);
-      const i32 level = surface_for(levels, kind.height);
-      if (level < 0 || kind.width > other.width) continue;
-      const i64 slide = rule.align == Align::any ? floor_div(other.width - kind.width, 2) : 0;
-      const bool edge = rule.align == Align::back || rule.align == Align::front;
-      Candidate& slot = effect.slots.add(free_candidate(variant.kind, variant.cost));
-      slot.parent = parent.piece;
-      slot.parent_kind = parent.kind;
-      slot.slot = Slot::level;
-      slot.slot_number = level;
-      slot.across = {-slide, slide};
-      slot.along = rounded(lined_up(other.depth, kind.depth, edge ? rule.align : Align::centre));
-      slot.is_on = 1;
-      slot.bottom = levels[level].height;
+      List<DoubleBox> places;
+      boxes({asked, other.size(), kind.size(), 0, kind.height, levels, {}, {}}, places);
+      for (const DoubleBox& place : places) {
+        Candidate& slot = effect.slots.add(free_candidate(variant.kind, variant.cost));
+        slot.parent = parent.piece;
+        slot.parent_kind = parent.kind;
+        slot.slot = Slot::level;
+        slot.slot_number = place.level;
+        slot.across = rounded(place.across);
+        slot.along = rounded(place.along);
+        slot.is_on = 1;
+        slot.bottom = levels[static_cast<i32>(place.level)].height;
+      }
     }
   }
 }

@@ -1,7 +1,10 @@
-// What a relation of a room type makes of a piece's candidates: one class a word, as in solver/relations/.
+// What a relation means: one class a word.
+//
+// Of a room type it costs by degree: `effect`, `cost` and `keep` say what it makes of a piece's candidates. Asked for by a user it holds or
+// does not: `regions` and `boxes` say where, `holds_in_room` and `holds_with` whether it does in a finished room.
 #pragma once
 
-#include "furnish/subject.hpp"
+#include "furnish/relations/asked.hpp"
 
 namespace furnish {
 
@@ -44,6 +47,20 @@ class Relation {
 
   // It places a piece at another one; who is there has what it needs from it.
   bool gives_place = false;
+  // It may well hold for a piece that is placed without thinking of it.
+  bool by_degree = false;
+  // Which way round the piece stands decides whether it holds.
+  bool turns = false;
+  // To several, it holds only with all of them.
+  bool with_all = false;
+  // It may hold between the copies of one piece.
+  bool among_copies = false;
+  // It makes a piece stand with its back at a wall that would not do so by itself.
+  bool at_walls = false;
+  // It draws the middle of the piece into line with that of the other, not near it.
+  bool into_line = false;
+  // How far from a piece is meant where it names no distance, mm.
+  i64 usual = 0;
 
   // What it does to the candidates of a piece.
   virtual void effect(const Subject&, const Rule&, Effect&) const {}
@@ -51,6 +68,17 @@ class Relation {
   virtual f64 cost(const Subject&, const Effect&, const Candidate&) const { return 0.0; }
   // Where such a candidate must stay so that its cost stays what it is; without a word, anywhere.
   virtual void keep(const Subject&, const Effect&, Candidate&) const {}
+
+  // Adds the rectangles in any of which a footprint holds it to the room; none where it cannot hold so.
+  virtual void regions(const Footing&, List<Rect>&) const {}
+  // Adds the boxes in any of which a centre holds it to another piece, best first.
+  virtual void boxes(const Fit&, List<DoubleBox>&) const {}
+  // Tells whether the walls at the backs of two pieces lie as it wants them.
+  virtual bool suits(Walls asked, Wall mine, Wall theirs) const;
+  // Tells whether it holds to the room, or to any opening of those it names, with the footprint where it is.
+  virtual bool holds_in_room(const Footing& at) const;
+  // Tells whether it holds to another piece, its `wall` left aside.
+  virtual bool holds_with(const Fit& fit, const Standing& own, const Standing& other) const;
 };
 
 const Relation& relation_of(Word word);

@@ -20,9 +20,9 @@ constexpr Side FRONT[] = {Side::front};
 
 static constexpr AgainstWall against_wall;
 static constexpr InCorner in_corner;
-static constexpr AtSide beside({LEFT_RIGHT, 2, 20, 0, false});
-static constexpr AtSide in_front_of({FRONT, 1, 400, 0, false});
-static constexpr AtSide under({FRONT, 1, -300, -10, true});
+static constexpr AtSide beside_it({LEFT_RIGHT, 2, 20, 0, false, {20, 280}, {0, 300}, Align::back}, true);
+static constexpr AtSide in_front_of({FRONT, 1, 400, 0, false, {250, 650}, {0, 700}, Align::centre});
+static constexpr AtSide under({FRONT, 1, -300, -10, true, {-10'000, -50}, {-10'000, -10}, Align::none});
 static constexpr Opposite opposite;
 static constexpr Facing facing_it;
 static constexpr Near near(false), near_door(true);
@@ -36,7 +36,7 @@ static constexpr On on;
 
 // In the order of the enum.
 static constexpr const Relation* RELATIONS[] = {
-  &against_wall, &in_corner, &beside, &in_front_of, &opposite, &facing_it, &near, &far_from, &around,
+  &against_wall, &in_corner, &beside_it, &in_front_of, &opposite, &facing_it, &near, &far_from, &around,
   &aligned_with, &centred, &in_row, &at_window, &near_door, &far_from_door, &on, &under,
 };
 static_assert(sizeof(RELATIONS) / sizeof(RELATIONS[0]) == static_cast<i32>(Word::COUNT));
