@@ -42,10 +42,11 @@ def opening_wrong(case: RuleCase) -> Iterator[Finding]:
 
 def _wrong(case: RuleCase) -> Iterator[tuple[Opening, int, str, str]]:
     """Yields what is wrong with the openings that a room lists: by how much, and how, before and after the room's name."""
-    holes = case.room.holes
-    placed = {id(hole.opening) for hole in holes}
-    for opening in case.room.room.openings:
-        if id(opening) not in placed:
+    holes, placed = case.room.holes, 0
+    for opening in case.room.room.openings:  # the holes come in this order; of a room read anew they are the old one's
+        if placed < len(holes) and holes[placed].opening == opening:
+            placed += 1
+        else:
             yield opening, 0, "is in no wall of", ""
     for told in case.told["opening_wrong"]:
         yield holes[told.body].opening, told.amount, "of", f" {_how(case, holes[told.body].opening, told)}"

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from solver import Request, generate
 from solver.exchange import read_scene, write_scene
-from solver.scene import Decoration, Dynamic, Room, Scene
+from solver.scene import Decoration, Dynamic, Opening, Room, Scene
 from solver.validator import check, validate
 from solver.validator import checking as module
 from solver.validator.judging import JUDGED
@@ -92,3 +92,12 @@ def test_rooms_told_as_rows_stay_as_they_were_judged_where_the_same_are_told_one
     aside = in_room(name, lambda room: replace(room, furniture=tuple(replace(one, x=one.x + 0.4) for one in room.furniture)))(read)
     again = check(made, CATALOGS).after(aside)
     assert again.errors == check(aside, CATALOGS).errors != ()
+
+
+def test_openings_of_a_room_that_was_read_anew_are_where_they_were() -> None:
+    lost = Opening("window_9", "window", "north", 9.0, 1.0, 1.2, 0.9)
+    made = scene(replace(room(piece(1.0, 1.0), id="still"), openings=(*room().openings, lost)))
+    aside = in_room("still", lambda one: replace(one, furniture=(piece(1.5, 1.0),)))(read_scene(write_scene(made)))
+    told = [(issue.rule, issue.message) for issue in check(made, CATALOGS).after(aside).issues]
+    assert told == [(issue.rule, issue.message) for issue in check(aside, CATALOGS).issues]
+    assert [rule for rule, _ in told].count("opening_wrong") == 1
