@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from solver.body_rows import LooksBySize
-from solver.geometry import ALONG_X, Rect, gaps_between, strip, turned
+from solver.geometry import Rect, gaps_between, strip, turned
 from solver.records import late, maker_in
 
 Extents = tuple[int, int, int]
@@ -59,12 +59,6 @@ class Opened(NamedTuple):
     wall: str
     interval: tuple[int, int]
     across: int
-
-    @property
-    def centre(self) -> tuple[int, int]:
-        """Its middle on the wall's line (x, z), mm."""
-        along = sum(self.interval) // 2
-        return (along, self.across) if self.wall in ALONG_X else (self.across, along)
 
 
 @dataclass(frozen=True)

@@ -30,10 +30,6 @@ class Scope:
     gap_mm: int = 30
     exterior: Sides = NO_SIDES
 
-    def opened(self, *kinds: str) -> list[Opened]:
-        """Returns the room's openings of some kinds; passages are doors here."""
-        return [one for kind in kinds for one in self.openings if one.kind == kind or (kind == "door" and one.kind == "passage")]
-
 
 class SurfaceHeight(NamedTuple):
     """A surface of a piece: its name, its height above the piece's underside, and the free height above it (None: any), mm."""

@@ -13,6 +13,7 @@ from solver.pieces import LOOKS_AT, Candidate, Link, Opened
 from solver.relations.asking import missed
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
+from tests.furnish.reference.openings import middle_of, opened
 from tests.furnish.reference.slots import slots_of
 
 NEAR_MM, FAR_MM, FAR_FROM_OPENING_MM, LEAST_MM = 1500, 2000, 1500, 10
@@ -111,8 +112,8 @@ def _opposite(subject: Subject, spec: RelationSpec) -> Effect:
 def _facing(subject: Subject, spec: RelationSpec) -> Effect:
     kinds = tuple(name for name in spec.of if name in OPENINGS)
     if kinds:
-        walls = {opening.wall for opening in subject.scope.opened(*kinds)}
-        gates = subject.scope.opened("garage_door") if "garage_door" in kinds else []
+        walls = {opening.wall for opening in opened(subject.scope, *kinds)}
+        gates = opened(subject.scope, "garage_door") if "garage_door" in kinds else []
 
         def cost_of(candidate: Candidate) -> float:
             if OPPOSITE[WALL_BEHIND[candidate.rotation % 360]] not in walls:
@@ -140,7 +141,7 @@ def behind_gate(subject: Subject, candidate: Candidate) -> Rect | None:
     """Returns where a candidate stays between the ends of the garage door that it faces; at another piece, of any door."""
     faced = any(spec.type == "facing" and "garage_door" in spec.of for spec in subject.relations)
     ahead, clear = OPPOSITE[WALL_BEHIND[candidate.rotation % 360]], subject.scope.clear
-    for gate in subject.scope.opened("garage_door") if faced else ():
+    for gate in opened(subject.scope, "garage_door") if faced else ():
         (low, high), (a, b) = gate.interval, candidate.footprint.along(ahead)
         if candidate.attach or (gate.wall == ahead and low <= a and b <= high):
             start, end = clear.along(gate.wall)
@@ -152,7 +153,7 @@ def behind_gate(subject: Subject, candidate: Candidate) -> Rect | None:
 def _near(subject: Subject, spec: RelationSpec) -> Effect:
     kinds = ("door",) if spec.type == "near_door" else tuple(name for name in spec.of if name in OPENINGS)
     if kinds:
-        return _off_distance(subject, spec, subject.scope.opened(*kinds), (NEAR_MM, 1))
+        return _off_distance(subject, spec, opened(subject.scope, *kinds), (NEAR_MM, 1))
     link = _link(subject, spec)
     return Effect(links=(replace(link, walls=spec.wall, cost=spec.cost if spec.wall else 0.0, near=spec.weight),)) if link else NOTHING
 
@@ -160,7 +161,7 @@ def _near(subject: Subject, spec: RelationSpec) -> Effect:
 def _far_from(subject: Subject, spec: RelationSpec) -> Effect:
     kinds = ("door",) if spec.type == "far_from_door" else tuple(name for name in spec.of if name in OPENINGS)
     if kinds:
-        return _off_distance(subject, spec, subject.scope.opened(*kinds), (FAR_FROM_OPENING_MM, -1))
+        return _off_distance(subject, spec, opened(subject.scope, *kinds), (FAR_FROM_OPENING_MM, -1))
     apart = distance_mm(spec, FAR_MM) / 1000
     links = [Link(spec.type, label, apart_m=apart, apart_cost=spec.cost) for label in subject.labels(spec.of)]
     walls = _link(subject, spec)
@@ -173,7 +174,7 @@ def _off_distance(subject: Subject, spec: RelationSpec, openings: list[Opened], 
     wished = max(distance_mm(spec, default), LEAST_MM) / 1000
 
     def cost_of(candidate: Candidate) -> float:
-        nearest = min(candidate.footprint.distance_to_point(opening.centre) for opening in openings)
+        nearest = min(candidate.footprint.distance_to_point(middle_of(opening)) for opening in openings)
         off = sign * (nearest / 1000 - wished)
         return missed(spec) * min(1.0, off / wished) if off > 0 else 0.0
 
@@ -251,7 +252,7 @@ def _along_window(scope: Scope, candidate: Candidate) -> bool:
     rect, near = candidate.footprint, 2 * scope.gap_mm
     if candidate.size_mm[1] <= candidate.size_mm[0]:
         return False
-    others = [one for one in scope.opened("window") if one.wall != candidate.wall and rect.wall_distance(one.wall, scope.clear) <= near]
+    others = [one for one in opened(scope, "window") if one.wall != candidate.wall and rect.wall_distance(one.wall, scope.clear) <= near]
     return any(a < sum(one.interval) // 2 < b for one in others for a, b in (rect.along(one.wall),))
 
 
@@ -285,10 +286,10 @@ def _centred(subject: Subject, spec: RelationSpec) -> Effect:
 
 
 def _at_window(subject: Subject, spec: RelationSpec) -> Effect:
-    windows = subject.scope.opened("window")
+    windows = opened(subject.scope, "window")
 
     def cost_of(candidate: Candidate) -> float:
-        here = [window.centre for window in windows if window.wall == candidate.wall]
+        here = [middle_of(window) for window in windows if window.wall == candidate.wall]
         axis = 0 if candidate.wall in ALONG_X else 1
         return _off_middle(spec, min((abs(candidate.anchor_mm[axis] - centre[axis]) for centre in here), default=math.inf))
 

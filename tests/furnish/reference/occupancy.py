@@ -8,6 +8,7 @@ from dataclasses import replace
 from solver.geometry import Rect, gaps_between, strip
 from solver.pieces import Piece, Space
 from solver.relations.subject import Scope
+from tests.furnish.reference.openings import opened
 
 SILL_PROUD_MM = 30
 """How far sill boards stand out into a room."""
@@ -18,7 +19,7 @@ def off_boards(scope: Scope, space: Space, height_mm: int) -> Rect:
     if not any(0 <= zone.above_mm < height_mm for zone in space.zones):
         return scope.clear
     x0, z0, x1, z1 = scope.clear
-    walls = {one.wall for one in scope.opened("window")}
+    walls = {one.wall for one in opened(scope, "window")}
     west, north, east, south = (SILL_PROUD_MM * (wall in walls) for wall in ("west", "north", "east", "south"))
     return Rect(x0 + west, z0 + north, x1 - east, z1 - south)
 

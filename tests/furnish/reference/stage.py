@@ -23,6 +23,7 @@ from tests.furnish.reference.comfort import with_comfort
 from tests.furnish.reference.drawn import CountedPiece, Preferences, count, drawn_preferences, ordered
 from tests.furnish.reference.effects import Effect, behind_gate, effect_of, kept_in
 from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off_boards
+from tests.furnish.reference.openings import opened
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
 from tests.furnish.reference.slots import faces
@@ -64,9 +65,9 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     if room_type is None:
         return ()
     scope = scope_of(room, space)
-    gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in scope.opened("garage_door"))
-    opened = partial(_opened_within, scope, space, catalogs)
-    furnisher = _Furnisher(scope, TakenWalls(space, gates, opened), catalogs)
+    gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in opened(scope, "garage_door"))
+    opens = partial(_opened_within, scope, space, catalogs)
+    furnisher = _Furnisher(scope, TakenWalls(space, gates, opens), catalogs)
     counted = _counted(room_type, catalogs, room.floor_m2, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
@@ -80,7 +81,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
                 break
     worktop = room_type.run.worktop if room_type.run else ()
     wanted = with_comfort(furnisher.pieces, catalogs, {name for order in orders for name in order}, worktop)
-    return tuple(opened_off_boards(piece, opened) for piece in wanted)
+    return tuple(opened_off_boards(piece, opens) for piece in wanted)
 
 
 def _opened_within(scope: Scope, space: Space, catalogs: Catalogs, kind: str) -> Rect | None:
