@@ -42,6 +42,9 @@ SOURCES_TESTS = Path(__file__).parent / "architecture"
 ONCE = {"client": "service", "native": "native build"}
 """Fixtures that one worker makes for all, and what the group of their tests is called."""
 
+GARBAGE = (100_000, 50, 100)
+"""After how many new objects the youngest, the younger and all are looked through for garbage that holds itself."""
+
 
 @pytest.fixture(scope="session")
 def client() -> Iterator[TestClient]:
@@ -62,12 +65,16 @@ def pytest_xdist_auto_num_workers() -> int:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Generator[None, object, object]:
-    """Collect the tests without looking for garbage, and never look through them again: all of this stays to the end."""
+    """Collect the tests without looking for garbage, and never look through them again: all of this stays to the end.
+
+    Later too it is looked for rarely: little of what tests leave holds itself, and what they keep for each other is much to look through.
+    """
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(*GARBAGE)
         gc.enable()
 
 
