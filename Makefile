@@ -51,9 +51,8 @@ test: .venv/dev.stamp ## run every test: Python, page, browser; some minutes on 
 page-tests:
 	$(PY) scripts/page.py test
 
-# Collecting compiles the tests and what they import: each worker would do so for itself.
-compiled-tests:
-	-@$(PY) -m pytest --collect-only -qq $(PYTEST_ARGS) > /dev/null
+compiled-tests: .venv/tests.stamp
+	@:
 
 targets: .venv/dev.stamp core page ## run the long checks and benches: thousands of seeds, timings
 	$(PY) -m tests.targets
@@ -130,3 +129,8 @@ clean: ## remove everything that make brought or built
 .venv/dev.stamp: .venv/python.stamp $(PINS)
 	$(INSTALL) --editable . --group dev
 	@touch $@ .venv/run.stamp
+
+# Collecting compiles the tests and what they import: each worker would do so for itself.
+.venv/tests.stamp: .venv/dev.stamp $(wildcard tests/*.py tests/*/*.py tests/*/*/*.py)
+	-@$(PY) -m pytest --collect-only -qq > /dev/null
+	@touch $@
