@@ -274,7 +274,7 @@ def small_bathrooms(scene: Scene) -> Count:
 LINES = (
     Line("toilet: 0.38 m free at both sides of its axis", toilets_with_room, {"*": 0.9}),
     Line("toilet: looks straight out of a door", toilets_faced, {"*": 0.02}, most=True),
-    Line("bathtub: in a corner", tubs_in_corners, {"*": 0.75}),
+    Line("bathtub: in a corner", tubs_in_corners, {"*": 0.9}),
     Line("pantry: neither beside the run nor in a corner", pantries_apart, {"*": 0.35}, most=True),
     Line("standing mirror: front free, 0.6 m", mirrors_seen, {"*": 0.9}),
     Line("things at a wall: less than 0.12 m apart", hung_close, {"*": 0.0}, most=True),
