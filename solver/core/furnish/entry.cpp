@@ -1,6 +1,6 @@
 // What the host calls of this stage.
 #include "furnish/furnish.hpp"
-#include "furnish/relations/vocabulary.hpp"
+#include "furnish/relations/relation.hpp"
 
 using namespace furnish;
 
