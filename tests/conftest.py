@@ -42,7 +42,7 @@ SOURCES_TESTS = Path(__file__).parent / "architecture"
 ONCE = {"client": "service", "native": "native build"}
 """Fixtures that one worker makes for all, and what the group of their tests is called."""
 
-GARBAGE = (100_000, 50, 100)
+GARBAGE = (100_000, 20, 5)
 """After how many new objects the youngest, the younger and all are looked through for garbage that holds itself."""
 
 

@@ -18,11 +18,10 @@ from struct import error as StructError
 from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakSet, finalize
 
-import numpy as np
-from numpy.typing import DTypeLike, NDArray
-
 if TYPE_CHECKING:
+    import numpy as np
     import wasmtime
+    from numpy.typing import DTypeLike, NDArray
 
 WASM = Path(__file__).with_name("core.wasm")
 FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
@@ -105,7 +104,7 @@ def load_core() -> None:
 class _MemoryPiece:
     """A piece of an instance's memory as numpy takes it; the views made of it keep the instance alive."""
 
-    def __init__(self, instance: "CoreInstance", address: int, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    def __init__(self, instance: "CoreInstance", address: int, shape: tuple[int, ...], dtype: "np.dtype[Any]") -> None:
         self.instance = instance
         self.__array_interface__ = {"version": 3, "data": (address, False), "shape": shape, "typestr": dtype.str}
 
@@ -230,21 +229,25 @@ class CoreInstance:
         """Gives back all that was taken since a mark; what views of it show is then void."""
         self._top.value = mark
 
-    def lent(self) -> NDArray[np.uint8]:
+    def lent(self) -> "NDArray[np.uint8]":
         """Returns the memory as it is now, for views of parts of it; once the last of them is gone, the instance goes to the idle ones.
 
         All that was taken is then given back, so that nothing else may use the instance at that time.
         """
+        import numpy as np  # noqa: PLC0415 - bytes are asked for without it
+
         piece = _MemoryPiece(self, self._base, (self.size,), np.dtype(np.uint8))
         finalize(piece, _lay_idle, self).atexit = False
         return np.asarray(piece)
 
-    def view(self, address: int, shape: tuple[int, ...], dtype: DTypeLike) -> NDArray[Any]:
+    def view(self, address: int, shape: tuple[int, ...], dtype: "DTypeLike") -> "NDArray[Any]":
         """Returns an array that is a piece of the memory: what the core writes there, it shows; it keeps the instance alive.
 
         Raises:
             ValueError: the piece is not within the memory.
         """
+        import numpy as np  # noqa: PLC0415
+
         kind = np.dtype(dtype)
         if address < 0 or address + prod(shape) * kind.itemsize > self.size:
             raise ValueError(f"{shape} of {kind} at {address} is not within the core's memory")

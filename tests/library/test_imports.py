@@ -40,19 +40,20 @@ CHAINS: list[list[tuple[str, set[str]]]] = [
     [
         ("import compose_homes", KERNEL | SERVER | CATALOGS),
         ("from solver.scene import Scene", KERNEL | SERVER | CATALOGS),
-        (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", KERNEL | SERVER | CATALOGS),
-        ("from service.cli import main; main(['schema'])", KERNEL | SERVER | CATALOGS),
+        ("from compose_homes import load\nload('rooms:\\n- {id: den, width: 4, depth: 3}')", KERNEL | SERVER | CATALOGS),
         ("from compose_homes import PieceRequest, load_catalogs; load_catalogs()", KERNEL | SERVER),
         ("from solver import fix, generate, place, validate", KERNEL | SERVER),
         ("from compose_homes import Scene, fix, generate, place, reroll, validate", KERNEL | SERVER),
-        ("main(['catalog'])", KERNEL | {"uvicorn", "fastapi"}),
     ],
     [
         ("import service.calls", KERNEL | SERVER | FLOWS),
         ("import service.app", KERNEL | (FLOWS - {"numpy"})),
     ],
     [
-        (SCENE + "from compose_homes import validate\nvalidate(scene)", FINAL_SOLVE | SERVER),
+        (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", FINAL_SOLVE | SERVER | CATALOGS),
+        ("from service.cli import main; main(['schema'])", FINAL_SOLVE | SERVER | CATALOGS),
+        ("main(['catalog'])", FINAL_SOLVE | SERVER | {"numpy"}),
+        ("from compose_homes import validate\nvalidate(scene)", FINAL_SOLVE | SERVER),
         (GENERATE, {"cvxpy", "osqp", "scipy", "jinja2"} | SERVER),
     ],
 ]

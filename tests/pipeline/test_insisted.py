@@ -82,7 +82,7 @@ STUDIOS: list[dict[str, Any]] = [
     {"seed": 510924279406, "outline": "L", "robot_width": 0.8},
     {"seed": 556607721296, "outline": "L", "robot_width": 0.8},
     {"seed": 49372682363, "outline": "U", "robot_width": 0.5, "outer_wall_thickness": 0.36},
-    {"seed": 693381308159, "outline": "U", "access": "ada", "robot_width": 0.8, "wall_thickness": 0.2},
+    {"seed": 716142411305, "outline": "U", "access": "ada", "robot_width": 0.8, "wall_thickness": 0.2},
     {"seed": 881007897515, "outline": "rectangle", "robot_width": 0.6, "wall_thickness": 0.08, "outer_wall_thickness": 0.6},
 ]
 """Homes in which one eats in the kitchen alone, and whose table is insisted on or stood before counters when it was."""
