@@ -1,5 +1,5 @@
 // Furniture and small things as JSON text, from the rows that were told of them (BODY of solver/body_rows.py). What a record's keys are and
-// what bodies that look alike have in common comes from Python (solver/exchange/body_text.py): text with gaps.
+// what bodies that look alike have in common comes from Python (solver/exchange/scene_text.py): text with gaps.
 #pragma once
 
 #include "plain/tables.hpp"
