@@ -52,7 +52,7 @@ Span<i64> cuts_between(i64 low, i64 high, Span<Interval> edges) {
   return cuts.all();
 }
 
-// The cells between the edges of what is taken, each with the number of its component of the free floor, from 1.
+// The cells between the edges of what is taken, each with the number of its component of the free floor, from 1; around them taken ones.
 class Cells {
  public:
   Cells(const Rect& floor, Span<Rect> taken) {
@@ -64,27 +64,30 @@ class Cells {
     }
     xs_ = cuts_between(floor.x0, floor.x1, across.all());
     zs_ = cuts_between(floor.z0, floor.z1, along.all());
-    labels_ = {zeroes<i32>((xs_.size - 1) * (zs_.size - 1)).data, xs_.size - 1, zs_.size - 1};
+    labels_ = {reserved<i32>((xs_.size + 1) * (zs_.size + 1)).data, xs_.size + 1, zs_.size + 1};
+    for (i32 i = 0; i < labels_.rows; i++) {
+      const bool is_inside = i > 0 && i + 1 < labels_.rows;
+      const Span<i32> row = labels_.row(i);
+      for (i32& label : row) label = is_inside ? FREE : TAKEN;
+      row[0] = row[row.size - 1] = TAKEN;
+    }
     for (i32 k = 0; k < across.size(); k++) take({across[k].low, along[k].low, across[k].high, along[k].high});
     flood();
   }
 
   i32 components() const { return components_; }
 
-  // The free centres of a component, of a person who is not smaller than asked.
-  i64 area(i32 component) const {
-    const i32 nx = labels_.rows, nz = labels_.columns;
+  // Tells whether a component has so many free centres, of a person who is not smaller than asked.
+  bool has(i32 component, i64 least_area) const {
     i64 area = 0;
-    for (i32 i = 0; i < nx; i++) {
-      for (i32 j = 0; j < nz; j++) {
+    for (i32 i = 1; i + 1 < labels_.rows; i++) {
+      for (i32 j = 1; j + 1 < labels_.columns; j++) {
         if (labels_.at(i, j) != component) continue;
-        area += area_within(xs_[i + 1] - xs_[i], zs_[j + 1] - zs_[j], [&](i32 x, i32 z) {
-          x += i, z += j;
-          return x < 0 || x >= nx || z < 0 || z >= nz || labels_.at(x, z) == TAKEN;
-        });
+        area += area_within(xs_[i] - xs_[i - 1], zs_[j] - zs_[j - 1], [&](i32 x, i32 z) { return labels_.at(i + x, j + z) == TAKEN; });
+        if (area >= least_area) return true;
       }
     }
-    return area;
+    return false;
   }
 
   // Marks the components of which a cell meets a box.
@@ -94,7 +97,7 @@ class Cells {
     const CellRange x = cells_between(xs_, box.x0, box.x1), z = cells_between(zs_, box.z0, box.z1);
     for (i32 i = x.first; i < x.last; i++) {
       for (i32 j = z.first; j < z.last; j++) {
-        if (labels_.at(i, j) != TAKEN) touched[labels_.at(i, j) - 1] = true;
+        if (label_at(i, j) != TAKEN) touched[label_at(i, j) - 1] = true;
       }
     }
   }
@@ -111,10 +114,12 @@ class Cells {
   }
 
  private:
+  i32& label_at(i32 i, i32 j) const { return labels_.at(i + 1, j + 1); }
+
   void take(const Rect& rect) {
     const CellRange x = cells_between(xs_, rect.x0, rect.x1), z = cells_between(zs_, rect.z0, rect.z1);
     for (i32 i = x.first; i < x.last; i++) {
-      for (i32 j = z.first; j < z.last; j++) labels_.at(i, j) = TAKEN;
+      for (i32 j = z.first; j < z.last; j++) label_at(i, j) = TAKEN;
     }
   }
 
@@ -129,7 +134,7 @@ class Cells {
 
   // Numbers the free cells that hang together with one of them.
   void flood_from(i32 start, i32 number, Span<i32> queue) {
-    const i32 nx = labels_.rows, nz = labels_.columns;
+    const i32 beside[] = {-labels_.columns, labels_.columns, -1, 1};
     i32 queued = 0;
     const auto reach = [&](i32 cell) {
       if (labels_.data[cell] != FREE) return;
@@ -138,11 +143,8 @@ class Cells {
     };
     reach(start);
     while (queued > 0) {
-      const i32 cell = queue[--queued], i = cell / nz, j = cell % nz;
-      if (i > 0) reach(cell - nz);
-      if (i + 1 < nx) reach(cell + nz);
-      if (j > 0) reach(cell - 1);
-      if (j + 1 < nz) reach(cell + 1);
+      const i32 cell = queue[--queued];
+      for (const i32 step : beside) reach(cell + step);
     }
   }
 
@@ -202,7 +204,7 @@ bool FreeFloor::connects() const {
     if (!goal.need_all) keep(serving, touched);
   }
   for (i32 k = 0; k < serving.size; k++) {
-    if (serving[k] && cells.area(k + 1) >= LEAST_FLOOR) return true;
+    if (serving[k] && cells.has(k + 1, LEAST_FLOOR)) return true;
   }
   return false;
 }
