@@ -5,7 +5,6 @@ Within reach is exact, by the core: solver/core/floor/free_floor.hpp.
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
 from struct import Struct
 from typing import Final, NamedTuple
 
@@ -93,11 +92,6 @@ class FreeFloor:
         """Returns the footprints of what is told as rows and taken between two heights; `loose`: of things those on the floor."""
         return b"" if self._told is None else ask("taken_between", *bodies_told(self._told), numbers=[low, high, loose])
 
-    @cached_property
-    def _blocks_told(self) -> list[Block]:
-        told = () if self._told is None else (*furniture_in(self._told), *decorations_in(self._told))
-        return [one.block for one in told if is_high(one)]
-
     def add(self, block: Block, in_the_way: bool = True, is_goal: bool = False) -> None:
         """Notes that somebody or something is there; who sits is not in the way of those who walk.
 
@@ -126,10 +120,12 @@ class FreeFloor:
         """Returns the free place nearest to a body with a gap all around, the gap included, or None where there is none."""
         return nearest_place(own.rect.shrunk(-gap_mm), self.space.clear, self._taken_at(own))
 
-    def is_free(self, own: Block, but: str) -> bool:
-        """Tells whether a space is empty, the body of one id aside."""
-        others = (block for block in (*self._blocks, *self._blocks_told) if block.id != but)
-        return not any(own.rect.overlaps(block.rect) and block.between(own.low, own.high) for block in others)
+    def is_free(self, own: Block, but: Block) -> bool:
+        """Tells whether a space is empty, one of the bodies there aside."""
+        taken = self.obstacles(own)
+        if but.between(own.low, own.high) and but.rect in taken:
+            taken.remove(but.rect)
+        return not any(map(own.rect.overlaps, taken))
 
     def connects(self, more: Sequence[Rect] = (), goals: Sequence[Goal] = ()) -> bool:
         """Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres.

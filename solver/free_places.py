@@ -6,7 +6,7 @@ has both coordinates among the wish's own and the edges of those, so that these 
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import chain
+from itertools import chain, repeat
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
@@ -105,12 +105,22 @@ def decorations_in(room: Room) -> list[PlacedBody]:
     return [PlacedBody(block_of(one), key, one.rotation, one.y, -1, rest) for (one, key), rest in zip(keyed, rests, strict=True)]
 
 
+def decoration_blocks(room: Room) -> list[Block]:
+    """Returns the spaces that a room's decorations take up; those told as rows without their ids."""
+    if (rows := rows_in(room, DecorationRows)) is not None:
+        return [*map(_block_told, repeat(""), rows.looks, rows.rows)]
+    return [*map(block_of, room.decorations)]
+
+
 def _as_told(name: str, look: Look, row: BodyRow) -> PlacedBody:
-    _, on, under, wall, rotation, _, _, _, x0, z0, x1, z1, low, _, _, _ = row
-    y = low / 1000
-    block = _new(Block, (_new(Rect, (x0, z0, x1, z1)), y * 1000, (y + look.size[2]) * 1000, name))
+    _, on, under, wall, rotation, _, _, _, _, _, _, _, low, _, _, _ = row
     rests = on >= 0 or ((BODY_WALLS[wall] is not None or low != 0) and look.key[0] == "decoration")
-    return _new(PlacedBody, (block, look.key, rotation, y, under, rests))
+    return _new(PlacedBody, (_block_told(name, look, row), look.key, rotation, low / 1000, under, rests))
+
+
+def _block_told(name: str, look: Look, row: BodyRow) -> Block:
+    y = row[12] / 1000
+    return _new(Block, (_new(Rect, row[8:12]), y * 1000, (y + look.size[2]) * 1000, name))
 
 
 def block_of(body: Furniture | Decoration | Dynamic) -> Block:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import pickle
 from dataclasses import replace
+from math import inf
 from typing import Any
 
 import pytest
@@ -17,7 +18,7 @@ from solver.certificate import mark_of
 from solver.exchange import dump_scene, dump_text, write_scene
 from solver.exports.table_rows import rows_of
 from solver.free_floor import FreeFloor
-from solver.free_places import block_of, decorations_in, furniture_in
+from solver.free_places import Block, block_of, decoration_blocks, decorations_in, furniture_in
 from solver.pipeline.room_spaces import spaces_in
 from solver.request import Request
 from solver.scene import Dynamic, Level, Room, Scene
@@ -64,6 +65,7 @@ def test_rows_are_kept_and_nothing_is_made_before_it_is_asked_for(homes: tuple[S
         assert (furniture_ids(room), furniture_names(room)) == (furniture_ids(other), furniture_names(other))
         assert furniture_in(room) == furniture_in(other)
         assert decorations_in(room) == decorations_in(other)
+        assert [one._replace(id="") for one in decoration_blocks(room)] == [one.block._replace(id="") for one in decorations_in(other)]
         assert mark_of(room) == mark_of(other)
 
 
@@ -79,9 +81,12 @@ def test_the_floor_that_is_left_is_alike(homes: tuple[Scene, Scene]) -> None:
             assert floor.nearest(own, 60) == same.nearest(own, 60)
             assert sorted(floor.obstacles(own)) == sorted(same.obstacles(own))
             assert floor.connects([own.rect]) == same.connects([own.rect])
-            of = stream.pick(furniture_ids(room)) if furniture_ids(room) else ""
-            assert floor.is_free(own, of) == same.is_free(own, of)
-            verdicts.add(floor.is_free(own, of))
+            of = block_of(stream.pick(other.furniture)) if other.furniture else own
+            there = [one.block for one in (*furniture_in(other), *decorations_in(other)) if one.key[4] > 0.02 and one.block.id != of.id]
+            there += [Block(zone.rect, -inf, inf) for zone in space(other).zones if zone.above_mm < 0]
+            is_free = not any(one.rect.overlaps(own.rect) and one.between(own.low, own.high) for one in there)
+            assert floor.is_free(own, of) == same.is_free(own, of) == is_free
+            verdicts.add(is_free)
     assert verdicts == {True, False}
 
 

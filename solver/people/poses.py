@@ -9,7 +9,7 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.entries import Dweller, Seats, Surface
 from solver.free_floor import FreeFloor, Goal
-from solver.free_places import Block, block_of, decorations_in, footprint
+from solver.free_places import Block, block_of, decoration_blocks, footprint
 from solver.geometry import half_m, rotate, wall_faced
 from solver.people.sights import Sight, faces, sights
 from solver.records import changed
@@ -39,7 +39,7 @@ class Surroundings:
     @cached_property
     def things(self) -> Sequence[Block]:
         """What its decorations take up."""
-        return [thing.block for thing in decorations_in(self.room)]
+        return decoration_blocks(self.room)
 
     def near(self, person: Dynamic, gap_mm: int) -> Dynamic | None:
         """Returns somebody at the free place nearest to the pose, with a gap all around, or None where there is none."""
@@ -106,7 +106,7 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
         for across in _places(piece, seat, sitter.width, stream):
             for behind in (seat.inset, 0.0):  # at the very edge before what leans on the back
                 placed = _on_top(here.things, _seated(sitter, piece, seat, (across, behind)))
-                if here.floor.is_free(block_of(placed), piece.id) and here.front_reachable(piece):
+                if here.floor.is_free(block_of(placed), block_of(piece)) and here.front_reachable(piece):
                     return placed
     return None
 
