@@ -142,13 +142,16 @@ def test_baths_are_not_off_the_kitchen_nor_masters_the_smaller_bedrooms() -> Non
 
 
 @pytest.mark.parametrize("preset", ["studio", "one_bed"])
-def test_small_homes_have_their_bath_off_the_living_room_rather_than_the_kitchen(preset: str) -> None:
-    """Of 60 studios 17 had it off the kitchen alone, of 60 with a bedroom 7: now none."""
+def test_small_homes_have_their_bath_off_the_foyer(preset: str) -> None:
+    """Of 200 studios 118 had it off the living room alone, of 200 with a bedroom 144: now 4 and 2 of 100."""
+    off_living = 0
     for seed in range(4_100, 4_130):
         rooms = planned(seed=seed, program=preset).rooms
         kinds = {room.id: room.type for room in rooms}
         into = {kinds.get(str(o.connects_to)) for room in rooms if room.type == "bathroom" for o in room.openings if o.kind == "door"}
         assert into != {"kitchen"}, seed
+        off_living += into == {"living_room"}
+    assert off_living <= 4
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -15,8 +15,10 @@ constexpr f64 UNREACHED = 30.0;
 constexpr f64 STREETLESS = 30.0;
 // A bedroom that can only be entered from the entrance room.
 constexpr f64 AT_ENTRANCE = 6.0;
-// Another room than a bedroom that only the entrance room leads to.
+// Another room than a bedroom or a bathroom that only the entrance room leads to.
 constexpr f64 OFF_ENTRY = 0.7;
+// A bathroom that only rooms one lives in lead to.
+constexpr f64 OFF_LIVING = 4.0;
 // A wet room without a wet neighbour.
 constexpr f64 DRY = 4.0;
 // A kitchen away from the dining room, or from the living room where there is none.
@@ -58,7 +60,7 @@ Judge::Judge(Span<const PlannedRoom> rooms, Taste taste, i64 door_wall) : rooms_
     if (!room.has(WAY_THROUGH) && !room.owned()) leaves_ |= bit;
     if (room.has(BED)) beds_ |= bit;
     if (room.owned()) suites_ |= 1ULL << room.owner;
-    if (room.has(BED) || room.has(TOILET)) private_ |= bit;
+    if (room.has(TOILET)) toilets_ |= bit;
   }
   living_ = ways_ & ~entry_ & ~kitchen_ & ~dining_;
 }
@@ -74,7 +76,7 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
     if (room.has(GARAGE) || room.entry()) found.streetless += covers_[i][static_cast<i32>(Wall::south)] > 0;
     if (room.has(HABITABLE)) found.dark += !is_lit(sheet.boxes[i], i);
   }
-  const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others +
+  const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others + OFF_LIVING * ways.off_living +
                      STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + PAST_KITCHEN * ways.past_kitchen;
   found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + smallness(sheet) + walked;
   return found;
@@ -172,24 +174,26 @@ f64 Judge::smallness(const Sheet& sheet) const {
   return suite && suite < other ? SMALL_SUITE : 0.0;
 }
 
-// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, private ones that only the kitchen leads to;
-// tells of a kitchen between.
+// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, bathrooms that only rooms one lives in lead to,
+// private ones that only the kitchen leads to; tells of a kitchen between.
 Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 hall = (1ULL << (rooms_.size + sheet.hallways)) - (1ULL << rooms_.size);
   const u64 ways = ways_ | hall;
   const u64 start = entry_ ? lowest(entry_) : living_ ? lowest(living_) : hall ? lowest(hall) : 1;
   const u64 found = reached(ways, start), past = found & ~kitchen_, around = kitchen_ ? reached(past, start) : found;
-  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, (past & ~around) != 0};
+  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, 0, (past & ~around) != 0};
   for (i32 i = 0; i < rooms_.size; i++) {
     if (rooms_[i].owned()) counted.unreached += !(beside_[i] >> rooms_[i].owner & 1);
     if (!(leaves_ >> i & 1)) continue;
     const u64 doors = beside_[i] & found;
+    const bool bed = beds_ >> i & 1, toilet = toilets_ >> i & 1;
     if (!doors) {
       counted.unreached += !is_behind(i, found);
-    } else if (doors == start) {
-      (beds_ >> i & 1 ? counted.at_entrance : counted.others)++;
-    } else if (private_ >> i & 1) {
+    } else if (doors == start && !toilet) {
+      (bed ? counted.at_entrance : counted.others)++;
+    } else if (bed || toilet) {
       counted.past_kitchen += !(doors & around);
+      counted.off_living += toilet && !(doors & (entry_ | hall));
     }
   }
   return counted;

@@ -26,7 +26,7 @@ class Judge {
 
  private:
   struct Ways {
-    i64 unreached, at_entrance, others, past_kitchen;
+    i64 unreached, at_entrance, others, off_living, past_kitchen;
     bool between;
   };
   // How long the walls of a room are, in the order of Wall, that other rooms lie at.
@@ -44,7 +44,7 @@ class Judge {
   Span<const PlannedRoom> rooms_;
   Taste taste_;
   i64 door_wall_;
-  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0, private_ = 0, suites_ = 0;
+  u64 ways_ = 0, wet_ = 0, entry_ = 0, kitchen_ = 0, dining_ = 0, living_ = 0, leaves_ = 0, beds_ = 0, toilets_ = 0, suites_ = 0;
   u64 beside_[2 * MOST_ROOMS];  // which others share a wall with a room that takes a door
   // The stretches at which others lie, by room and wall.
   Interval covered_[MOST_ROOMS][4][2 * MOST_ROOMS];

@@ -28,7 +28,9 @@ DARK: Final = 8.0
 AT_ENTRANCE: Final = 6.0
 """A bedroom that can only be entered from the entrance room."""
 OFF_ENTRY: Final = 0.7
-"""Another room than a bedroom that only the entrance room leads to."""
+"""Another room than a bedroom or a bathroom that only the entrance room leads to."""
+OFF_LIVING: Final = 4.0
+"""A bathroom that only rooms one lives in lead to."""
 DRY: Final = 4.0
 """A wet room without a wet neighbour."""
 KITCHEN_APART: Final = 2.5
@@ -84,7 +86,7 @@ class HomeJudge:
         self.leaves = [i for i in every if not planned[i].kind.plan.way_through and planned[i].owner is None]
         self.owned = [(i, one.owner) for i, one in enumerate(planned) if one.owner is not None]
         self.bedrooms = frozenset(i for i in every if any("bed" in line for line in planned[i].kind.requires))
-        self.private = self.bedrooms | {i for i in every if any("toilet" in line for line in planned[i].kind.requires)}
+        self.bathrooms = frozenset(i for i in every if any("toilet" in line for line in planned[i].kind.requires))
         self.through = [bits([other.type in one.kind.plan.behind and not other.kind.plan.way_through for other in planned])
                         if one.garage else 0 for one in planned]  # fmt: skip
 
@@ -97,10 +99,10 @@ class HomeJudge:
         short += stubs
         met = touching([*sheet.boxes, *sheet.hallways])
         beside = _beside(sheet, met)
-        unreached, at_entrance, others, past_kitchen, between = self._access(beside, sheet)
+        unreached, at_entrance, others, off_living, past_kitchen, between = self._access(beside, sheet)
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
-        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + STREETLESS * streetless
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + OFF_LIVING * off_living + STREETLESS * streetless
         ways = ways + KITCHEN_BETWEEN * between + PAST_KITCHEN * past_kitchen
         dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
         cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + SMALL_SUITE * self._is_small(sheet.boxes) + ways
@@ -150,10 +152,10 @@ class HomeJudge:
         suites = [floor for i, floor in floors.items() if i in owners]
         return bool(suites) and max(floors.values()) > max(suites)
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, bool]:
-        """Counts rooms that no way leads to, bedrooms and others that only the entrance leads to, private ones that only the kitchen does.
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, int, bool]:
+        """Counts rooms that no way leads to, bedrooms and others that only the entrance leads to.
 
-        And tells of a kitchen between.
+        And bathrooms that only rooms one lives in lead to, private ones that only the kitchen does; and tells of a kitchen between.
         """
         first = len(self.planned)
         hall = (1 << first + len(sheet.hallways)) - (1 << first)
@@ -162,19 +164,20 @@ class HomeJudge:
         reached = _reached(beside, ways, start)
         past = reached & ~self.kitchen
         around = _reached(beside, past, start) if self.kitchen else reached
-        unreached, at_entrance, others, past_kitchen = (ways & ~reached).bit_count(), 0, 0, 0
+        unreached, at_entrance, others, off_living, past_kitchen = (ways & ~reached).bit_count(), 0, 0, 0, 0
         for bath, owner in self.owned:
             unreached += not beside[bath] >> owner & 1
         for i in self.leaves:
             doors = beside[i] & reached
             if not doors:
                 unreached += not self._behind(i, beside, reached)
-            elif doors == start:
+            elif doors == start and i not in self.bathrooms:
                 at_entrance += i in self.bedrooms
                 others += i not in self.bedrooms
-            elif i in self.private:
+            elif i in self.bathrooms | self.bedrooms:
                 past_kitchen += not doors & around
-        return unreached, at_entrance, others, past_kitchen, bool(past & ~around)
+                off_living += i in self.bathrooms and not doors & (self.entry | hall)
+        return unreached, at_entrance, others, off_living, past_kitchen, bool(past & ~around)
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""
