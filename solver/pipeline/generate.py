@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
+from catalogs.schema import RoomType
 from catalogs.styles import Style
 from solver.answers import Generated
 from solver.certificate import certificate, room_certificate
@@ -132,10 +133,12 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
 
 
 def _shifted(plan: FloorPlan, arrangements: dict[str, Arrangement], setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
-    """Shifts a door where a required or dear piece would not fit otherwise, and says why one does not."""
-    lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
-    for room_id in lacking[:SMALL_ROOMS]:
-        plan = _shift_doors(plan, room_id, arrangements, setting)
+    """Insists on a dear piece, and shifts a door where that or a required one would not fit otherwise; says why one does not."""
+    lacking = [room for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
+    for room in lacking[:SMALL_ROOMS]:
+        arrangements[room.id] = _insisted(room, arrangements[room.id], setting)
+        if _missing(arrangements[room.id], room, setting):
+            plan = _shift_doors(plan, room.id, arrangements, setting)
     return plan, _explained(plan.rooms, arrangements, setting) if lacking else arrangements
 
 
@@ -216,12 +219,23 @@ def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     room_type = setting.catalogs.rooms.get(room.type)
     if room_type is None:
         return 0
-    gone = {label for label, _ in arrangement.left_out}
-    missing = sum(f"{spec.piece}_1" in gone for spec in room_type.pieces if spec.skip_cost >= DEAR) if gone else 0
+    missing = len(_dear(room_type, arrangement))
     names = names_placed(arrangement, setting.catalogs) if room_type.requires else []
     for either in room_type.requires:
         missing += not any(names.count(name) >= number for name, number in either.items())
     return missing
+
+
+def _dear(room_type: RoomType, arrangement: Arrangement) -> set[str]:
+    """Returns the labels of the dear pieces that an arrangement leaves out."""
+    return {label for label, _ in arrangement.left_out}.intersection(f"{one.piece}_1" for one in room_type.pieces if one.skip_cost >= DEAR)
+
+
+def _insisted(room: Room, arrangement: Arrangement, setting: _Setting) -> Arrangement:
+    """Insists on a dear piece that an arrangement leaves out."""
+    room_type = setting.catalogs.rooms.get(room.type)
+    dear = _dear(room_type, arrangement) if room_type else set[str]()
+    return insisting(*_wished(room, setting), arrangement, dear) if dear else arrangement
 
 
 def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
@@ -247,7 +261,7 @@ def _improved(
     sides.sort(key=lambda side: side.id != room_id)
     gained, tried = 0, dict[str, Arrangement]()
     for side in sides:
-        tried |= _arrangements([side], setting)
+        tried[side.id] = _insisted(side, _arrangements([side], setting)[side.id], setting)
         gained += _missing(arrangements[side.id], side, setting) - _missing(tried[side.id], side, setting)
         if gained <= 0:
             return None

@@ -1,6 +1,6 @@
 """A piece that matters, which the search left out though there is a place: it is searched again as if it were required.
 
-Not here: whose rooms: a plan's, and those that ask what stands elsewhere (generate).
+Not here: whose rooms: a plan's, those that ask what stands elsewhere, and those that lack what is dear (generate).
 """
 
 from collections.abc import Collection, Mapping, Sequence
