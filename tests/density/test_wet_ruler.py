@@ -151,3 +151,10 @@ def test_plain_plans(types: tuple[str, ...], twice: int, dining: int) -> None:
 @pytest.mark.parametrize(("depth", "found"), [(5.0, (1, 1)), (5.01, (0, 1))])
 def test_small_bathrooms(depth: float, found: Count) -> None:
     assert ruler.small_bathrooms(scene(kind="bathroom", size=(2.0, depth))) == found
+
+
+def test_a_home_is_asked_for_a_coat_rack_and_for_one_washer() -> None:
+    washers = [body("washer", (x, 0.08), (0.6, 0.6)) for x in (1.0, 2.0)]
+    assert (ruler.coats_hung(scene(*washers)), ruler.washed_twice(scene(*washers))) == ((0, 1), (1, 1))
+    rack = body("coat_rack", (1.0, 1.0), (0.5, 0.36))
+    assert (ruler.coats_hung(scene(rack, washers[0])), ruler.washed_twice(scene(rack, washers[0]))) == ((1, 1), (0, 1))

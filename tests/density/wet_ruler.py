@@ -271,6 +271,20 @@ def small_bathrooms(scene: Scene) -> Count:
     return count(room.width * room.depth <= SMALL + 1e-6 for room in _rooms(scene, "bathroom"))
 
 
+def coats_hung(scene: Scene) -> Count:
+    """Homes with a coat rack."""
+    return count([_pieces(scene, "coat_rack") > 0])
+
+
+def washed_twice(scene: Scene) -> Count:
+    """Homes with more than one washer."""
+    return count([_pieces(scene, "washer") > 1])
+
+
+def _pieces(scene: Scene, name: str) -> int:
+    return sum(piece.name == name for room in scene.rooms for piece in room.furniture)
+
+
 LINES = (
     Line("toilet: 0.38 m free at both sides of its axis", toilets_with_room, {"*": 0.9}),
     Line("toilet: looks straight out of a door", toilets_faced, {"*": 0.02}, most=True),
@@ -291,5 +305,7 @@ LINES = (
     Line("plain house: two masters or three living rooms", twice, {"*": 0.0}, most=True),
     Line("plain house: a dining room", dining_rooms, {"*": 0.98}),
     Line("bathroom: at most 10 m2", small_bathrooms, {"*": 0.6}),
+    Line("home with a coat rack", coats_hung, {"*": 0.98}),
+    Line("home with two washers", washed_twice, {"*": 0.0}, most=True),
 )
 """All lines, in the order of the table."""
