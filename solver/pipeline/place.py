@@ -63,9 +63,9 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
     timing.lap("alternatives")
-    if found.score[0] and task.space.gap_mm:  # what a distance from the walls keeps out has a place
-        task = in_room(pieces, setting=setting._replace(flush=True))
-    conflicts = _conflicts(task, best, found)
+    if found.score[0]:  # what a distance from the walls, or its habit to stand at them, keeps out has a place
+        task = in_room(pieces, setting=setting._replace(flush=True, roaming=_bound(pieces)))
+    conflicts = _conflicts(task, best, found, lambda: in_room([replace(one, relations=()) for one in pieces], setting=task.setting))
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
 
@@ -73,7 +73,8 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
 def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest]) -> tuple[PlaceTask, Round]:
     """Returns the best placement, and the task that it solves.
 
-    Where not all can stand it counts what matters most, where something required cannot no distance from the walls, and then no wish.
+    Where not all can stand it counts what matters most, where something required cannot no distance from the walls, then that what has to
+    stand by something may do so free of walls, and then no wish.
     """
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
@@ -88,16 +89,30 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
         other = quick_placement(listed, listed.pieces)
         if other.score < found.score and not other.breaking:
             task, found = listed, replace(other, whole=False)
+    setting = task.setting._replace(flush=True, roaming=_bound(pieces))
+    if found.score[0] and setting.roaming and not is_call_spent():
+        listed = in_room(pieces, setting=setting)
+        other = best_placement(listed, listed.pieces)
+        if other.score[0] < found.score[0]:
+            task, found = listed, replace(other, whole=False)
     if found.score[0] and not is_call_spent():
-        bare = in_room([without_wishes(piece) for piece in pieces], setting=task.setting._replace(flush=True))
+        bare = in_room([without_wishes(piece) for piece in pieces], setting=setting)
         other = best_placement(bare, bare.pieces)
         if not other.score[0]:
             return replace(bare, requests=task.requests), replace(other, whole=False)
     return task, found
 
 
-def _conflicts(task: PlaceTask, placement: Placement, found: Round) -> tuple[Conflict, ...]:
-    """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found."""
+def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:
+    """Returns the ids of pieces of which a relation must hold."""
+    return frozenset(piece.id for piece in pieces if any(spec.required for spec in piece.relations))
+
+
+def _conflicts(task: PlaceTask, placement: Placement, found: Round, bare: Callable[[], PlaceTask]) -> tuple[Conflict, ...]:
+    """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found.
+
+    `bare` makes the same task without any relation.
+    """
     missing = [entry.id for entry in placement.unplaced]
     given_up = _with_relying(task.pieces, found.given_up)
     required = [piece for piece in task.pieces if piece.required]
@@ -105,14 +120,13 @@ def _conflicts(task: PlaceTask, placement: Placement, found: Round) -> tuple[Con
     conflicts, budget = [], Budget(ROOM_WORK)
     for piece in required:
         if piece.label in given_up:
-            words = f"not found: a place for {_sized(task, piece)} where the required relations hold"
-            conflicts.append(Conflict((piece.label,), words, ()))
+            conflicts.append(Conflict((piece.label,), _not_held(_sized(task, piece)), ()))
         elif piece.label in missing and (asked := _asked_beside(task, piece.label, before[piece.label])):
             words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(asked)}, for which there is no place"
             conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
         elif piece.label in missing:
             others = [other for other in required if other.label not in missing or other is piece]
-            conflicts.append(_conflict(task, others, piece, budget))
+            conflicts.append(_conflict(task, bare(), others, piece, budget))
     return tuple(conflicts)
 
 
@@ -133,8 +147,12 @@ def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:
     return found
 
 
-def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
-    """Explains a piece by the fewest that cannot stand, or be reached, together; each of them that helps may be left out."""
+def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
+    """Explains a piece by the fewest that cannot stand, or be reached, together; each of them that helps may be left out.
+
+    Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
+    is tried. `bare` is the task without relations.
+    """
     space, walk = task.framed.space, False
     members = minimal_conflict(space, pieces, missing.label, budget)
     if members is None and feasible(space, pieces, budget):
@@ -144,17 +162,24 @@ def _conflict(task: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: 
             return Conflict((missing.label,), words, (_leaving_out(missing.label),))
     if members is None:
         return Conflict((missing.label,), f"not found: the search for a place for {_sized(task, missing)} ended at its limit")
-    by_label, alone = {piece.label: piece for piece in pieces}, len(members) == 1
-    names = " and ".join(_sized(task, by_label[member]) for member in members)
+    by_label = {piece.label: piece for piece in pieces}
     removals = tuple(
         _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)
     )
+    names = " and ".join(_sized(task, by_label[member]) for member in members)
+    freed = [piece for piece in bare.pieces if piece.label in members]
+    if _bound(task.requests) and feasible(bare.framed.space, freed, budget, walk) is not False:
+        return Conflict(members, _not_held(names), removals)
     if walk:
-        where, there = ("", "it") if alone else ("together ", "them")
+        where, there = ("", "it") if len(members) == 1 else ("together ", "them")
         words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
     else:
-        words = f"cannot stand {'as asked anywhere' if alone else 'together'} in {_floor(task)}"
+        words = f"cannot stand {'as asked anywhere' if len(members) == 1 else 'together'} in {_floor(task)}"
     return Conflict(members, f"{names} {words}{_at_walls([by_label[member] for member in members])}", removals)
+
+
+def _not_held(names: str) -> str:
+    return f"not found: a place for {names} where the required relations hold"
 
 
 def _at_walls(pieces: Sequence[Piece]) -> str:

@@ -55,7 +55,8 @@ class PlaceSetting(NamedTuple):
     """What a list is placed in besides its room.
 
     Of the room its `wall_thickness`, how high it is, None: not known, and the square that must be able to walk in it, all m;
-    the engine of the final solve; `flush`: backs touch the walls, else they stand a little off.
+    the engine of the final solve; `flush`: backs touch the walls, else they stand a little off; `roaming`: ids of requested
+    pieces that may stand free though their kind stands at walls.
     """
 
     wall_thickness: float
@@ -63,6 +64,7 @@ class PlaceSetting(NamedTuple):
     engine: str
     height: float | None
     flush: bool = False
+    roaming: frozenset[str] = frozenset()
 
     def space_in(self, room: Room) -> Space:
         """Returns where a room's furniture may stand."""
@@ -134,6 +136,7 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     kinds = kinds_of(room, sent, catalogs)
     if ceiling is not None:
         kinds = {name: kind.below(to_mm(ceiling)) for name, kind in kinds.items()}
+    kinds = {name: replace(kind, at_walls=False) if name in setting.roaming else kind for name, kind in kinds.items()}
     wanted = sent if as_sent else by_content(sent, kinds)
     names = labels_by_name(room, wanted)
     by_label = {label: kinds[name] for name, labels in names.items() for label in labels}

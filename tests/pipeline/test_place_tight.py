@@ -9,7 +9,7 @@ import pytest
 from catalogs.schema import RelationSpec
 from solver import place
 from solver.requested import Answered, PieceRequest
-from solver.scene import Opening, Room
+from solver.scene import Furniture, Opening, Room
 
 Wishes = tuple[tuple[str, str], ...]
 TIGHT: dict[str, tuple[tuple[float, float], tuple[str, float], tuple[str, float], tuple[tuple[str, Wishes], ...]]] = {
@@ -83,3 +83,37 @@ def test_what_is_longer_than_the_room_is_wide_is_said_to_stand_nowhere() -> None
     found = place(Room("den", width=1.999, depth=2.7, openings=(door,)), [PieceRequest("bed", "bed", 1.2, 2.0, 0.5)])
     assert found.best.scene.rooms[0].furniture == ()
     assert [conflict.ids for conflict in found.conflicts] == [("bed",)]
+
+
+@pytest.mark.parametrize("word", ["beside", "in_front_of", "opposite", "facing"])
+@pytest.mark.parametrize("kind", ["bookshelf", "stove", "sideboard"])
+def test_what_has_to_stand_by_something_stands_free_where_no_wall_is_near(word: str, kind: str) -> None:
+    """A workbench in the middle of a hall 9 x 9 m: what is asked for beside it is not for walls 3 m away."""
+    door = Opening("door", "door", "west", 1.0, 0.9, connects_to="EXTERIOR")
+    bench = Furniture("bench", "workbench", x=4.5, z=4.5, rotation=180, width=1.8, depth=0.7, height=0.9)
+    hall = Room("hall", width=9.0, depth=9.0, openings=(door,), furniture=(bench,))
+    answer = place(hall, [PieceRequest("asked", kind, relations=(RelationSpec(type=word, of=("bench",), required=True),))])
+    assert [held.held for held in answer.best.relations] == [True]
+    assert answer.conflicts == () == answer.best.unplaced
+    assert not [issue for issue in answer.best.issues if issue.severity == "error"]
+
+
+def test_at_a_wall_is_better_where_the_relation_holds_there() -> None:
+    door = Opening("door", "door", "west", 1.0, 0.9, connects_to="EXTERIOR")
+    bench = Furniture("bench", "workbench", x=4.5, z=0.38, rotation=0, width=1.8, depth=0.7, height=0.9, wall="north")
+    hall = Room("hall", width=9.0, depth=9.0, openings=(door,), furniture=(bench,))
+    answer = place(hall, [PieceRequest("asked", "bookshelf", relations=(RelationSpec(type="beside", of=("bench",), required=True),))])
+    assert {piece.id: piece.wall for piece in answer.best.scene.rooms[0].furniture}["asked"] == "north"
+
+
+def test_that_no_place_holds_what_is_required_is_not_called_impossible() -> None:
+    """Places where a relation holds are tried in part alone; what is too large without any relation is."""
+    door = Opening("door", "door", "west", 1.26, 0.8, connects_to="EXTERIOR")
+    room = Room("den", width=2.667, depth=3.589, openings=(door,))
+    far = RelationSpec(type="far_from_door", distance=2.32, required=True)
+    for rules in ((far,), (far, RelationSpec(type="near_door", distance=0.5, required=True))):
+        (conflict,) = place(room, [PieceRequest("table", "side_table", relations=rules)]).conflicts
+        assert conflict.message == "not found: a place for table 0.46 x 0.46 m where the required relations hold"
+        assert [repair["id"] for repair in conflict.repairs] == ["table"]
+    (conflict,) = place(room, [PieceRequest("box", width=3.0, depth=3.0, height=1.0, relations=(far,))]).conflicts
+    assert "cannot stand as asked anywhere" in conflict.message
