@@ -84,7 +84,7 @@ class _LeftOver:
     def _is_due_to(self, label: str, issue: Issue) -> bool:
         """Tells whether an error ends where a body is left out."""
         if label not in self._left_without:
-            trial = _house_without(self.house, label, self.budget)
+            trial = _house_without(self.house, (label,), self.budget)
             self._left_without[label] = None if trial is None else frozenset((other.rule, other.ids) for other in trial.errors)
         left = self._left_without[label]
         return left is not None and (issue.rule, issue.ids) not in left
@@ -139,19 +139,19 @@ def _has_no_way_in(scene: Scene, name: str | None) -> bool:
     return name is not None and len(scene.rooms) > 1 and name not in leading
 
 
-def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None:
-    """Returns the house without a body and all that it carries; who sat on it stands up. None where the budget is spent."""
+def _house_without(house: Checked, labels: Sequence[str], budget: Budget) -> Checked | None:
+    """Returns the house without some bodies and all that they carry; who sat there stands up. None where the budget is spent."""
     if budget.spent:
         return None
     scene = house.scene
-    held = {room.id: without(room, (label,)) for room in scene.rooms if label in _ids_in(scene, room)}
+    held = {room.id: without(room, labels) for room in scene.rooms if not _ids_in(scene, room).isdisjoint(labels)}
     after = tuple(held.get(room.id, room) for room in scene.rooms)
-    people = tuple(person for person in scene.dynamic if person.id != label)
+    people = tuple(person for person in scene.dynamic if person.id not in labels)
     return judged_again(house, replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)), held, budget)
 
 
 def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
-    """Takes bodies out, one at a time and the least important first, as long as that leaves less broken.
+    """Takes bodies out, one at a time and the least important first, as long as that leaves less broken; several where no one does.
 
     Returns the house, and for each body that is gone the rule that it broke.
     """
@@ -161,8 +161,8 @@ def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Con
         better = next(_lighter(house, lasting, settings, budget), None)
         if better is None:
             break
-        issue, label, house = better
-        reasons.append(Conflict((label,), issue.message, ({"action": "leave_out", "id": label},)))
+        issue, labels, house = better
+        reasons += [Conflict((label,), issue.message, ({"action": "leave_out", "id": label},)) for label in labels]
     return house, reasons
 
 
@@ -175,19 +175,47 @@ def _without_bodies(house: Checked, budget: Budget) -> frozenset[tuple[str, str 
     return frozenset((issue.rule, issue.room) for issue in errors if not issue.ids)
 
 
+def _breaches(house: Checked) -> tuple[int, int]:
+    """Returns how much is broken, less being better: a room that nobody can enter hides what nobody can reach in it."""
+    return sum(not issue.ids for issue in house.errors), len(house.errors)
+
+
 def _lighter(
     house: Checked, lasting: Container[tuple[str, str | None]], settings: RepairSettings, budget: Budget
-) -> Iterator[tuple[Issue, str, Checked]]:
-    """Yields houses with less broken, each with an issue that is gone and the body left out for it; nobody is for what is lasting."""
+) -> Iterator[tuple[Issue, Sequence[str], Checked]]:
+    """Yields houses with less broken, each with an issue that is gone and who is left out for it; nobody is for what is lasting."""
     order = {label: k for k, label in enumerate(_by_importance(house.scene, settings))}
     broken_by = {label: issue for issue in reversed(house.errors) for label in issue.ids}
     open_ways = [issue for issue in house.errors if not issue.ids and (issue.rule, issue.room) not in lasting]
     if not broken_by and open_ways:
         broken_by = dict.fromkeys(order, open_ways[0])
+    before = _breaches(house)
     for label, issue in sorted(broken_by.items(), key=lambda pair: order.get(pair[0], len(order))):
-        trial = _house_without(house, label, budget)
-        if trial and len(trial.errors) < len(house.errors):
-            yield issue, label, trial
+        trial = _house_without(house, (label,), budget)
+        if trial and _breaches(trial) < before:
+            yield issue, (label,), trial
+    for issue in open_ways:
+        inside = {label for room in house.scene.rooms if room.id == issue.room for label in _ids_in(house.scene, room)}
+        if several := _several_less(house, [label for label in order if label in inside], budget):
+            yield issue, *several
+
+
+def _several_less(house: Checked, order: Sequence[str], budget: Budget) -> tuple[Sequence[str], Checked] | None:
+    """Returns who of some, the first as few as can be, leave less broken together, and the house without them; none of them can stay."""
+    gone, found = list[str](), None
+    for label in order:
+        gone.append(label)
+        found = _house_without(house, gone, budget)
+        if found and _breaches(found) < _breaches(house):
+            break
+    else:
+        return None
+    for label in gone[-2::-1]:
+        fewer = [one for one in gone if one != label]
+        trial = _house_without(house, fewer, budget)
+        if trial and _breaches(trial) < _breaches(house):
+            gone, found = fewer, trial
+    return gone, found
 
 
 def _by_importance(scene: Scene, settings: RepairSettings) -> list[str]:

@@ -62,8 +62,12 @@ def repair_room(problem: RoomProblem) -> RoomRepair:
     asked = without(problem.room, misplaced) if misplaced and problem.settings.remove else problem.room
     trial = replace(problem, room=asked)
     pieces, arrangement = _placed(trial, () if problem.settings.remove else misplaced)
-    room = written_back(trial, arrangement.placed)
-    found = RoomRepair(problem, room, asked, pieces, _labels_left_out(arrangement), misplaced)
+    found = RoomRepair(problem, written_back(trial, arrangement.placed), asked, pieces, _labels_left_out(arrangement), misplaced)
+    while problem.settings.remove and arrangement.left_out and arrangement.notes and not is_call_spent():
+        trial = replace(problem, room=found.answer)
+        arrangement = _placed(trial, ())[1]
+        gone = (*found.unplaced, *_labels_left_out(arrangement))
+        found = replace(found, room=written_back(trial, arrangement.placed), unplaced=gone)
     return found if found.whole or problem.settings.remove else until_nothing_changes(found)
 
 

@@ -84,6 +84,35 @@ def test_with_remove_a_full_room_ends_clean_and_walkable(seed: int) -> None:
     assert all(removal["reason"] for removal in fixed.removed)
 
 
+Crowded = tuple[float, float, str, float, tuple[tuple[str, float, float, int, bool], ...]]
+CROWDED: dict[str, Crowded] = {
+    "one locked before the door": (3.685, 2.36, "east", 0.667, (
+        ("sink", 0.492, 1.557, 90, False), ("shower", 3.007, 1.727, 0, False), ("bathtub", 0.629, 0.475, 270, False),
+        ("linen_cabinet", 1.874, 0.27, 270, True), ("sink", 2.957, 1.325, 90, True), ("toilet", 3.032, 2.14, 0, False),
+        ("washer", 3.037, 0.515, 270, False), ("shower", 2.962, 1.309, 90, False))),
+    "one locked in the wall": (2.777, 4.103, "south", 0.617, (
+        ("sink", 1.305, 3.662, 90, False), ("stove", 2.369, 2.013, 270, True), ("sink", 1.418, 0.824, 180, True),
+        ("dishwasher", 0.604, 3.144, 180, False), ("dining_table", 1.024, 3.845, 0, False), ("dishwasher", 1.286, 1.334, 90, False),
+        ("pantry", 1.816, 2.316, 90, False), ("dining_table", 0.052, 1.174, 0, True))),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CROWDED)
+def test_with_remove_a_room_ends_clean_where_no_single_piece_opens_the_way(name: str) -> None:
+    width, depth, wall, position, sent = CROWDED[name]
+    sizes = {kind: load_catalogs().furniture[kind].size for kind, *_ in sent}
+    furniture = [
+        replace(body(f"{kind}_{k}", x, z, sizes[kind], locked=locked), rotation=turn) for k, (kind, x, z, turn, locked) in enumerate(sent)
+    ]
+    door = Opening("door", "door", wall, position, 1.0, connects_to="EXTERIOR")
+    scene = room_of(*furniture, width=width, depth=depth, openings=(door,))
+    assert errors(scene)
+    fixed = fix(scene, on_conflict="remove")
+    assert errors(fixed.scene) == []
+    assert {removal["id"] for removal in fixed.removed} == pieces(scene).keys() - pieces(fixed.scene).keys()
+    assert len(pieces(fixed.scene)) >= 2
+
+
 def test_with_remove_each_body_is_tried_once_not_once_for_each_shut_room(monkeypatch: pytest.MonkeyPatch) -> None:
     rooms = [
         Room(f"shut_{k}", k, "room", 0, 4.0 * k, 0.0, 3.0, 2.0, furniture=(replace(body("box", 1.5, 1.0, (0.5, 0.5, 0.5)), id=f"box_{k}"),))
