@@ -83,14 +83,14 @@ def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def certified(scene: Scene) -> Scene:
-    """Returns a scene whose certificate says of its rooms, and of access, only what is true of them as they are now."""
-    entries = (scene.certificate or {}).get("rooms")
-    if not isinstance(entries, Mapping):
-        return scene
-    rooms = {room.id: room for room in scene.rooms}
-    known = {name: entry for name, entry in entries.items() if name in rooms and isinstance(entry, Mapping)}
-    true = {**entries, **{name: true_of(rooms[name], entry) for name, entry in known.items()}}
-    if true == entries:
-        return scene
-    whole = {key: value for key, value in (scene.certificate or {}).items() if key != ACCESS}
-    return replace(scene, certificate={**whole, "rooms": true})
+    """Returns a scene whose certificate says of its rooms, of access and of all that is counted only what is true now."""
+    said = scene.certificate or {}
+    now = {**said, **({"counts": counted(scene.rooms, scene.dynamic)} if "counts" in said else {})}
+    entries = said.get("rooms")
+    if isinstance(entries, Mapping):
+        rooms = {room.id: room for room in scene.rooms}
+        known = {name: entry for name, entry in entries.items() if name in rooms and isinstance(entry, Mapping)}
+        now["rooms"] = {**entries, **{name: true_of(rooms[name], entry) for name, entry in known.items()}}
+        if now["rooms"] != entries:
+            now.pop(ACCESS, None)
+    return scene if now == said else replace(scene, certificate=now)

@@ -14,7 +14,6 @@ from solver.pipeline.inhabited import decorated, home_catalogs, inhabited
 from solver.pipeline.room_spaces import spaces_in
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
-from solver.scene_bodies import counted
 from solver.streams import Stream
 from solver.validator import check
 
@@ -63,7 +62,6 @@ def restyle(
         timing.lap("decorations")
         if scene.dynamic and (was or asked.get("decorate") is True):
             new = inhabited(new, new.rooms, Household(seed, home_catalogs(new, known), spaces_in(new)))
-        new = replace(new, certificate={**(new.certificate or {}), "counts": counted(new.rooms, new.dynamic)})
         timing.lap("people")
     checked = check(new, known)
     new = certified(with_fronts(new, checked))

@@ -86,3 +86,14 @@ def test_a_room_furnished_anew_is_proven_anew() -> None:
     changed = fix(edited(made, id="another")).scene
     again = reroll(changed, [furnished(made).id], seed=5).scene
     assert "changed since" not in report(again)
+
+
+def test_after_a_repair_it_counts_what_is_there() -> None:
+    made = generate(REQUESTS[0]).scene
+    gone = furnished(made).furniture[-1].id
+    fewer = replace(
+        made, rooms=tuple(replace(room, furniture=tuple(one for one in room.furniture if one.id != gone)) for room in made.rooms)
+    )
+    counts = (fix(fewer).scene.certificate or {})["counts"]
+    assert counts["furniture"] == sum(len(room.furniture) for room in made.rooms) - 1
+    assert counts["dynamic"] == len(made.dynamic)
