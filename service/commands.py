@@ -298,10 +298,14 @@ def _catalogs(options: Namespace) -> "Catalogs":
     return add_assets(catalogs, assets, options.license)
 
 
-def _read(name: str) -> object:
+def _read(name: str, content: bytes | None = None) -> object:
     """Reads a file or standard input, by its name's ending or else by how it begins."""
-    content = read_standard_input() if name == STREAM else Path(name).read_bytes()
+    content = _content(name) if content is None else content
     return _checked(name, lambda: load_text(content, format_of_file(name, content)))
+
+
+def _content(name: str) -> bytes:
+    return read_standard_input() if name == STREAM else Path(name).read_bytes()
 
 
 def _checked(name: str | None, work: Callable[[], T]) -> T:
@@ -319,8 +323,24 @@ def _spoken(name: str | None) -> str:
 
 
 def _scene(options: Namespace) -> object:
-    """Reads a scene; of an answer that holds one, that one."""
-    document = _read(options.scene)
+    """Reads a scene; of an answer that holds one, that one.
+
+    Raises:
+        FieldError: it is a floor plan of another program.
+    """
+    name, content = options.scene, _content(options.scene)
+    try:
+        document, fault = _read(name, content), None
+    except SyntaxFault as error:
+        document, fault = None, error
+    if not isinstance(document, dict) or not document.keys() & {"scene", "rooms"}:
+        from solver.pipeline.import_plan import plan_format
+
+        if format := plan_format("" if name == STREAM else name, content):
+            said = f"is a floor plan of the format {format}"
+            raise FieldError(f"{_spoken(name)}scene", said, "a scene; `compose import` makes one of a plan")
+    if fault is not None:
+        raise fault
     held = isinstance(document, dict) and "scene" in document and "rooms" not in document
     return document["scene"] if held and isinstance(document, dict) else document
 

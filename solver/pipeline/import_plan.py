@@ -119,6 +119,14 @@ def _moved(far: float, rotation: float, drawn: float, broken: str | None) -> str
     return f"turned by {turned:.2g} degrees to {rotation:g}: {why if broken else 'things stand along walls or across them'}"
 
 
+def plan_format(name: str, content: bytes) -> str | None:
+    """Returns the format of the file of another program's floor plan; None where it is none, or cannot be told."""
+    try:
+        return format_of_plan(_file(name, content))
+    except (FieldError, SyntaxFault):
+        return None
+
+
 def _read(file: PlanFile, settings: ImportSettings, catalogs: Catalogs) -> tuple[Scene, PlanNotes, str]:
     """Returns the scene in a file, what is said about it, and which format it is in."""
     format = format_of_plan(file)
