@@ -59,7 +59,7 @@ class Request(Record):
     style: Text | None = None
     outline: Annotated[str | GivenCorners | None, OUTLINE, Says("of a planned home, any by default; or of any home its corners, m")] = None
     access: Annotated[Text | None, Says("a profile of access.yaml, or none")] = None
-    people: Annotated[Flag | None, Says("false: nobody is there")] = field(default=None, metadata={OMITTED: True})
+    people: Annotated[Flag | None, Says("whether people and pets are in it")] = field(default=None, metadata={OMITTED: True})
     wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.24)] | None = field(default=None, metadata={OMITTED: True})
     outer_wall_thickness: Annotated[float, STRICT, Ge(0.05), Le(0.6)] | None = field(default=None, metadata={OMITTED: True})
 

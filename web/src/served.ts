@@ -583,7 +583,7 @@ export interface Request {
   readonly outline?: "rectangle" | "L" | "T" | "U" | "any" | readonly (readonly [number, number])[] | null;
   /** a profile of access.yaml, or none */
   readonly access?: "none" | "ada" | "din_18040_2" | "din_18040_2_r" | null;
-  /** false: nobody is there */
+  /** whether people and pets are in it */
   readonly people?: boolean | null;
   /** of inner walls, m; 0.1 by default */
   readonly wall_thickness?: number | null;
