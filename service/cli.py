@@ -324,8 +324,9 @@ def _add_dataset(commands: Commands) -> None:
     add("folder", nargs="?", metavar="DIR", help="of the task: a dataset")
     add("--out", metavar="DIR", help="where the dataset is made, or gone on with")
     add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")
-    formats: Any = _ExportWords("EXPORTERS", "json")
-    add("--formats", type=_listed(formats), default=("json",), metavar="F,...", help="json, and formats of export (json)")
+    formats: Any = _ExportWords("EXPORTERS", "json", "yaml")
+    words = "json (default), and formats of export; of make: yaml or json (by the output's name, else json)"
+    add("-f", "--format", "--formats", dest="formats", type=_listed(formats), metavar="F,...", help=words)
     add("--request", metavar="FILE", help="a request, YAML or JSON; options win over it")
     _add_request_keys(command)
     add("--vary", metavar="FILE", help="how requests differ: weights by key, YAML or JSON (docs/datasets.md)")
@@ -335,7 +336,6 @@ def _add_dataset(commands: Commands) -> None:
     add("--sample", type=_COUNT, metavar="N", help="of check: homes that are made again and validated (100)")
     add("--all", action="store_true", help="of check: every home")
     add("-o", "--output", metavar="FILE", default="-", help="of make: where to write the scene (standard output)")
-    add("-f", "--format", choices=("yaml", "json"), help="of make: of the scene (by the output's name, else json)")
     _add_catalog(command)
 
 

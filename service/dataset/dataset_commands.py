@@ -41,7 +41,7 @@ def _build(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -
             raise FieldError(f"--{name}", "is missing", {"out": "a folder", "seeds": "the first and the last, such as 0-999"}[name])
     if options.ray is not None:
         _need("ray", "ray", "--ray")
-    for name in options.formats:
+    for name in _formats(options, *EXPORTERS):
         needs = EXPORTERS[name].needs if name in EXPORTERS else None
         if needs:
             _need(*needs, f"the format {name}")
@@ -67,12 +67,23 @@ def plan_of(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) 
     return DatasetPlan(
         folder=Path(options.out).absolute(),
         requests=requests,
-        formats=tuple(options.formats),
+        formats=_formats(options, *EXPORTERS),
         shard_size=options.shard_size,
         catalogs=packed_all(known),
         fingerprints={name: one.fingerprint for name, one in known.items()},
         vary=document,
     )
+
+
+def _formats(options: Namespace, *others: str) -> tuple[str, ...]:
+    """Returns the formats asked for, of json and others.
+
+    Raises:
+        FieldError: one is of another task.
+    """
+    if foreign := [name for name in options.formats or () if name not in ("json", *others)]:
+        raise FieldError("--format", f"is {foreign[0]!r}, which is of another task", ", ".join(("json", *others)))
+    return tuple(options.formats or ("json",))
 
 
 def _make_again(options: Namespace, catalogs: Catalogs) -> int:
@@ -87,7 +98,7 @@ def _make_again(options: Namespace, catalogs: Catalogs) -> int:
         raise FieldError("--seed", f"the home of seed {options.seed} was refused: {home.refused}", "that of another seed")
     if home.digest != row["digest"]:
         raise FieldError("--seed", f"the home of seed {options.seed} is not the one of the row", "the version and catalogs of the dataset")
-    format = options.format or format_of_name(options.output) or "json"
+    format = _formats(options, "yaml")[0] if options.formats else format_of_name(options.output) or "json"
     content = dump_scene(home.scene, format)
     if options.output == "-":
         write_standard_output(content)

@@ -31,7 +31,7 @@ def claim(plan: DatasetPlan) -> None:
         known = manifest_of(plan.folder)
         for key, value in plan.identity.items():
             if known.get(key) != json.loads(json.dumps(value)):
-                problem = f"{plan.folder} holds homes of another {key}: {_short(known.get(key))} instead of {_short(value)}"
+                problem = f"{plan.folder} holds homes made with {key} {_short(known.get(key))}, not {_short(value)}"
                 raise FieldError("--out", problem, "the same as there, or a new folder")
         return
     if others := sorted(one.name for one in plan.folder.iterdir() if not one.name.endswith(PART)):

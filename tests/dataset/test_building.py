@@ -199,14 +199,15 @@ def test_splits_are_of_the_seed_alone() -> None:
 
 def test_homes_of_something_else_need_another_folder(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     before = made(tmp_path, "--workers", "1", "--seeds", "0-1")
-    made_of = {"--style": "rustic", "--formats": "json,csv", "--shard-size": "7"}
+    named = {"--style": "request", "--format": "formats"}
+    made_of = {"--style": "rustic", "--formats": "json,csv", "--format": "json,csv", "--shard-size": "7"}
     for option, value in made_of.items():
         assert main([*SMALL, "--out", str(tmp_path), option, value]) == 2
-        assert f"holds homes of another {option[2:].replace('-', '_').replace('style', 'request')}" in capfd.readouterr().err
+        assert f"holds homes made with {named.get(option, option[2:].replace('-', '_'))}" in capfd.readouterr().err
     manifest = tmp_path / "dataset.json"
     manifest.write_text(manifest.read_text().replace('"version": "', '"version": "9'))
     assert main([*SMALL, "--out", str(tmp_path)]) == 2
-    assert "holds homes of another version" in capfd.readouterr().err
+    assert "holds homes made with version" in capfd.readouterr().err
     manifest.write_bytes(before["dataset.json"])
     assert contents(tmp_path) == before
 

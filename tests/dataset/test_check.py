@@ -91,6 +91,18 @@ def test_homes_of_another_version_are_not_made_again(folder: Path, capfd: Captur
     assert "its version is" in capfd.readouterr().err
 
 
+@pytest.mark.parametrize("option", ["-f", "--format", "--formats"])
+def test_a_home_is_made_in_either_format_of_scenes_and_no_other(
+    folder: Path, capfdbinary: pytest.CaptureFixture[bytes], option: str
+) -> None:
+    assert main(["dataset", "make", str(folder), "--seed", "3", option, "yaml"]) == 0
+    assert capfdbinary.readouterr().out.startswith(b"format: compose-scene/1")
+    assert main(["dataset", "make", str(folder), "--seed", "3", option, "csv"]) == 2
+    assert b"'csv', which is of another task (allowed: json, yaml)" in capfdbinary.readouterr().err
+    assert main(["dataset", "--out", str(folder / "new"), "--seeds", "0-1", option, "yaml"]) == 2
+    assert b"'yaml', which is of another task (allowed: json, csv" in capfdbinary.readouterr().err
+
+
 def test_a_folder_that_holds_no_dataset_is_said(tmp_path: Path, capfd: Captured) -> None:
     for asked in (["check", str(tmp_path)], ["make", str(tmp_path), "--seed", "1"], ["check"], ["make"], []):
         assert main(["dataset", *asked]) == 2
