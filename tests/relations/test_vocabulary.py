@@ -16,11 +16,11 @@ from solver.pieces import Opened
 from solver.relations.asking import HeldBox, Standing, boxes, holds_in_room, holds_with, regions, traits
 from solver.relations.rows import RELATION_WORDS
 from solver.relations.subject import Footing, Kind, Scope
+from tests.furnish.reference.slots import SIDES
 
 CLEAR = Rect(0, 0, 5000, 4000)
 SCOPE = Scope(CLEAR, (Opened("door", "south", (1000, 1900), 4000), Opened("window", "north", (2000, 3400), 0)))
 KINDS = [Kind.of(name, load_catalogs()) for name in ("dining_table", "dining_chair", "sofa", "desk", "bookshelf", "ottoman")]
-GIVE_PLACE = {"beside", "in_front_of", "around", "in_row", "on", "under"}
 
 
 def spec_of(word: str, **more: object) -> RelationSpec:
@@ -34,7 +34,7 @@ def test_the_vocabulary_is_whole() -> None:
 
 
 def test_what_each_is_like_is_what_the_catalogs_take_it_for() -> None:
-    assert {word for word in RELATION_WORDS if traits(word).gives_place} == GIVE_PLACE
+    assert {word for word in RELATION_WORDS if traits(word).gives_place} == {*SIDES, "on"}
     assert {word for word in RELATION_WORDS if traits(word).with_all} == {"far_from", "far_from_door"}
     assert {*BY_DEGREE} <= {word for word in RELATION_WORDS if traits(word).by_degree or traits(word).turns}
     assert {word: traits(word).usual_mm for word in ("near", "far_from")} == {"near": 1500, "far_from": 2000}

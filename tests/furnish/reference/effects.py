@@ -14,7 +14,7 @@ from solver.relations.asking import missed
 from solver.relations.subject import Kind, Scope, Subject
 from solver.scene import WALLS
 from tests.furnish.reference.openings import middle_of, opened
-from tests.furnish.reference.slots import slots_of
+from tests.furnish.reference.slots import SIDES, slots_of
 
 NEAR_MM, FAR_MM, FAR_FROM_OPENING_MM, LEAST_MM = 1500, 2000, 1500, 10
 CENTRED_REACH_MM = 1000
@@ -24,7 +24,7 @@ SHUNNED = 2.0
 PAST_GATE_SHARE = 0.3
 ALONG_SHARE = 0.3
 """A wall is long, and those beside it short, from this ratio on: a square room has neither."""
-AT_SIDES = ("beside", "in_front_of", "around", "under")
+AT_SIDES = {*SIDES} - {"in_row"}
 """Relations whose slots turn the piece already."""
 
 

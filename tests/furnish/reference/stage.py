@@ -26,9 +26,9 @@ from tests.furnish.reference.occupancy import TakenWalls, off_boards, opened_off
 from tests.furnish.reference.openings import opened
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
-from tests.furnish.reference.slots import faces
+from tests.furnish.reference.slots import SIDES, faces
 
-GIVE_PLACE = ("beside", "in_front_of", "around", "in_row", "on", "under")
+GIVE_PLACE = (*SIDES, "on")
 
 TOUCH_MM = 20
 """Overlaps up to this between meant places do not matter."""
