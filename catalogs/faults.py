@@ -35,6 +35,7 @@ _SYSTEM_WORDS: Final = {
     errno.EPERM: "may not be read or written here",
     errno.EROFS: "is on a disk that is not written to",
     errno.ENOSPC: "the disk is full",
+    errno.EADDRINUSE: "something listens at that address and port already: --port names another one, 0 any that is free",
 }
 
 

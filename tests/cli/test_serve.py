@@ -62,7 +62,7 @@ def test_what_is_no_http_does_not_hurt(server: tuple[subprocess.Popen[str], int]
 def test_a_taken_port_is_bad_use(server: tuple[subprocess.Popen[str], int]) -> None:
     run = compose("serve", "--port", str(server[1]))
     assert run.returncode == 2
-    assert "compose: " in said(run)
+    assert "compose: something listens at that address and port already: --port names another one" in said(run)
 
 
 def test_it_stops_when_told(server: tuple[subprocess.Popen[str], int]) -> None:
