@@ -10,7 +10,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
-from service.sent_scenes import told_as_sent, told_kinds
+from service.sent_scenes import listed, told_as_sent, told_assets, told_kinds
 from service.service_settings import settings_of
 from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
 from solver.errors import ComposeError, FieldError, SyntaxFault, system_words
@@ -181,6 +181,7 @@ def _export(options: Namespace) -> int:
         return CLEAN
     scene, catalogs = _scene(options), _catalogs(options)
     told_kinds(scene, catalogs)
+    told_assets(scene, catalogs)
     body = {"scene": scene, "free": options.free, "strict": options.strict, "scale": options.scale}
     files = _checked(options.scene, lambda: export_files(body, catalogs, format))
     _put_files(files, options.output)
@@ -294,8 +295,12 @@ def _catalogs(options: Namespace) -> "Catalogs":
     if assets is None:
         return catalogs
     from catalogs import add_assets
+    from catalogs.assets.asset_folder import ASSET_FILE, entries_of
 
-    return add_assets(catalogs, assets, options.license)
+    used = add_assets(catalogs, assets, options.license)
+    if unused := entries_of(Path(assets) / ASSET_FILE).keys() - used.assets.keys():
+        say(f"not used, as nobody says that their licence allows commercial use: {listed(sorted(unused))} (--license any uses them)")
+    return used
 
 
 def _read(name: str, content: bytes | None = None) -> object:

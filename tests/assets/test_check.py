@@ -119,9 +119,15 @@ def test_homes_and_exports_by_the_command_line(tmp_path: Path, capsys: pytest.Ca
     home, given = tmp_path / "home.yaml", ["--assets", str(at)]
     assert main(["generate", "--program", "studio", "--seed", "3", *given, "-o", str(home)]) == 0
     assert "asset" not in home.read_text()
+    unused = "not used, as nobody says that their licence allows commercial use: a (--license any uses them)\n"
+    assert capsys.readouterr().err == unused
     assert main(["generate", "--program", "studio", "--seed", "3", *given, "--license", "any", "-o", str(home)]) == 0
     assert "asset: a" in home.read_text()
     assert main(["export", str(home), *given, "--license", "any", "-f", "glb", "-o", str(tmp_path / "out")]) == 0
     assert "a: CC-BY-NC-4.0" in (tmp_path / "out" / "CREDITS.txt").read_text()
+    words = capsys.readouterr().err
+    assert "not used" not in words and "no asset" not in words
+    assert main(["export", str(home), "-f", "csv", "-o", str(tmp_path / "out")]) == 0
+    assert "no asset here is called a: --assets names a folder of your own\n" in capsys.readouterr().err
     assert main(["export", str(home), "--assets", str(tmp_path), "-o", str(tmp_path / "x.yaml")]) == 2
     assert "assets.yaml" in capsys.readouterr().err
