@@ -118,7 +118,7 @@ def of_error(_: Request | None, error: Exception) -> Response:
     if isinstance(error, FieldError):
         entries = [_entry(error.field, error.problem, error.allowed), *(_entry(*one) for one in error.more)]
     else:
-        entries = [_entry("body", str(error), "one JSON or YAML document in UTF-8")]
+        entries = [_entry("body", str(error), "one JSON document in UTF-8, or one in YAML with Content-Type: application/yaml")]
     headers = {"Retry-After": str(RETRY_AFTER_S)} if status == HTTPStatus.SERVICE_UNAVAILABLE else None
     return problem(status, title, str(error), entries, headers)
 

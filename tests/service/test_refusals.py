@@ -146,6 +146,13 @@ def test_what_is_no_yaml_document_is_refused(client: TestClient, call: str, kind
     assert entry["field"] == "body"
 
 
+def test_yaml_that_does_not_say_so_is_told_how(client: TestClient) -> None:
+    for headers in ({"content-type": "application/json"}, {"content-type": "application/x-www-form-urlencoded"}):
+        entry = entry_of(client.post("/generate", content="width: wide", headers=headers), 400)
+        assert (entry["field"], "application/yaml" in entry["allowed"]) == ("body", True)
+    assert entry_of(client.post("/generate", content="width: wide", headers=YAML), 422)["field"] == "width"
+
+
 @every("call", POSTS)
 @every("body", [[], [{}], 3, "house", True, None, 1.5])
 def test_a_body_that_is_no_object_is_refused(client: TestClient, call: str, body: object) -> None:
