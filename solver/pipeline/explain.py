@@ -105,9 +105,9 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | str:
     """Furnishes a room as it was made; or says why that cannot be told: it was not made here, was edited, or would be another now."""
     rooms = (scene.certificate or {}).get("rooms")
     entry = rooms.get(room.id) if isinstance(rooms, Mapping) else None
-    if not isinstance(entry, Mapping) or entry.get("of") != mark_of(room):
+    if not isinstance(entry, Mapping) or entry.get("of") != mark_of(room) or scene.generator is None:
         return CHANGED
-    made_with, here = scene.generator or {}, generator(catalogs)
+    made_with, here = scene.generator, generator(catalogs)
     for key, words in (("version", OTHER_VERSION), ("catalog", OTHER_CATALOG)):
         if made_with.get(key) != here[key]:
             return words.format(made_with.get(key), here[key])

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from catalogs import load_catalogs
-from compose_homes import Explained, Request, Scene, SceneError, explain, generate, validate
+from compose_homes import Explained, PieceRequest, RelationSpec, Request, Scene, SceneError, explain, generate, place, validate
 from solver.explained import HOLDERS
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Piece, Space
@@ -76,6 +76,13 @@ def test_of_a_changed_room_nothing_is_claimed(home: Scene) -> None:
     assert (answer.wished, answer.holds, answer.notes) == (None, (), (CHANGED,))
     untouched = home.rooms[2].furniture[0].id
     assert explain(changed, untouched) == explain(home, untouched)
+
+
+def test_of_a_list_that_was_placed_nothing_is_claimed() -> None:
+    """What `/place` answers is certified, but no seed and no room type say how it was wished."""
+    scene = place(Room("study", width=3.6, depth=3.0), [PieceRequest("desk", relations=(RelationSpec(type="against_wall"),))]).best.scene
+    answer = explain(scene, "desk")
+    assert (answer.wished, answer.holds, answer.notes, answer.ways) == (None, (), (CHANGED,), ())
 
 
 def test_another_version_made_it(home: Scene) -> None:
