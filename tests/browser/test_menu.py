@@ -49,7 +49,7 @@ def test_the_menu_saves_shares_and_leads_to_what_is_kept(visit: Visit) -> None:
     assert SIZE.unpack_from(picture, 16) == (3840, 2160)
     visit.settle()
 
-    for entry, focused in (("Saved homes", "#saved"), ("For simulators", "#export_format")):
+    for entry, focused in (("Saved homes", "#saved"), ("Save this home", "#saved_name"), ("For simulators", "#export_format")):
         page.locator("[data-tool=menu]").click()
         menu.get_by_role("button", name=entry).click()
         expect(menu).to_be_hidden()

@@ -19,6 +19,7 @@ const ENTRIES: readonly (readonly [Words, readonly Entry[]])[] = [
     { words: "Saved homes", shows: "saved" },
   ]],
   ["Save", [
+    { words: "Save this home", shows: "saved_name" },
     { words: "JSON", presses: "download_json" },
     { words: "YAML", presses: "download_yaml" },
     { words: "For simulators, editors, training…", shows: "export_format" },

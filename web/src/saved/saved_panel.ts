@@ -58,6 +58,7 @@ export class SavedPanel {
   #pictures: string[] = [];
 
   constructor(readonly host: HTMLDetailsElement, readonly source: SavedSource, readonly beside: Beside) {
+    this.#name.id = "saved_name";
     const save = button(say("Save this home"), () => this.#try(say("Saving the home"), () => this.#save()));
     for (const one of [save, this.#update, this.#more]) one.classList.add("wide");
     const buttons = document.createElement("div");
