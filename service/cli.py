@@ -184,7 +184,7 @@ def _add_generate(commands: Commands) -> None:
 
 def _add_furnish(commands: Commands) -> None:
     command = _command(commands, "furnish", "Furnish the rooms of a plan of your own; says what was guessed of it.")
-    command.add_argument("scene", nargs="?", default="-", metavar="PLAN", help="a scene, YAML or JSON (standard input)")
+    command.add_argument("scene", nargs="?", default="-", metavar="PLAN", help="a scene, or what import reads (standard input)")
     add = command.add_argument
     add("--room", dest="rooms", action="append", default=[], metavar="ID", help="a room to furnish (every empty one); may be repeated")
     add("--keep", choices=("all", "locked", "none"), default="all", help="what stays in them (all)")

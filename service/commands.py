@@ -22,6 +22,7 @@ from solver.whole_files import write_whole
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
+    from solver.imported import ImportSettings
 
 T = TypeVar("T")
 
@@ -104,7 +105,12 @@ def _answer_on(scene: object, options: Namespace, **more: object) -> Document:
 
 
 def _furnish(options: Namespace) -> int:
-    scene = _scene(options)
+    from solver.imported import ImportSettings
+    from solver.pipeline.import_plan import plan_format
+
+    name, content = options.scene, _content(options.scene)
+    foreign = plan_format("" if name == STREAM else name, content)
+    scene = _imported(name, content, options, ImportSettings())["scene"] if foreign else _held(_parsed(name, content))
     given = {name: getattr(options, name) for name in ("program", "style", "decorate", "access", "seed")}
     more = {name: value for name, value in given.items() if value is not None}
     answer = _answer_on(scene, options, rooms=options.rooms, keep=options.keep, types=dict(options.types), effort=options.effort, **more)
@@ -189,27 +195,30 @@ def _export(options: Namespace) -> int:
 
 
 def _import(options: Namespace) -> int:
-    from service.calls import import_content
     from solver.imported import ImportSettings
 
-    content = read_standard_input() if options.plan == STREAM else Path(options.plan).read_bytes()
-    settings, name = (
-        ImportSettings(options.level, options.unit, options.furniture == "keep"),
-        "" if options.plan == STREAM else options.plan,
-    )
-    answer = _checked(options.plan, lambda: import_content(content, _catalogs(options), settings, name))
+    asked = ImportSettings(options.level, options.unit, options.furniture == "keep")
+    answer = _imported(options.plan, _content(options.plan), options, asked)
     _write(answer["scene"], options)
-    told = {key: answer[key] for key in ("format", "changes", "guesses", "unread", "understood_as")}
     if options.report is not None:
+        told = {key: answer[key] for key in ("format", "changes", "guesses", "unread", "understood_as")}
         _put(dump_text(told, format_of_name(options.report) or "yaml"), options.report)
-    say(f"read as {told['format']}: {len(answer['scene']['rooms'])} rooms")
-    for change in told["changes"]:
-        say(f"changed {change['of']}: {change['message']}")
-    for guess in told["guesses"]:
-        say(f"guessed {guess['what']} of {guess['of']}: {guess['taken']}: {guess['message']}")
-    for left in told["unread"]:
-        say(f"left out {left['place']}: {left['reason']}")
     return _judged([issue for issue in answer["issues"] if issue["severity"] == "error"])
+
+
+def _imported(name: str, content: bytes, options: Namespace, settings: "ImportSettings") -> Document:
+    """Reads a plan of another program, and says all that is not as it is drawn."""
+    from service.calls import import_content
+
+    answer = _checked(name, lambda: import_content(content, _catalogs(options), settings, "" if name == STREAM else name))
+    say(f"read as {answer['format']}: {len(answer['scene']['rooms'])} rooms")
+    for change in answer["changes"]:
+        say(f"changed {change['of']}: {change['message']}")
+    for guess in answer["guesses"]:
+        say(f"guessed {guess['what']} of {guess['of']}: {guess['taken']}: {guess['message']}")
+    for left in answer["unread"]:
+        say(f"left out {left['place']}: {left['reason']}")
+    return answer
 
 
 def _exporter_of(name: str) -> str | None:
@@ -303,14 +312,17 @@ def _catalogs(options: Namespace) -> "Catalogs":
     return used
 
 
-def _read(name: str, content: bytes | None = None) -> object:
+def _read(name: str) -> object:
     """Reads a file or standard input, by its name's ending or else by how it begins."""
-    content = _content(name) if content is None else content
-    return _checked(name, lambda: load_text(content, format_of_file(name, content)))
+    return _parsed(name, _content(name))
 
 
 def _content(name: str) -> bytes:
     return read_standard_input() if name == STREAM else Path(name).read_bytes()
+
+
+def _parsed(name: str, content: bytes) -> object:
+    return _checked(name, lambda: load_text(content, format_of_file(name, content)))
 
 
 def _checked(name: str | None, work: Callable[[], T]) -> T:
@@ -335,7 +347,7 @@ def _scene(options: Namespace) -> object:
     """
     name, content = options.scene, _content(options.scene)
     try:
-        document, fault = _read(name, content), None
+        document, fault = _parsed(name, content), None
     except SyntaxFault as error:
         document, fault = None, error
     if not isinstance(document, dict) or not document.keys() & {"scene", "rooms"}:
@@ -346,8 +358,11 @@ def _scene(options: Namespace) -> object:
             raise FieldError(f"{_spoken(name)}scene", said, "a scene; `compose import` makes one of a plan")
     if fault is not None:
         raise fault
-    held = isinstance(document, dict) and "scene" in document and "rooms" not in document
-    return document["scene"] if held and isinstance(document, dict) else document
+    return _held(document)
+
+
+def _held(document: object) -> object:
+    return document["scene"] if isinstance(document, dict) and "scene" in document and "rooms" not in document else document
 
 
 def _request(options: Namespace) -> dict[str, Any]:

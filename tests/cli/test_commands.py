@@ -215,7 +215,7 @@ def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfd
 )
 def test_a_floor_plan_where_a_scene_belongs_is_told_to_be_one(tmp_path: Path, capfdbinary: Captured, name: str, content: bytes) -> None:
     (tmp_path / name).write_bytes(content)
-    for command in ("furnish", "validate", "fix"):
+    for command in ("validate", "fix"):
         words = refused(capfdbinary, command, str(tmp_path / name))
         assert f"scene: is a floor plan of the format {name[5:]} (allowed: a scene; `compose import` makes one of a plan)" in words
 
@@ -314,6 +314,22 @@ def test_what_was_decorated_is_known(house: Path, tmp_path: Path, capfdbinary: C
     assert main(["generate", "--program", "studio", "--seed", "3", "--decorate", "-o", str(path)]) == 0
     assert main(["validate", str(path)]) == 0
     assert b"no catalog here knows" not in capfdbinary.readouterr().err
+
+
+@pytest.mark.parametrize("piped", [False, True])
+def test_furnish_takes_a_plan_of_another_program(
+    tmp_path: Path, capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch, piped: bool
+) -> None:
+    drawn, plan, steps, once = ROOT / "docs" / "plan.geojson", *(str(tmp_path / name) for name in ("plan.yaml", "steps.yaml", "once.yaml"))
+    assert main(["import", str(drawn), "-o", plan]) == 0
+    said = capfdbinary.readouterr().err
+    assert main(["furnish", plan, "--seed", "7", "-o", steps]) == 0
+    more = capfdbinary.readouterr().err
+    if piped:
+        monkeypatch.setattr("service.commands.read_standard_input", drawn.read_bytes)
+    assert main(["furnish", "-" if piped else str(drawn), "--seed", "7", "-o", once]) == 0
+    assert Path(once).read_bytes() == Path(steps).read_bytes()
+    assert capfdbinary.readouterr().err == said + more
 
 
 def test_furnish_says_which_rooms_it_left_because_they_were_not_empty(tmp_path: Path, capfdbinary: Captured) -> None:
