@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import inspect
 import json
+import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import httpx2
@@ -139,3 +142,11 @@ def test_a_busy_service_is_asked_again_and_others_are_not() -> None:
         with pytest.raises(ServiceRefusal):
             Client("http://a", transport=answers(*statuses)).ask(calls.catalog())
     assert asked == [503, 429, 200, 503, 503, 503, 500, 422]
+
+
+def test_the_typescript_client_has_the_same_functions() -> None:
+    text = (Path(__file__).parents[2] / "web" / "client" / "index.ts").read_text()
+    theirs = set(re.findall(r"^  (?:async )?\*?(\w+)(?:<\w+>)?\(.*\): (?:Promise|AsyncGenerator)<", text, re.MULTILINE))
+    own = [name for name, one in inspect.getmembers(calls, inspect.isfunction) if one.__module__ == calls.__name__ and name[0] != "_"]
+    named = {re.sub(r"_(.)", lambda found: found[1].upper(), name) for name in own if name != "job_told"}
+    assert theirs == named - {"export"} | {"exportScene", "followJob"}

@@ -90,6 +90,11 @@ export class Client {
     return this.#post("generate", { scene, reroll: rooms, ...options }, call);
   }
 
+  /** Gives a home another `style`, or other decorations (`decorate`). */
+  restyle(scene: Scene, options: Options = {}, call: CallSettings = {}): Promise<Generated> {
+    return this.#post("generate", { scene, ...options }, call);
+  }
+
   /** Furnishes the rooms of a plan. */
   furnish(scene: unknown, options: Options = {}, call: CallSettings = {}): Promise<FurnishedPlan> {
     return this.#post("furnish", { scene, ...options }, call);
@@ -133,6 +138,11 @@ export class Client {
   /** Writes a scene as a file; a ZIP archive where the format has several. */
   async exportScene(scene: unknown, format: string, options: Options = {}, call: CallSettings = {}): Promise<Blob> {
     return (await this.#send("POST", `export/${encodeURIComponent(format)}`, JSON.stringify({ scene, ...options }), {}, call)).blob();
+  }
+
+  /** Returns all furniture, decorations, room types, styles and presets that the service knows. */
+  catalog(call: CallSettings = {}): Promise<Readonly<Record<string, unknown>>> {
+    return this.#get("catalog", call);
   }
 
   /** Keeps a home; the answer names its id. */

@@ -1,6 +1,6 @@
 /** The TypeScript client: what it sends, what it makes of answers and refusals. */
 import { describe, expect, it } from "vitest";
-import { Client, ServiceRefusal, type HomeHead } from "../client/index";
+import { Client, ServiceRefusal, type HomeHead, type Scene } from "../client/index";
 
 interface Sent {
   readonly url: string;
@@ -34,6 +34,15 @@ describe("the client", () => {
     await client.changeHome(HEAD, { name: "<b>" });
     await client.removeHome(HEAD);
     expect(sent.map(({ method, headers }) => [method, headers["If-Match"]])).toEqual([["PATCH", '"3"'], ["DELETE", '"3"']]);
+  });
+
+  it("restyles a home, and reads the catalog", async () => {
+    const { client, sent } = answering(Response.json({ scene: {}, issues: [], timing_ms: {} }), Response.json({ styles: {} }));
+    await client.restyle({ rooms: [] } as unknown as Scene, { style: "rustic", decorate: true });
+    expect(await client.catalog()).toEqual({ styles: {} });
+    expect(sent.map(({ method, url, body }) => [method, url.slice("http://homes.example/base/".length), body])).toEqual([
+      ["POST", "generate", '{"scene":{"rooms":[]},"style":"rustic","decorate":true}'], ["GET", "catalog", null],
+    ]);
   });
 
   it("asks for pages by words and tags", async () => {
