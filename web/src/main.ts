@@ -148,11 +148,12 @@ class Page {
     void this.#stage.rehearse();
   }
 
-  /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request. */
+  /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request; at a bare one the home changed last. */
   #openAddress(): void {
-    const { home } = entry();
+    const { home, file } = entry();
     if (home !== undefined) this.#openKept(home, "keep");
-    else this.#openRequest();
+    else if (file || location.search !== "" || location.hash !== "") this.#openRequest();
+    else void this.#keeping.homes.changedLast().then((id) => { if (id === null) this.#openRequest(); else this.#openKept(id, "keep"); });
   }
 
   #openRequest(): void {
