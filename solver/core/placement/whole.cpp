@@ -19,23 +19,17 @@ constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;
 
 static Desk* desk_for(const NumberedRoom& asked) { return new_desk(asked.room, sizes_of(asked.room)); }
 
-static Desk* arranged(
-    const NumberedRoom& asked, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report, Memo* memo = nullptr) {
-  Desk* desk = desk_for(asked);
+static void arrange(Desk* desk, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report, Memo* memo = nullptr) {
   desk->engine.memo = memo;
   const Engine& engine = desk->engine;
   engine.tree.budget[0] = budget;
   report = arrange_room(engine, desk->decisions, desk->fates, limits, walk);
   desk->engine.memo = nullptr;
   budget = engine.tree.budget[0];
-  return desk;
 }
 
-static bool is_walkable_empty(const NumberedRoom& asked) {
-  const arena::Scope scope;
-  NumberedRoom empty = asked;
-  empty.room.pieces.size = 0;
-  Desk* desk = desk_for(empty);
+static bool is_walkable_empty(const Desk* desk) {
+  for (i64& decision : desk->decisions) decision = ABSENT;
   desk->engine.tree.budget[0] = ENOUGH;
   return evaluate(desk->engine, desk->decisions, FEW_QPS, INFINITE, true);
 }
@@ -83,16 +77,22 @@ static NumberedRoom without_required(const NumberedRoom& from, i64 piece) {
 static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk, Memo* memo) {
   NumberedRoom asked = numbered(room);
   WholeRoom found = {};
-  found.walk = walk && is_walkable_empty(asked);
-  if (!found.walk) asked = without_walking(asked);
   const Span<i64> prefix = reserved<i64>(static_cast<i32>(room.pieces.size));
   bool sure = true;
   RoomReport report;
+  arena::Mark mark = arena::mark();  // what was tried in vain is given back
+  found.desk = desk_for(asked);
+  found.walk = walk && is_walkable_empty(found.desk);
+  if (!found.walk) {
+    arena::release(mark);
+    asked = without_walking(asked);
+    mark = arena::mark();
+    found.desk = desk_for(asked);
+  }
   for (;;) {
-    const arena::Mark mark = arena::mark();  // what was tried in vain is given back
     found.asked = asked;
     const bool is_first = found.left_out.size() == 0;
-    found.desk = arranged(asked, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
+    arrange(found.desk, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
     found.solves += report.solves;
     if (memo != nullptr && memo->outdone) return found;
     if (report.complete) break;
@@ -101,7 +101,8 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     arena::release(mark);
     if (!report.closed && found.walk && budget > 0) {
       found.asked = with_empty_floor(asked, room.space->robot - USUAL_ROBOT_MM);
-      found.desk = arranged(found.asked, limits, budget, true, report);
+      found.desk = desk_for(found.asked);
+      arrange(found.desk, limits, budget, true, report);
       if (report.complete) {
         found.solves += report.solves - without.solves;
         found.with_floor = true;
@@ -120,6 +121,8 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     sure = sure && report.closed;
     found.left_out.add({asked.pieces[out], report.closed});
     asked = without_required(asked, out);
+    mark = arena::mark();
+    found.desk = desk_for(asked);
   }
   const Engine& engine = found.desk->engine;
   found.complete = report.complete;
