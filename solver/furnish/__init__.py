@@ -4,15 +4,13 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 `pieces.Piece`. May import: catalogs and the ground floor. Not here: choosing among candidates and exact places (placement).
 """
 
-from solver.furnish.attached import tucks
 from solver.furnish.habits import Habits, habits_of
-from solver.furnish.listed_pieces import ListedPieces, Listing, kept_pieces, listed_pieces
+from solver.furnish.listed_pieces import ListedPieces, Listing, tucks
 from solver.furnish.low_rooms import LowRooms, as_low_as
 from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
-from solver.furnish.stances import NEARLY_ALL
 from solver.furnish.zones import scope_of, space_of
 
 __all__ = [
-    "NEARLY_ALL", "Habits", "ListedPieces", "Listing", "LowRooms", "as_low_as", "habits_of", "kept_pieces", "listed_pieces", "scope_of",
-    "space_of", "tucks", "unwanted_pieces", "wanted_pieces", "wanted_rows",
+    "Habits", "ListedPieces", "Listing", "LowRooms", "as_low_as", "habits_of", "scope_of", "space_of", "tucks", "unwanted_pieces",
+    "wanted_pieces", "wanted_rows",
 ]  # fmt: skip

@@ -13,7 +13,7 @@ from typing import Final
 from catalogs.entries import Run
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType, Variant
 from solver.body_rows import LooksBySize, furniture_look
-from solver.core.core_tables import CoreTables
+from solver.core.core_tables import CoreTables, TableRange
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
 from solver.pieces import NamedKinds
@@ -90,10 +90,39 @@ def _kinds_of(catalogs: Catalogs) -> dict[str, Kind]:
     return _known_kinds[key][1]
 
 
-class _Tables(CoreTables):
-    """The tables of a room type while they are written."""
+class KindTables(CoreTables):
+    """Tables of kinds and relations while they are written."""
 
     layouts, header = _ROW, _HEADER
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._surfaces: dict[str, int] = {}
+
+    def _kind_row(self, kind: Kind, comforts: TableRange, name: int) -> tuple[float, ...]:
+        """Returns the row of a kind; `name` is the same for kinds of one name."""
+        sides = sum({1 << SIDES.index(side) for side in kind.use_sides})
+        levels = self._added("level", kind.levels, self._level)
+        parts = self._added("part", kind.parts, part_row)
+        use = self._sides(kind.use_sides)
+        return (*kind.size, kind.at_walls, len(kind.use_sides), sides, kind.need_all, *levels, *parts, *use, *comforts, name, 0)
+
+    def _sides(self, sides: Sequence[str]) -> TableRange:
+        return self._added("side", side_numbers(sides), lambda side: (side,))
+
+    def _level(self, one: SurfaceHeight) -> tuple[int, ...]:
+        name = self._surfaces.setdefault(one.name, len(self._surfaces))
+        return level_row(one, name)
+
+    def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
+        names = self._added("name", rule.of, lambda name: name_row(self._word(name), name))
+        sides = self._sides(rule.sides)
+        sorts = self._added("sort", rule.walls.items(), lambda sort: (_SORTS.index(sort[0]), 0, sort[1]))
+        return rule_row(rule, names, sides, sorts)
+
+
+class _Tables(KindTables):
+    """The tables of a room type while they are written."""
 
     def __init__(self, catalogs: Catalogs, indoors: str | None) -> None:
         super().__init__()
@@ -101,7 +130,6 @@ class _Tables(CoreTables):
         self._room = indoors or ""
         self.kinds: dict[str, Kind] = {}
         self._catalogs, self._known = catalogs, _kinds_of(catalogs)
-        self._surfaces: dict[str, int] = {}
         self._names: dict[str, int] = {}
         self._among: dict[str, int] = {}
 
@@ -127,27 +155,16 @@ class _Tables(CoreTables):
         return [*self.kinds].index(name)
 
     def _add_kind(self, kind: Kind) -> None:
-        sides, spec = sum({1 << SIDES.index(side) for side in kind.use_sides}), self._catalogs.furniture.get(kind.name)
-        levels = self._added("level", kind.levels, self._level)
-        parts = self._added("part", kind.parts, part_row)
+        spec = self._catalogs.furniture.get(kind.name)
         about = floors_about(spec, self._catalogs.shapes.get(kind.name, ())) if spec else ()
         about += asked_about(self._profile, self._room, self._catalogs.name_of(kind.name)) if self._profile else ()
-        use = self._sides(kind.use_sides)
         comforts = self._added("comfort", about, self._comfort)
-        used = len(kind.use_sides), sides, kind.need_all
         name = self._names.setdefault(self._catalogs.name_of(kind.name), len(self._names))
-        self._added("kind", [kind], lambda _: (*kind.size, kind.at_walls, *used, *levels, *parts, *use, *comforts, name, 0))
+        self._added("kind", [kind], lambda _: self._kind_row(kind, comforts, name))
 
     def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
         other = -1 if floor.other is None else SIDES.index(floor.other)
         return (SIDES.index(floor.side), floor.opens + floor.along_side, *floor[2:-3], other, floor.off)
-
-    def _sides(self, sides: Sequence[str]) -> tuple[int, int]:
-        return self._added("side", side_numbers(sides), lambda side: (side,))
-
-    def _level(self, one: SurfaceHeight) -> tuple[int, ...]:
-        name = self._surfaces.setdefault(one.name, len(self._surfaces))
-        return level_row(one, name)
 
     def _add_piece(self, spec: PieceSpec) -> None:
         variants = self._added("variant", spec.variants, self._variant)
@@ -160,9 +177,3 @@ class _Tables(CoreTables):
 
     def _variant(self, one: Variant) -> tuple[float, ...]:
         return self._kind(one.kind), _CORNERS.index(one.corner) - 1, one.cost, one.min_area, inf if one.max_area is None else one.max_area
-
-    def _rule(self, rule: RelationSpec) -> tuple[float, ...]:
-        names = self._added("name", rule.of, lambda name: name_row(self._word(name), name))
-        sides = self._sides(rule.sides)
-        sorts = self._added("sort", rule.walls.items(), lambda sort: (_SORTS.index(sort[0]), 0, sort[1]))
-        return rule_row(rule, names, sides, sorts)

@@ -1,14 +1,15 @@
 """Rooms as the core reads them, and pieces from the rows it answers with (solver/core/furnish/furnish.cpp)."""
 
 from collections.abc import Sequence
+from itertools import starmap
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
 from solver.furnish.compiled_types import CompiledType
-from solver.geometry import Rect
-from solver.pieces import Attach, Candidate, Link, Piece, Space, Stand, Zone
+from solver.geometry import WALL_BEHIND, Rect
+from solver.pieces import Attach, Candidate, Link, Piece, Space, Stance, Stand, Zone
 from solver.relations.rows import RELATION_WORDS, SIDES, WALL, WALLS_ASKED, opened_rows
-from solver.relations.subject import Scope
+from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 
 _ROOM: Final = Struct("<Qd5q4i")
@@ -16,11 +17,13 @@ _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
-_CANDIDATE: Final = Struct("<10i12q2d2q")
+_CANDIDATE: Final = Struct("<12i12q2d2q")
 _LINK: Final = Struct("<6i5d")
 _WALL_NAMES: Final = (*WALLS, None)
 _SIDE, _SEAT, _SURFACE = 1, 2, 3
 """What a slot is called by."""
+_STANCES: Final = (None, *map(Stance, WALL_BEHIND), *starmap(Stance, WALL_BEHIND.items()))
+"""As the core numbers them."""
 _FLOOR: Final = "floor"
 """The kind of floor that is better kept free."""
 _FLOORS: Final = ("floor at the", "floor opened over at the", "floor asked for at the")
@@ -32,7 +35,10 @@ _DOORWAY: Final = Struct("<2i4q")
 
 
 class Answer(NamedTuple):
-    """What the core says: the stream's state at the end, (spec, copies) in the order of importance, and the pieces' rows."""
+    """What the core says: the stream's state at the end, (spec, copies) in the order of importance, and the pieces' rows.
+
+    Of a list it says no state, and (piece, relation) of what no candidate pays for.
+    """
 
     state: int
     counted: list[tuple[int, int]]
@@ -89,7 +95,7 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
     """Returns the pieces of an answer."""
     named = [(spec, number, side) for spec, number, _, _, _, side, *_ in answer.pieces]
     labels = [label_of(known, named, at) for at in range(len(named))]
-    candidates, links = (candidate_of(row, known, labels) for row in answer.candidates), iter(_links(answer, labels))
+    candidates, links = (candidate_of(row, known.kinds, labels) for row in answer.candidates), iter(links_of(answer, labels))
     pieces = []
     for label, (spec_at, _, kind_at, ways, bonds, side, required, with_next, skip_cost) in zip(labels, answer.pieces, strict=True):
         own = tuple(next(candidates) for _ in range(ways))
@@ -114,32 +120,31 @@ def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:
 
 def candidate_in(known: CompiledType, row: bytes, labels: Sequence[str]) -> Candidate:
     """Returns a candidate from its row."""
-    return candidate_of(_CANDIDATE.unpack(row), known, labels)
+    return candidate_of(_CANDIDATE.unpack(row), known.kinds, labels)
 
 
-def candidate_of(row: tuple[Any, ...], known: CompiledType, labels: Sequence[str]) -> Candidate:
+def candidate_of(row: tuple[Any, ...], kinds: Sequence[Kind], labels: Sequence[str]) -> Candidate:
     """Returns a candidate from the numbers of its row."""
-    kind_at, rotation, wall, parent, parent_kind, slot, side, is_under, is_on, _, number, x, z, *spans, bottom, weight, cost, wide, deep = (
-        row
-    )
+    kind_at, rotation, wall, parent, parent_kind, slot, side, is_under, is_on, stance, other_stance, _, *lengths = row
+    number, x, z, *spans, bottom, weight, cost, wide, deep = lengths
     label, attach, within = None, None, Rect(*spans[4:])
     if parent >= 0:
-        label, other = labels[parent], known.kinds[parent_kind]
+        label, other = labels[parent], kinds[parent_kind]
         name = "" if not slot else SIDES[side] if slot != _SURFACE else f"on {other.levels[number].name}"
-        attach = Attach(label, other.name, (spans[0], spans[1]), (spans[2], spans[3]), f"{name} {number}" if slot == _SEAT else name)
+        name = f"{name} {number}" if slot == _SEAT else name
+        attach = Attach(label, other.name, (spans[0], spans[1]), (spans[2], spans[3]), name, _STANCES[other_stance])
     made = object.__new__(Candidate)
     own = made.__dict__  # a frozen dataclass's own `__init__` takes three times as long, and there are a hundred in a room
-    own["kind"], own["size_mm"] = (
-        (_FLOOR, (wide, deep, _PERSON_MM)) if kind_at < 0 else (known.kinds[kind_at].name, known.kinds[kind_at].size)
-    )
+    own["kind"], own["size_mm"] = (_FLOOR, (wide, deep, _PERSON_MM)) if kind_at < 0 else (kinds[kind_at].name, kinds[kind_at].size)
     own["rotation"], own["wall"] = rotation, _WALL_NAMES[wall]
     own["anchor_mm"], own["weights"], own["within"], own["cost"] = (x, z), (weight, weight), within if any(within) else None, cost
-    own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, None
+    own["bottom_mm"], own["attach"], own["slack_mm"], own["stance"] = bottom, attach, None, _STANCES[stance]
     own["under"], own["on"] = label if is_under else None, label if is_on else None
     return made
 
 
-def _links(answer: Answer, labels: Sequence[str]) -> list[Link]:
+def links_of(answer: Answer, labels: Sequence[str]) -> list[Link]:
+    """Returns the links of all pieces of an answer, one after the other."""
     return [
         Link(RELATION_WORDS[word], labels[of], None if turn < 0 else turn, WALLS_ASKED[walls], cost, bool(required), *pulls)
         for word, of, turn, walls, required, _, cost, *pulls in answer.links

@@ -153,7 +153,7 @@ def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing
     Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
     is tried. `bare` is the task without relations.
     """
-    space, walk = task.framed.space, False
+    space, walk = task.listing.space, False
     members = minimal_conflict(space, pieces, missing.label, budget)
     if members is None and feasible(space, pieces, budget):
         walk, members = True, minimal_conflict(space, pieces, missing.label, budget, True)
@@ -168,7 +168,7 @@ def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing
     )
     names = " and ".join(_sized(task, by_label[member]) for member in members)
     freed = [piece for piece in bare.pieces if piece.label in members]
-    if _bound(task.requests) and feasible(bare.framed.space, freed, budget, walk) is not False:
+    if _bound(task.requests) and feasible(bare.listing.space, freed, budget, walk) is not False:
         return Conflict(members, _not_held(names), removals)
     if walk:
         where, there = ("", "it") if len(members) == 1 else ("together ", "them")

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
 from solver.certificate import room_certificate
-from solver.furnish import NEARLY_ALL, Habits, ListedPieces, Listing, habits_of, kept_pieces, listed_pieces, scope_of, space_of, tucks
+from solver.furnish import Habits, Listing, habits_of, scope_of, space_of, tucks
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND, to_mm
 from solver.named_assets import with_assets
@@ -39,16 +39,6 @@ from solver.scene import Furniture, Level, Room, Scene
 from solver.streams import Stream
 from solver.understanding import Understood, understood
 from solver.validator import RULES, validate
-
-
-class Framed(NamedTuple):
-    """The room in the frame of its search: where pieces may stand, the room before anything is placed, what is asked for, what stands."""
-
-    space: Space
-    bare: FinishedRoom
-    room: Room
-    listing: Listing
-    there: Sequence[Piece]
 
 
 class PlaceSetting(NamedTuple):
@@ -85,9 +75,10 @@ class PlaceTask:
     bare: FinishedRoom
     """The room as it was sent, before anything is placed, to be judged."""
     frame: SearchFrame
-    framed: Framed
-    listed: ListedPieces
-    """The pieces to be placed, in the frame."""
+    framed: FinishedRoom
+    """The room in the frame of its search, before anything is placed, to be judged."""
+    listing: Listing
+    """What is asked for, in the frame."""
     kinds: Mapping[str, Kind]
     """The kind of every piece that is asked for or stands already, by its label."""
     words: Understood
@@ -107,13 +98,7 @@ class PlaceTask:
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """The pieces to be placed, each after those it refers to, behind those that stand already."""
-        return self.listed.pieces
-
-    @cached_property
-    def nearly_all(self) -> ListedPieces | None:
-        """The pieces to be placed with nearly all their candidates, to prove a placement the best; None where these are too many."""
-        space, _, room, listing, there = self.framed
-        return kept_pieces(room, space, listing, there, NEARLY_ALL)
+        return self.listing.few.pieces
 
 
 def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, setting: PlaceSetting, as_sent: bool = False) -> PlaceTask:
@@ -148,15 +133,9 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     space, there = obstacles(inside, setting.space_in(inside), catalogs)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
-    ordered = in_order(wanted, goes_to)
-    listing = Listing(ordered, kinds, habits)
-    listed = listed_pieces(inside, space, listing, there)
-    framed = Framed(space, _bare(inside, space, by_label, names), inside, listing, there)
-    bare = _bare(room, own, by_label, names)
-    return PlaceTask(
-        room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listed, by_label,
-        words,
-    )  # fmt: skip
+    listing = Listing(inside, space, in_order(wanted, goes_to), kinds, habits, there)
+    framed, bare = _bare(inside, space, by_label, names), _bare(room, own, by_label, names)
+    return PlaceTask(room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listing, by_label, words)
 
 
 def without_wishes(request: PieceRequest) -> PieceRequest:
@@ -220,7 +199,7 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
 
 def _written(task: PlaceTask, arrangement: Arrangement) -> Room:
     """Returns the room with what stands in it as sent, and the placed pieces under their own ids."""
-    fresh = tuple(one for one in arrangement.placed if one.label in task.listed.listed)
+    fresh = tuple(one for one in arrangement.placed if one.label in task.listing.listed)
     stream = Stream(0, "colour", task.room.index)
     made = furnished(task.room, replace(arrangement, placed=fresh), task.catalogs, stream).furniture
     called = (_called(task, piece, one) for piece, one in zip(made, fresh, strict=True))
@@ -239,15 +218,14 @@ def _called(task: PlaceTask, piece: Furniture, placed: Placed) -> Furniture:
 def lost(task: PlaceTask, arrangement: Arrangement) -> list[tuple[str, RelationSpec]]:
     """Judges an arrangement that is not written down: returns (piece, relation) of every relation that is not held."""
     bodies = {one.label: _standing(task, one) for one in arrangement.placed}
-    bare = task.framed.bare
-    seen = replace(bare, bodies={**bare.bodies, **bodies})
+    seen = replace(task.framed, bodies={**task.framed.bodies, **bodies})
     return [(label, spec) for label, spec in relations_of(task.requests) if not held(seen, label, spec)[0]]
 
 
 def _standing(task: PlaceTask, one: Placed) -> Standing:
     kind, bottom = task.kinds.get(one.label), one.chosen.bottom_mm
     levels = tuple(bottom + level.height_mm for level in kind.levels) if kind else ()
-    return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.framed.space.clear)
+    return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.listing.space.clear)
 
 
 ROUNDS_TOLD: Final = 2

@@ -99,7 +99,7 @@ def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
 
 def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
     """Returns what is proven best among nearly all candidates; where that is not shown, the better one of a longer search among the few."""
-    for listed in (task.nearly_all, task.listed):
+    for listed in (task.listing.nearly_all, task.listing.few):
         if listed is not None and not is_call_spent():
             thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed)
             if thorough.is_best and thorough.score[:3] <= best.score[:3]:
@@ -116,9 +116,9 @@ def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
 
 def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: ListedPieces | None = None) -> Round:
     """Decides all pieces together, the least free ones first."""
-    listed = listed or task.listed
-    rank = {piece.label: -_freedom(task.framed.space, piece) for piece in wanted}
-    found = _judged(task, arrange(task.framed.space, _ordered(wanted, rank), limits=limits))
+    listed = listed or task.listing.few
+    rank = {piece.label: -_freedom(task.listing.space, piece) for piece in wanted}
+    found = _judged(task, arrange(task.listing.space, _ordered(wanted, rank), limits=limits))
     unpaid = any(one in listed.unpaid for one in found.lost)
     return replace(found, whole=wanted is listed.pieces and not unpaid and found.draft.cost <= listed.sure_cost)
 
@@ -138,13 +138,13 @@ def _freedom(space: Space, piece: Piece) -> float:
 
 def _mended(task: PlaceTask, wanted: Sequence[Piece], found: Round) -> Round:
     """Takes pieces that are missing or miss a relation out and puts them in again between the others, which may slide."""
-    return _judged(task, arrange(task.framed.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
+    return _judged(task, arrange(task.listing.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
 
 
 def _reopened(task: PlaceTask, wanted: Sequence[Piece], found: Round, loose: set[str]) -> list[Piece]:
     """Returns the pieces with all candidates for the loose ones and their dependants, which come last, and one for the others."""
     stands = {one.label: one for one in found.arrangement.placed}
-    pieces = task.listed.between(found.arrangement.placed, loose)
+    pieces = task.listing.between(found.arrangement.placed, loose)
     if wanted is not task.pieces:
         allowed = {(piece.label, candidate.stance) for piece in wanted for candidate in piece.candidates}
         pieces = tuple(_only(piece, allowed) for piece in pieces)
@@ -226,7 +226,7 @@ def other_placements(task: PlaceTask, best: Round, number: int) -> list[Round]:
     while frontier and tries > 0 and len(found) < number and not is_call_spent():
         source, forbidden = frontier.pop(0)
         for placed in source.arrangement.placed:
-            if tries <= 0 or is_call_spent() or placed.label not in task.listed.listed:
+            if tries <= 0 or is_call_spent() or placed.label not in task.listing.listed:
                 continue
             tries -= 1
             without = forbidden | {(placed.label, placed.chosen.stance)}

@@ -25,7 +25,7 @@ from solver.scene import WALLS as NUMBERED_WALLS
 
 _MADE: Final = Struct("<11q2d")
 _NAME: Final = Struct("<3q")
-_PLACED: Final = Struct("<7q168s")
+_PLACED: Final = Struct("<7q176s")
 _LEFT_OUT: Final = Struct("<9q")
 _WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
 """By `enum Why`."""

@@ -1,7 +1,6 @@
 """What Python asks the core of relations (solver/core/furnish/relations/asked.cpp). Lengths are whole millimetres."""
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain
@@ -10,8 +9,7 @@ from typing import Final, NamedTuple
 
 from catalogs.schema import RelationSpec
 from solver.core import ask, borrowed
-from solver.geometry import Rect, to_mm, turned
-from solver.pieces import Link
+from solver.geometry import Rect, turned
 from solver.relations.rows import (
     RELATION_WORDS,
     RULE,
@@ -28,10 +26,6 @@ from solver.relations.subject import Footing, Kind, Scope
 
 ANYWHERE: Final = (-100_000, 100_000)
 """A coordinate without an end, of the boxes that the core tells."""
-NEAR_PULL, ALIGN_PULL = 0.2, 0.5
-"""Weights, m^-2, of the pulls towards a piece that a relation asked for names."""
-PULL_BEYOND_M, PULL_SHARE = 1.0, 0.25
-"""A piece is pushed away until it is that much farther than asked, at that share of the relation's cost."""
 _NONE: Final = Rect(0, 0, 0, 0)
 _QUESTION: Final = Struct(RULE + "15q12i")
 _RECT: Final = Struct("<4q")
@@ -157,19 +151,3 @@ def holds_with(spec: RelationSpec, own: Standing, other: Standing) -> bool:
 def _holds(question: bytes, in_room: bool) -> bool:
     with borrowed() as core:
         return bool(core.call("relation_holds", core.write(question), len(question), in_room))
-
-
-def pulls(spec: RelationSpec, labels: Sequence[str]) -> Iterator[Link]:
-    """Yields weak pulls to the pieces named, or away from them, for a piece that is not placed at one of them."""
-    it = traits(spec.type)
-    if not it.with_all:
-        yield Link(spec.type, labels[0], near=0.0 if it.into_line else NEAR_PULL, align=ALIGN_PULL if it.into_line else 0.0)
-        return
-    distance = PULL_BEYOND_M + (it.usual_mm if spec.distance is None else to_mm(spec.distance)) / 1000
-    for label in labels:
-        yield Link(spec.type, label, apart_m=distance, apart_cost=PULL_SHARE * spec.cost / distance)
-
-
-def missed(spec: RelationSpec) -> float:
-    """Returns what doing without a relation costs: everything, where it is hard."""
-    return math.inf if spec.required else spec.cost

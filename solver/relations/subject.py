@@ -3,14 +3,12 @@
 Lengths in millimetres, room-relative like everything in `solver.pieces`.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from catalogs import Catalogs
-from catalogs.schema import RelationSpec
 from solver.geometry import Rect, to_mm
-from solver.pieces import Extents, Opened, Stance, Stand
+from solver.pieces import Extents, Opened, Stand
 from solver.relations.knee_room import PartBox, boxes_of
 from solver.scene import Sides
 
@@ -102,14 +100,6 @@ def is_tall(kind: Kind) -> bool:
     return kind.size[2] >= TALL_MM and min(kind.size[:2]) <= SHALLOW_MM
 
 
-class Parent(NamedTuple):
-    """One way a piece may stand that another one relates to: what it is then, and its stance where that is told."""
-
-    label: str
-    kind: Kind
-    stance: Stance | None = None
-
-
 class Footing(NamedTuple):
     """A stance of a piece in the room: rotation, the wall at its back, extents along x and z, and where its footprint may be."""
 
@@ -117,40 +107,3 @@ class Footing(NamedTuple):
     wall: str | None
     extent: tuple[int, int]
     reach: Rect
-
-    @property
-    def stance(self) -> Stance:
-        """What of it others depend on."""
-        return Stance(self.rotation, self.wall)
-
-
-@dataclass(frozen=True)
-class Subject:
-    """One copy of a piece that seeks its places.
-
-    Args:
-        scope: the room.
-        variants: its kinds, each with what settling for it costs; the wanted one first.
-        relations: what it wishes for.
-        earlier: the labels of the pieces before it, by the names that relations call them.
-        standing: the ways that each of those may stand, by label.
-    """
-
-    scope: Scope
-    variants: tuple[tuple[Kind, float], ...]
-    relations: tuple[RelationSpec, ...]
-    earlier: Mapping[str, tuple[str, ...]]
-    standing: Mapping[str, tuple[Parent, ...]]
-
-    @property
-    def kind(self) -> Kind:
-        """The wanted kind."""
-        return self.variants[0][0]
-
-    def labels(self, names: tuple[str, ...]) -> list[str]:
-        """Returns the labels of the earlier pieces of those names."""
-        return [label for name in names for label in self.earlier.get(name, ())]
-
-    def parents(self, names: tuple[str, ...]) -> list[Parent]:
-        """Returns every way that the earlier pieces of those names may stand."""
-        return [parent for label in self.labels(names) for parent in self.standing[label]]

@@ -96,7 +96,7 @@ def test_lists_with_too_many_ways_are_searched_among_the_likeliest_only() -> Non
     ways = []
     for pieces in ([*tables, *chairs], tables[:1]):
         body = read(PlaceBody, {"room": room, "pieces": pieces})
-        ways.append(task_of(body.room, body.pieces, CATALOGS, PlaceSetting(0.1, 0.6, "osqp", None)).nearly_all)
+        ways.append(task_of(body.room, body.pieces, CATALOGS, PlaceSetting(0.1, 0.6, "osqp", None)).listing.nearly_all)
     assert ways[0] is None
     assert ways[1] is not None
 

@@ -54,8 +54,7 @@ static void add_at_wall(const Subject& subject, const WallOccupancy& walls, cons
   }
 }
 
-// The rotations that differ: four for what has a front, two for what is only longer one way, else one.
-static i32 rotation_count(const Kind& kind) {
+i32 rotation_count(const Kind& kind) {
   if (kind.use_count > 0 && kind.use_count < 4) return 4;
   return kind.width == kind.depth ? 1 : 2;
 }

@@ -5,6 +5,9 @@
 
 namespace furnish {
 
+// How many rotations differ: four for what has a front, two for what is only longer one way, else one.
+i32 rotation_count(const Kind& kind);
+
 // The candidate with its back at a wall, its middle at a coordinate along it.
 Candidate at_wall(const Scope& scope, const RoomType& type, i32 kind, Wall wall, i64 middle, f64 cost);
 

@@ -7,15 +7,10 @@ namespace furnish {
 
 namespace {
 
-// The answer's beginning; pieces, candidates, links and counts follow.
+// The answer's beginning; counts, pieces, candidates and links follow.
 struct AnswerHeader {
-  u64 stream;  // the stream's state at the end
+  u64 first;  // of a room type, the stream's state at the end
   i32 counted, pieces, candidates, links;
-};
-
-struct CountRow {
-  i32 spec;
-  i32 copies;
 };
 
 }  // namespace
@@ -68,14 +63,11 @@ Wanted wanted_in(const RoomType& any, const RoomHeader& room, const Scope& scope
   return {stream.state(), counted, with_comfort(scope, type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
 }
 
-static Bytes answer(const Wanted& wanted) {
-  const WantedRows& rows = wanted.rows;
-  AnswerHeader header{wanted.stream, wanted.counted.size(), rows.pieces.size, rows.candidates.size, rows.links.size};
-  List<CountRow> counts;
-  for (const CountedPiece& one : wanted.counted) counts.add({one.spec, one.copies});
-  Writer writer(sizeof(header) + bytes_of(counts.all()) + bytes_of(rows.pieces) + bytes_of(rows.candidates) + bytes_of(rows.links));
+Bytes answer_rows(u64 first, Span<CountRow> counts, const WantedRows& rows) {
+  AnswerHeader header{first, counts.size, rows.pieces.size, rows.candidates.size, rows.links.size};
+  Writer writer(sizeof(header) + bytes_of(counts) + bytes_of(rows.pieces) + bytes_of(rows.candidates) + bytes_of(rows.links));
   writer.put(Span<AnswerHeader>{&header, 1});
-  writer.put(counts.all());
+  writer.put(counts);
   writer.put(rows.pieces);
   writer.put(rows.candidates);
   writer.put(rows.links);
@@ -87,7 +79,10 @@ Bytes furnish_room(Bytes type_rows, Bytes room_rows) {
   RoomHeader room;
   Reader reader(room_rows.data, room_rows.size);
   const Scope scope = read_room(reader, room);
-  return answer(wanted_in(type, room, scope));
+  const Wanted wanted = wanted_in(type, room, scope);
+  List<CountRow> counts;
+  for (const CountedPiece& one : wanted.counted) counts.add({one.spec, one.copies});
+  return answer_rows(wanted.stream, counts.all(), wanted.rows);
 }
 
 }  // namespace furnish

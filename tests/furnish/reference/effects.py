@@ -10,11 +10,11 @@ from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect, to_mm
 from solver.pieces import LOOKS_AT, Candidate, Link, Opened
-from solver.relations.asking import missed
-from solver.relations.subject import Kind, Scope, Subject
+from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from tests.furnish.reference.openings import middle_of, opened
 from tests.furnish.reference.slots import SIDES, slots_of
+from tests.furnish.reference.subject import Subject, missed
 
 NEAR_MM, FAR_MM, FAR_FROM_OPENING_MM, LEAST_MM = 1500, 2000, 1500, 10
 CENTRED_REACH_MM = 1000

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator, Sequence
 
 from solver.geometry import ALONG_X, INWARDS, ROTATION_AT_WALL, turned
 from solver.pieces import Candidate
-from solver.relations.subject import Kind, Scope, Subject
+from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from tests.furnish.reference.effects import Effect
 from tests.furnish.reference.occupancy import TakenWalls
+from tests.furnish.reference.subject import Subject
 
 DRAW = 0.05
 """Pull towards an anchor that no rule asks to be firm, m^-2."""

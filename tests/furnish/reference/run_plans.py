@@ -17,13 +17,14 @@ from operator import itemgetter
 from catalogs.entries import Leaving, Run
 from solver.geometry import FACING, OPPOSITE, Rect, strip, to_mm, turned, walls_beside
 from solver.pieces import Candidate
-from solver.relations.subject import Kind, Scope, Subject
+from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from solver.streams import Stream
 from tests.furnish.reference.drawn import CountedPiece
 from tests.furnish.reference.effects import effect_of
 from tests.furnish.reference.occupancy import TakenWalls
 from tests.furnish.reference.own_places import at_wall
+from tests.furnish.reference.subject import Subject
 
 SEARCHES, DRAWS, AT_RANDOM, CHANGES = 8, 100, 32, 4
 """How often the best run is searched for from the start, and in how many draws; how many of these are at random, and how many numbers of

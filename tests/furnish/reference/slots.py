@@ -8,9 +8,10 @@ from dataclasses import replace
 from catalogs.schema import RelationSpec
 from solver.geometry import Rect, to_mm, turned
 from solver.pieces import Attach, Candidate, Extents
-from solver.relations.subject import Kind, Parent, Subject
+from solver.relations.subject import Kind
 from tests.furnish.reference.at_side import TOWARDS, at_side, lined_up, spans, whole
 from tests.furnish.reference.knee_room import free, taken
+from tests.furnish.reference.subject import Parent, Subject
 
 SIDE_COST, SEAT_COST = 0.05, 0.01
 """What each later side, and each later place around a piece, costs more than the one before it."""
@@ -80,7 +81,7 @@ def _on(subject: Subject, spec: RelationSpec) -> Iterator[Candidate]:
                 continue
             slide = (wide - width) // 2 if spec.align == "any" else 0
             low, high = lined_up(deep, depth, spec.align if spec.align in ("back", "front") else "centre")
-            attach = Attach(parent.label, parent.kind.name, (-slide, slide), (round(low), round(high)), f"on {level.name}", parent.stance)
+            attach = Attach(parent.label, parent.kind.name, (-slide, slide), (round(low), round(high)), f"on {level.name}")
             yield Candidate(kind.name, kind.size, 0, cost=cost, attach=attach, on=parent.label, bottom_mm=level.height_mm)
 
 
@@ -102,7 +103,7 @@ def _around(subject: Subject, spec: RelationSpec) -> Iterator[Candidate]:
 
 def _slot(kind: Kind, parent: Parent, place: Rect, so: tuple[str, int, bool, float]) -> Candidate:
     name, rotation, under, cost = so
-    attach = Attach(parent.label, parent.kind.name, *spans(place), name, parent.stance)
+    attach = Attach(parent.label, parent.kind.name, *spans(place), name)
     made = Candidate(kind.name, kind.size, rotation, cost=cost, attach=attach)
     return replace(made, under=parent.label) if under else made
 

@@ -16,7 +16,7 @@ from solver.furnish import scope_of
 from solver.furnish.floor_about import floors_about
 from solver.geometry import Rect, rotate, strip, to_mm, turned, wall_faced
 from solver.pieces import Candidate, Piece, Space, Stand
-from solver.relations.subject import Kind, Parent, Scope, Subject
+from solver.relations.subject import Kind, Scope
 from solver.scene import Room
 from solver.streams import Stream
 from tests.furnish.reference.comfort import with_comfort
@@ -27,6 +27,7 @@ from tests.furnish.reference.openings import opened
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
 from tests.furnish.reference.slots import SIDES, faces
+from tests.furnish.reference.subject import Parent, Subject
 
 GIVE_PLACE = (*SIDES, "on")
 

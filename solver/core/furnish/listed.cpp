@@ -1,0 +1,243 @@
+// The pieces of a list in its order, each with its ways when those before it are known.
+#include "furnish/listed.hpp"
+
+namespace furnish {
+
+// Pulls, m^-2, to a piece that a relation names, or into line with it.
+constexpr f64 NEAR_PULL = 0.2, ALIGN_PULL = 0.5;
+// A piece is pushed away until it is that much farther than asked, m, at that share of the relation's cost.
+constexpr f64 PUSHED_BEYOND = 1.0, PUSHED_SHARE = 0.25;
+constexpr i32 MOST_RELATIONS = 64;
+
+namespace {
+
+// Behind a room's own rows; the rows of what stands and of the list follow, and where all of these are, if that is told.
+struct ListHeader {
+  i32 standing, listed, told, all;  // all: as nearly as can be
+};
+
+// Where the centre of a footprint may be within a rectangle.
+Rect centres_in(const Rect& at, Extent extent) {
+  const i64 half_x = floor_div(extent.x, 2), half_z = floor_div(extent.z, 2);
+  return {at.x0 + half_x, at.z0 + half_z, at.x1 - half_x, at.z1 - half_z};
+}
+
+Rect around_both(const Rect& a, const Rect& b) { return {least(a.x0, b.x0), least(a.z0, b.z0), most(a.x1, b.x1), most(a.z1, b.z1)}; }
+
+class Lister {
+ public:
+  Lister(const Scope& scope, const RoomType& type, const ListHeader& header, Span<ListedRow> rows, Span<StandsRow> others)
+      : in_{scope, type, header.all ? NEARLY_ALL : FEW, rows, {}}, others_(others) {
+    for (i32 i = 0; i < header.standing; i++) {
+      const Rect& at = rows[i].at;
+      in_.ways.add({}).add({rows[i].stance, centres_in(at, {at.width(), at.depth()})});
+    }
+  }
+
+  // Adds the next piece of the list; false where there are too many ways in all.
+  bool add() {
+    Seeker seeker = seeking(in_.ways.size());
+    const List<Foothold> whole = footholds(seeker);
+    const List<Candidate> found = ways_of(seeker, whole);
+    count_ += found.size();
+    if (count_ > in_.kept.in_all) return false;
+    note_sureness(seeker, found);
+    add_ways(found);
+    List<Candidate> told = found;
+    if (others_.size > 0) told = others_[seeker.number].is_loose ? between_others(seeker, whole.all(), others_) : List<Candidate>{};
+    const i32 before = links_.size();
+    for (const Bond& pair : seeker.pairs) {
+      if (pair.owner < 0 && found.size() > 0) add_links(pair);
+    }
+    pieces_.add({seeker.number, 0, seeker.row().kind, told.size(), links_.size() - before, -1, seeker.row().required, 0, GONE});
+    candidates_.add_all(told.all());
+    return true;
+  }
+
+  bool is_done() const { return in_.ways.size() == in_.rows.size; }
+
+  Bytes told() const {
+    const f64 sure = least_cost_ + most(0.0, spare_);
+    return answer_rows(__builtin_bit_cast(u64, sure), unpaid().all(), {pieces_.all(), candidates_.all(), links_.all()});
+  }
+
+ private:
+  Span<Rule> rules_of(i32 piece) const { return part_of(in_.type.rules, in_.rows[piece].rules); }
+
+  // Those of the first pieces but one that a relation names, by their own label or one that copies share.
+  List<i32> named(const Rule& rule, i32 first, i32 but) const {
+    List<i32> found;
+    for (const Name& name : in_.type.of(rule)) {
+      for (i32 i = 0; i < first; i++) {
+        if (i != but && (in_.rows[i].name == name.word || in_.rows[i].word == name.word)) found.add(i);
+      }
+    }
+    return found;
+  }
+
+  List<i32> earlier(const Rule& rule, i32 piece) const { return named(rule, piece, piece); }
+
+  // The pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
+  List<i32> owing(const Rule& rule, i32 piece) const {
+    const List<i32> others = named(rule, in_.rows.size, piece);
+    const bool all = rule.word != Word::on && (others.size() == 1 || relation_of(rule.word).with_all);
+    return all ? others : List<i32>{};
+  }
+
+  bool any_stands(const List<i32>& pieces) const {
+    for (i32 piece : pieces) {
+      if (in_.ways[piece].size() > 0) return true;
+    }
+    return false;
+  }
+
+  // A piece with its relations to the room and to earlier pieces, and what earlier ones want of it; those to later ones are theirs.
+  Seeker seeking(i32 number) const {
+    Seeker seeker{in_, number, {}, {}};
+    for (const Rule& rule : rules_of(number)) {
+      const List<i32> pieces = earlier(rule, number);
+      const Span<Name> names = in_.type.of(rule);
+      bool to_room = names.size == 0;
+      for (const Name& name : names) to_room = to_room || name.opening != Opening::none;
+      if (pieces.size() == 0 && to_room) seeker.to_room.add(&rule);
+      // To keep away from what has no way to stand is kept.
+      if (pieces.size() > 0 && (!relation_of(rule.word).with_all || any_stands(pieces))) seeker.pairs.add({&rule, -1, pieces});
+    }
+    for (i32 owner = 0; owner < number; owner++) {
+      for (const Rule& rule : rules_of(owner)) {
+        for (i32 other : owing(rule, owner)) {
+          if (other != number) continue;
+          List<i32> only;
+          only.add(owner);
+          seeker.pairs.add({&rule, owner, only});
+          break;
+        }
+      }
+    }
+    return seeker;
+  }
+
+  // All ways, cheapest first; none where the piece is too large, or hard relations rule all of them out.
+  List<Candidate> ways_of(Seeker& seeker, const List<Foothold>& whole) const {
+    const List<Foothold> few = searched(seeker, whole);
+    List<Candidate> found, attached;
+    bool hard = false;
+    f64 dearest = INFINITE, worth = 0.0;
+    for (const Bond& pair : seeker.pairs) {
+      hard = hard || (pair.owner < 0 && pair.rule->required);
+      worth += pair.rule->cost;
+    }
+    if (!hard) add_alone(seeker, few.all(), found);
+    for (const Candidate& one : found) dearest = least(dearest, one.cost);
+    dearest += worth;
+    if (seeker.pairs.size() > 0 && found.size() > 0) seeker.drop(dearest);
+    add_attached(seeker, few.all(), dearest, attached);
+    const auto is_cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
+    stable_sort(attached.all(), is_cheaper);
+    const i64 most = in_.kept.attached;
+    if (attached.size() > most) seeker.drop(attached[most].cost);
+    attached.cut(static_cast<i32>(most));
+    found.add_all(attached.all());
+    stable_sort(found.all(), is_cheaper);
+    return found;
+  }
+
+  // The few rectangles that cost least, and the dearest: where nothing is held, a piece can still stand.
+  List<Foothold> searched(Seeker& seeker, const List<Foothold>& whole) const {
+    List<Foothold> few;
+    const i32 each = static_cast<i32>(in_.kept.each);
+    for (const Foothold& at : whole) {
+      List<Costed>& found = few.add({at.stance, at.extent, at.reach, {}}).found;
+      const i32 size = at.found.size();
+      for (i32 i = 0; i < size; i++) {
+        if (i < each || i == size - 1) found.add(at.found[i]);
+      }
+      if (each < size - 1) seeker.drop(at.found[each].cost);
+    }
+    return few;
+  }
+
+  // Notes what a placement costs at least that takes a way which was kept out.
+  void note_sureness(const Seeker& seeker, const List<Candidate>& found) {
+    const f64 cheapest = found.size() > 0 ? found[0].cost : 0.0;
+    least_cost_ += cheapest;
+    spare_ = least(spare_, seeker.dropped - cheapest);
+  }
+
+  // Notes the stances of the piece just made, and where its centre may be in each.
+  void add_ways(const List<Candidate>& found) {
+    List<Way> ways;
+    for (const Candidate& one : found) {
+      const Stance stance = stance_of(one.stance);
+      Way* way = nullptr;
+      for (Way& known : ways) way = known.stance == stance ? &known : way;
+      if (!way) way = &ways.add({stance, ANY_PLACE});
+      const Rect at = one.within == Rect{} ? in_.scope.clear : one.within;
+      const Extent extent = turned(in_.type.kind(one.kind).size(), stance.rotation);
+      if (extent.x > at.width() || extent.z > at.depth()) continue;
+      const Rect centres = centres_in(at, extent), &all = way->reach;
+      way->reach = all == ANY_PLACE ? centres : around_both(all, centres);
+    }
+    in_.ways.add(ways);
+  }
+
+  // Adds weak pulls to the pieces that a relation names, or away from them, for ways that are not at one of them.
+  void add_links(const Bond& pair) {
+    const Rule& rule = *pair.rule;
+    const Relation& relation = pair.relation();
+    for (i32 other : pair.earlier) {
+      Link& link = links_.add(link_to(rule, other));
+      if (!relation.with_all) {
+        (relation.into_line ? link.align : link.near) = relation.into_line ? ALIGN_PULL : NEAR_PULL;
+        return;
+      }
+      link.apart_m = PUSHED_BEYOND + static_cast<f64>(rule.distance_or(relation.usual)) / 1000;
+      link.apart_cost = PUSHED_SHARE * rule.cost / link.apart_m;
+    }
+  }
+
+  // Relations that no way pays for: to any of several later pieces.
+  List<CountRow> unpaid() const {
+    List<CountRow> found;
+    for (i32 piece = 0; piece < in_.rows.size; piece++) {
+      const Span<Rule> rules = rules_of(piece);
+      for (i32 i = 0; i < rules.size; i++) {
+        const bool later = earlier(rules[i], piece).size() == 0 && owing(rules[i], piece).size() == 0;
+        if (later && named(rules[i], in_.rows.size, -1).size() > 0) found.add({piece, i});
+      }
+    }
+    return found;
+  }
+
+  Listing in_;
+  Span<StandsRow> others_;
+  i64 count_ = 0;  // of ways
+  f64 least_cost_ = 0.0, spare_ = INFINITE;
+  List<PieceRow> pieces_;
+  List<Candidate> candidates_;
+  List<Link> links_;
+};
+
+}  // namespace
+
+Bytes listed_pieces(Bytes type_rows, Bytes room_rows) {
+  const RoomType type = read_room_type(type_rows.data, type_rows.size);
+  RoomHeader room;
+  Reader reader(room_rows.data, room_rows.size);
+  const Scope scope = read_room(reader, room);
+  const ListHeader& header = reader.take<ListHeader>(1)[0];
+  const Span<ListedRow> rows = reader.take<ListedRow>(header.standing + header.listed);
+  const Span<StandsRow> others = reader.take<StandsRow>(header.told);
+  if (header.told != 0 && header.told != rows.size) fail(Failure::bad_request);
+  for (const ListedRow& row : rows) {
+    type.kind(row.kind);
+    if (part_of(type.rules, row.rules).size > MOST_RELATIONS / 2) fail(Failure::bad_request);
+  }
+  Lister lister(scope, type, header, rows, others);
+  while (!lister.is_done()) {
+    if (!lister.add()) return answer_rows(__builtin_bit_cast(u64, -1.0), {}, {});
+  }
+  return lister.told();
+}
+
+}  // namespace furnish
