@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from catalogs.schema import RelationSpec
 from solver.geometry import WALL_BEHIND, Rect, extents
-from solver.relations.asking import Standing, holds_in_room, holds_with, suits, traits
+from solver.relations.asking import Standing, holds_in_room, holds_with, traits
 from solver.relations.subject import Scope
 from solver.scene import Furniture
 
@@ -64,6 +64,4 @@ def _holds_with(room: FinishedRoom, own: Standing, spec: RelationSpec, name: str
     if name not in room.names:
         return holds_in_room(room.scope, spec, own, (name,))
     others = [room.bodies[one] for one in room.names[name] if one in room.bodies and one != own.id]
-    if traits(spec.type).with_all:
-        return all(holds_with(spec, own, other) for other in others)
-    return any(suits(spec, own.wall, other.wall) and holds_with(spec, own, other) for other in others)
+    return (all if traits(spec.type).with_all else any)(holds_with(spec, own, other) for other in others)

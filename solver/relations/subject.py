@@ -98,12 +98,3 @@ def as_its_size_says(kind: Kind) -> Kind:
 def is_tall(kind: Kind) -> bool:
     """Tells whether a piece is as tall as what stands with its back to a wall: a locker, a vending machine."""
     return kind.size[2] >= TALL_MM and min(kind.size[:2]) <= SHALLOW_MM
-
-
-class Footing(NamedTuple):
-    """A stance of a piece in the room: rotation, the wall at its back, extents along x and z, and where its footprint may be."""
-
-    rotation: int
-    wall: str | None
-    extent: tuple[int, int]
-    reach: Rect

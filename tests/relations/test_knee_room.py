@@ -10,7 +10,6 @@ from catalogs.schema import RelationSpec, RoomType
 from solver.furnish import space_of, wanted_pieces
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate
-from solver.relations.asking import boxes
 from solver.relations.knee_room import PartBox
 from solver.relations.subject import Kind
 from solver.scene import Room
@@ -18,6 +17,7 @@ from solver.streams import Stream
 from tests.every import every
 from tests.furnish.reference.knee_room import free, taken
 from tests.furnish.reference.slots import nearest_free
+from tests.relations.ways import beside
 
 KNOWN = load_catalogs()
 TABLE = (PartBox(Rect(-500, -300, 500, 300), 700, 750), PartBox(Rect(-500, -300, -450, 300), 0, 700))
@@ -146,10 +146,11 @@ def test_slots_of_room_types_reach_under_and_cross_nothing(table: str, seat: str
 def test_places_that_are_sought_cross_nothing(table: str, seat: str) -> None:
     parent, own = Kind.of(table, KNOWN), Kind.of(seat, KNOWN)
     spec = RelationSpec.model_validate({"type": "under", "of": ["it"]})
-    places = boxes(spec, own, parent, 180)
+    places = [way.attach for way in beside(spec, own, parent) if way.rotation == 180]
     assert places
-    for (x0, z0, x1, z1), _ in places:
-        assert not any(crosses(parent, own, at, 180) for at in product((x0, x1), (z0, z1)))
+    for place in places:
+        assert place is not None
+        assert not any(crosses(parent, own, at, 180) for at in product(place.across_mm, place.along_mm))
 
 
 def test_a_corner_seat_moves_off_the_leg_and_stays_apart_from_its_neighbour() -> None:

@@ -17,21 +17,9 @@ extern "C" __attribute__((export_name("listed_pieces"))) i64 entry_listed_pieces
   return told(listed_pieces({kinds, kinds_size}, {room, room_size}));
 }
 
-// Relations as solver/relations asks of them. The rectangles where one holds to the room; the boxes where it holds to another piece.
-extern "C" __attribute__((export_name("relation_regions"))) i64 entry_relation_regions(u8* asked, i64 size) {
-  return told(relation_regions({asked, size}));
-}
-
-extern "C" __attribute__((export_name("relation_boxes"))) i64 entry_relation_boxes(u8* asked, i64 size) {
-  return told(relation_boxes({asked, size}));
-}
-
+// Relations as solver/relations asks of them.
 extern "C" __attribute__((export_name("relation_holds"))) i32 entry_relation_holds(u8* asked, i64 size, i32 in_room) {
   return relation_holds({asked, size}, in_room != 0);
-}
-
-extern "C" __attribute__((export_name("relation_suits"))) i32 entry_relation_suits(i32 word, i32 walls, i32 mine, i32 theirs) {
-  return relation_of(static_cast<Word>(word)).suits(static_cast<Walls>(walls), static_cast<Wall>(mine), static_cast<Wall>(theirs));
 }
 
 // The usual distance, mm, and seven bits: what it is, in the order of `Traits` of solver/relations.

@@ -52,77 +52,32 @@ bool Relation::holds_with(const Fit& fit, const Standing& own, const Standing& o
   return false;
 }
 
-namespace {
-
-// Whether it holds is asked of two bodies as they stand; where, of a footing in the room, or of two kinds, the other unturned at 0.
+// A relation, and what of two bodies as they stand, or of one and its room, tells whether it holds; its sides, names and openings follow.
 struct Question {
   Rule rule;
   Rect clear;
-  Rect reach;  // of a footing; the own body's footprint
-  Rect other;
-  Extent extent;  // the own one along x and z
-  i64 height;
+  Rect own, other;
   i32 rotation, other_rotation;
-  Wall wall;
-  i32 rests, judged;
-  i32 sides, names, openings, levels, other_parts, parts;
-  i32 unused;
+  Wall wall, other_wall;
+  i32 rests, sides, names, openings;
 };
-
-struct PlaceRow {
-  Rect centre;
-  i64 level;
-};
-
-struct Read {
-  Question& question;
-  const Relation& relation;
-  Asked asked;
-  Scope scope;
-  Footing at;
-  Fit fit;
-
-  explicit Read(Reader reader)
-      : question(reader.take<Question>(1)[0]),
-        relation(relation_of(question.rule.word)),
-        asked{question.rule, reader.take<Side>(question.sides), reader.take<Name>(question.names), question.judged ? HELD : SOUGHT},
-        scope{question.clear, 0, 0, reader.take<Opened>(question.openings), {}},
-        at{asked, scope, question.rotation, question.wall, question.extent, question.reach},
-        fit{asked, turned({question.other.width(), question.other.depth()}, question.other_rotation),
-            turned(question.extent, question.other_rotation), (360 + question.rotation - question.other_rotation) % 360, question.height,
-            reader.take<Level>(question.levels), reader.take<PartBox>(question.other_parts), reader.take<PartBox>(question.parts)} {}
-};
-
-}  // namespace
-
-template <class T> static Bytes written(Span<T> rows) {
-  Writer writer(bytes_of(rows));
-  writer.put(rows);
-  return writer.written();
-}
-
-Bytes relation_regions(Bytes asked) {
-  const Read read(Reader(asked.data, asked.size));
-  List<Rect> found;
-  read.relation.regions(read.at, found);
-  return written(found.all());
-}
-
-Bytes relation_boxes(Bytes asked) {
-  const Read read(Reader(asked.data, asked.size));
-  List<DoubleBox> found;
-  read.relation.boxes(read.fit, found);
-  List<PlaceRow> rows;
-  for (const DoubleBox& box : found) rows.add({rounded(box), box.level});
-  return written(rows.all());
-}
 
 bool relation_holds(Bytes asked, bool in_room) {
-  const Read read(Reader(asked.data, asked.size));
-  const Question& question = read.question;
-  if (in_room) return read.relation.holds_in_room(read.at);
-  const Standing own{question.reach, question.rotation, question.rests != 0}, other{question.other, question.other_rotation, false};
-  return read.relation.holds_with(read.fit, own, other);
+  Reader reader(asked.data, asked.size);
+  const Question& question = reader.take<Question>(1)[0];
+  const Rule& rule = question.rule;
+  const Relation& relation = relation_of(rule.word);
+  const Span<Side> sides = reader.take<Side>(question.sides);
+  const Asked meant{rule, sides, reader.take<Name>(question.names), HELD};
+  const Standing own{question.own, question.rotation, question.rests != 0}, other{question.other, question.other_rotation, false};
+  const Extent size{own.rect.width(), own.rect.depth()}, its{other.rect.width(), other.rect.depth()};
+  if (in_room) {
+    const Scope scope{question.clear, 0, 0, reader.take<Opened>(question.openings), {}};
+    return relation.holds_in_room({meant, scope, own.rotation, question.wall, size, own.rect});
+  }
+  const i32 turn = (360 + own.rotation - other.rotation) % 360;
+  const Fit fit{meant, turned(its, other.rotation), turned(size, other.rotation), turn, 0, {}, {}, {}};
+  return relation.suits(rule.wall, question.wall, question.other_wall) && relation.holds_with(fit, own, other);
 }
 
 i64 relation_traits(Word word) {

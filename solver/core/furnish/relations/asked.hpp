@@ -83,9 +83,7 @@ inline Interval about(i64 middle, f64 half) {
   return {whole(-floor(-(static_cast<f64>(middle) - half))), whole(floor(static_cast<f64>(middle) + half))};
 }
 
-// What Python asks (solver/relations/asking.py): the rectangles, or the boxes, where a relation holds, and whether it does.
-Bytes relation_regions(Bytes asked);
-Bytes relation_boxes(Bytes asked);
+// What Python asks (solver/relations/asking.py): whether a relation holds.
 bool relation_holds(Bytes asked, bool in_room);
 // The usual distance, mm, and behind it a bit for each of what a relation is.
 i64 relation_traits(Word word);
