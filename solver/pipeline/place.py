@@ -1,10 +1,12 @@
 """place(): a room of the user's own and a list of pieces -> the best placement, or several, or the reason why not."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import TypeAlias
 
 from catalogs import Catalogs, load_catalogs
+from catalogs.schema import RelationSpec
 from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece
@@ -14,6 +16,9 @@ from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
 from solver.scene import ROBOT_WIDTH, Room
+
+Asking: TypeAlias = Callable[[Sequence[PieceRequest]], PlaceTask]
+"""Makes the task of other requests for the same room."""
 
 
 def place(  # noqa: PLR0913 - keyword-only options of a public function
@@ -65,7 +70,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     timing.lap("alternatives")
     if found.score[0]:  # what a distance from the walls, or its habit to stand at them, keeps out has a place
         task = in_room(pieces, setting=setting._replace(flush=True, roaming=_bound(pieces)))
-    conflicts = _conflicts(task, best, found, lambda: in_room([replace(one, relations=()) for one in pieces], setting=task.setting))
+    conflicts = _conflicts(task, best, found, partial(in_room, setting=task.setting))
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
 
@@ -108,11 +113,8 @@ def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:
     return frozenset(piece.id for piece in pieces if any(spec.required for spec in piece.relations))
 
 
-def _conflicts(task: PlaceTask, placement: Placement, found: Round, bare: Callable[[], PlaceTask]) -> tuple[Conflict, ...]:
-    """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found.
-
-    `bare` makes the same task without any relation.
-    """
+def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Asking) -> tuple[Conflict, ...]:
+    """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found."""
     missing = [entry.id for entry in placement.unplaced]
     given_up = _with_relying(task.pieces, found.given_up)
     required = [piece for piece in task.pieces if piece.required]
@@ -121,12 +123,12 @@ def _conflicts(task: PlaceTask, placement: Placement, found: Round, bare: Callab
     for piece in required:
         if piece.label in given_up:
             conflicts.append(Conflict((piece.label,), _not_held(_sized(task, piece)), ()))
-        elif piece.label in missing and (asked := _asked_beside(task, piece.label, before[piece.label])):
-            words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(asked)}, for which there is no place"
+        elif piece.label in missing and (parents := _asked_beside(task, piece.label, before[piece.label])):
+            words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(parents)}, for which there is no place"
             conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
         elif piece.label in missing:
             others = [other for other in required if other.label not in missing or other is piece]
-            conflicts.append(_conflict(task, bare(), others, piece, budget))
+            conflicts.append(_conflict(task, asked, others, piece, budget))
     return tuple(conflicts)
 
 
@@ -147,11 +149,11 @@ def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:
     return found
 
 
-def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
+def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
     """Explains a piece by the fewest that cannot stand, or be reached, together; each of them that helps may be left out.
 
     Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
-    is tried. `bare` is the task without relations.
+    is tried.
     """
     space, walk = task.listing.space, False
     members = minimal_conflict(space, pieces, missing.label, budget)
@@ -167,9 +169,15 @@ def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing
         _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)
     )
     names = " and ".join(_sized(task, by_label[member]) for member in members)
-    freed = [piece for piece in bare.pieces if piece.label in members]
-    if _bound(task.requests) and feasible(bare.listing.space, freed, budget, walk) is not False:
-        return Conflict(members, _not_held(names), removals)
+
+    def can_stand(requests: Sequence[PieceRequest], labels: Collection[str], walk: bool) -> bool | None:
+        other = asked(requests)
+        return feasible(other.listing.space, [piece for piece in other.pieces if piece.label in labels], budget, walk)
+
+    if _bound(task.requests) and can_stand([replace(one, relations=()) for one in task.requests], members, walk) is not False:
+        freed = ((spec.type, requests) for spec, requests in _each_freed(task.requests, missing.label))
+        which = [word for word, requests in freed if can_stand(requests, by_label, True)]
+        return Conflict(members, _not_held(names, which), removals)
     if walk:
         where, there = ("", "it") if len(members) == 1 else ("together ", "them")
         words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
@@ -178,8 +186,19 @@ def _conflict(task: PlaceTask, bare: PlaceTask, pieces: Sequence[Piece], missing
     return Conflict(members, f"{names} {words}{_at_walls([by_label[member] for member in members])}", removals)
 
 
-def _not_held(names: str) -> str:
-    return f"not found: a place for {names} where the required relations hold"
+def _each_freed(requests: Sequence[PieceRequest], label: str) -> Iterator[tuple[RelationSpec, Sequence[PieceRequest]]]:
+    """Yields each required relation of a piece that has several, and the requests without it."""
+    one = next(request for request in requests if label in request.labels)
+    required = [spec for spec in one.relations if spec.required]
+    for spec in required if len(required) > 1 else ():
+        freed = replace(one, relations=tuple(other for other in one.relations if other is not spec))
+        yield spec, [freed if request is one else request for request in requests]
+
+
+def _not_held(names: str, without: Sequence[str] = ()) -> str:
+    """Says that no place was found, and without which of the relations there is one."""
+    words = f"not found: a place for {names} where the required relations hold"
+    return f"{words}; without {' or '.join(dict.fromkeys(without))} there is one" if without else words
 
 
 def _at_walls(pieces: Sequence[Piece]) -> str:

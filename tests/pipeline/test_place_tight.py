@@ -10,6 +10,7 @@ from catalogs.schema import RelationSpec
 from solver import place
 from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Opening, Room
+from tests.told_forms import has_form
 
 Wishes = tuple[tuple[str, str], ...]
 TIGHT: dict[str, tuple[tuple[float, float], tuple[str, float], tuple[str, float], tuple[tuple[str, Wishes], ...]]] = {
@@ -111,9 +112,11 @@ def test_that_no_place_holds_what_is_required_is_not_called_impossible() -> None
     door = Opening("door", "door", "west", 1.26, 0.8, connects_to="EXTERIOR")
     room = Room("den", width=2.667, depth=3.589, openings=(door,))
     far = RelationSpec(type="far_from_door", distance=2.32, required=True)
-    for rules in ((far,), (far, RelationSpec(type="near_door", distance=0.5, required=True))):
+    near = RelationSpec(type="near_door", distance=0.5, required=True)
+    for rules, without in (((far,), ""), ((far, near), "; without far_from_door there is one")):
         (conflict,) = place(room, [PieceRequest("table", "side_table", relations=rules)]).conflicts
-        assert conflict.message == "not found: a place for table 0.46 x 0.46 m where the required relations hold"
+        assert conflict.message == f"not found: a place for table 0.46 x 0.46 m where the required relations hold{without}"
+        assert has_form(conflict.message)
         assert [repair["id"] for repair in conflict.repairs] == ["table"]
     (conflict,) = place(room, [PieceRequest("box", width=3.0, depth=3.0, height=1.0, relations=(far,))]).conflicts
     assert "cannot stand as asked anywhere" in conflict.message
