@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 
 from service.sent_scenes import listed, told_as_sent, told_assets, told_kinds
 from service.service_settings import settings_of
-from service.standard_streams import give_up_output, read_standard_input, say, write_standard_output
+from service.standard_streams import STREAM, give_up_output, put, read_content, say
 from solver.errors import ComposeError, FieldError, SyntaxFault, system_words
 from solver.exchange import dump_scene, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema, write
 from solver.export_formats import EXPORTERS
@@ -29,8 +29,6 @@ T = TypeVar("T")
 CLEAN: Final = 0
 ERRORS_FOUND: Final = 1
 BAD_USE: Final = 2
-STREAM: Final = "-"
-"""The file name that stands for a standard stream."""
 
 
 def run(options: Namespace) -> int:
@@ -59,7 +57,7 @@ def _generate(options: Namespace) -> int:
     from service.generating import made_house
 
     made = _checked(options.request, lambda: made_house(request, catalogs, options.engine))
-    _put(dump_scene(made.scene, _format(options)), options.output)
+    put(dump_scene(made.scene, _format(options)), options.output)
     return _judged([write(issue) for issue in made.issues])
 
 
@@ -87,7 +85,7 @@ def _stats(options: Namespace) -> int:
     requests = [{**request, "program": name} for name in catalogs.presets] if options.presets else [request]
     found = _checked(options.request, lambda: survey(requests, options.count, options.workers, catalogs))
     format = options.format or format_of_name(options.output) or "table"
-    _put(report(found).encode() if format == "table" else dump_text(found, format), options.output)
+    put(report(found).encode() if format == "table" else dump_text(found, format), options.output)
     return max(_exit_status(one["issues"]) for one in found["sets"])
 
 
@@ -108,7 +106,7 @@ def _furnish(options: Namespace) -> int:
     from solver.imported import ImportSettings
     from solver.pipeline.import_plan import plan_format
 
-    name, content = options.scene, _content(options.scene)
+    name, content = options.scene, read_content(options.scene)
     foreign = plan_format("" if name == STREAM else name, content)
     scene = _imported(name, content, options, ImportSettings())["scene"] if foreign else _held(_parsed(name, content))
     given = {name: getattr(options, name) for name in ("program", "style", "decorate", "access", "seed")}
@@ -157,7 +155,7 @@ def _place(options: Namespace) -> int:
 def _validate(options: Namespace) -> int:
     answer = _answer(options, flagged=options.flagged, report=options.report, **({"access": options.access} if options.access else {}))
     if options.report:
-        _put(answer["report"]["text"].encode(), options.output)
+        put(answer["report"]["text"].encode(), options.output)
     else:
         _write(answer, options)
     for place, meant in answer.get("misspelt", {}).items():
@@ -169,7 +167,7 @@ def _validate(options: Namespace) -> int:
 
 
 def _view(options: Namespace) -> int:
-    _put(_answer(options)["text"].encode(), options.output)
+    put(_answer(options)["text"].encode(), options.output)
     return CLEAN
 
 
@@ -198,11 +196,11 @@ def _import(options: Namespace) -> int:
     from solver.imported import ImportSettings
 
     asked = ImportSettings(options.level, options.unit, options.furniture == "keep")
-    answer = _imported(options.plan, _content(options.plan), options, asked)
+    answer = _imported(options.plan, read_content(options.plan), options, asked)
     _write(answer["scene"], options)
     if options.report is not None:
         told = {key: answer[key] for key in ("format", "changes", "guesses", "unread", "understood_as")}
-        _put(dump_text(told, format_of_name(options.report) or "yaml"), options.report)
+        put(dump_text(told, format_of_name(options.report) or "yaml"), options.report)
     return _judged([issue for issue in answer["issues"] if issue["severity"] == "error"])
 
 
@@ -227,6 +225,10 @@ def _exporter_of(name: str) -> str | None:
     return ending if ending in EXPORTERS else None
 
 
+def _ends_as_file(name: str) -> bool:
+    return any(letter.isalpha() for letter in Path(name).suffix)  # a folder may be called out0.4
+
+
 def _put_files(files: Mapping[str, bytes], name: str) -> None:
     """Writes files into a folder; one alone also under a name that ends as a file's does, or to standard output.
 
@@ -234,11 +236,10 @@ def _put_files(files: Mapping[str, bytes], name: str) -> None:
         FieldError: there are several files, and no folder for them.
     """
     content = next(iter(files.values()))
-    ends_as_file = any(letter.isalpha() for letter in Path(name).suffix)  # a folder may be called out0.4
-    if name == STREAM or Path(name).is_file() or (ends_as_file and not Path(name).is_dir()):
+    if name == STREAM or Path(name).is_file() or (_ends_as_file(name) and not Path(name).is_dir()):
         if len(files) > 1:
             raise FieldError("--output", f"{name} holds one file; there are {len(files)}", "a folder")
-        _put(content, name)
+        put(content, name)
         return
     for path, content in files.items():
         target = Path(name, path)
@@ -263,7 +264,7 @@ def _assets(options: Namespace) -> int:
     from solver.exports.asset_surfaces import levels_of
 
     found = checked_folder(Path(options.folder), _catalogs(options), levels_of if options.surfaces else None)
-    _put(found.text.encode(), options.output)
+    put(found.text.encode(), options.output)
     for words in found.notes:
         say(words)
     for file, reason in found.refused.items():
@@ -314,11 +315,7 @@ def _catalogs(options: Namespace) -> "Catalogs":
 
 def _read(name: str) -> object:
     """Reads a file or standard input, by its name's ending or else by how it begins."""
-    return _parsed(name, _content(name))
-
-
-def _content(name: str) -> bytes:
-    return read_standard_input() if name == STREAM else Path(name).read_bytes()
+    return _parsed(name, read_content(name))
 
 
 def _parsed(name: str, content: bytes) -> object:
@@ -345,7 +342,7 @@ def _scene(options: Namespace) -> object:
     Raises:
         FieldError: it is a floor plan of another program.
     """
-    name, content = options.scene, _content(options.scene)
+    name, content = options.scene, read_content(options.scene)
     try:
         document, fault = _parsed(name, content), None
     except SyntaxFault as error:
@@ -376,19 +373,19 @@ def _request(options: Namespace) -> dict[str, Any]:
 
 
 def _write(document: Mapping[str, Any], options: Namespace) -> None:
-    _put(dump_text(document, _format(options)), options.output)
+    put(dump_text(document, _format(options)), options.output)
 
 
 def _format(options: Namespace) -> str:
-    """Returns the format of what is written: by the option, else by the output's name, else YAML."""
-    return options.format or format_of_name(options.output) or "yaml"
+    """Returns the format of what is written: by the option, else by the output's name, else YAML.
 
-
-def _put(content: bytes, name: str) -> None:
-    if name != STREAM:
-        write_whole(name, content)
-        return
-    write_standard_output(content)
+    Raises:
+        FieldError: the name ends as that of another format does.
+    """
+    found = options.format or format_of_name(options.output)
+    if found is None and _ends_as_file(options.output) and not options.output.endswith(".txt"):
+        raise FieldError("--output", f"{options.output} names no format", ".yaml or .json; --format names it, of `export` any other, too")
+    return found or "yaml"
 
 
 def _contested(answer: Mapping[str, Any]) -> int:

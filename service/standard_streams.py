@@ -3,6 +3,13 @@
 import os
 import sys
 from contextlib import suppress
+from pathlib import Path
+from typing import Final
+
+from solver.whole_files import write_whole
+
+STREAM: Final = "-"
+"""The file name that stands for a standard stream."""
 
 
 def read_standard_input() -> bytes:
@@ -26,6 +33,19 @@ def write_standard_output(content: bytes) -> None:
         raise OSError("standard output is closed")
     sys.stdout.buffer.write(content)
     sys.stdout.buffer.flush()
+
+
+def read_content(name: str) -> bytes:
+    """Reads a file, or standard input."""
+    return read_standard_input() if name == STREAM else Path(name).read_bytes()
+
+
+def put(content: bytes, name: str) -> None:
+    """Writes a file as a whole, or to standard output."""
+    if name == STREAM:
+        write_standard_output(content)
+    else:
+        write_whole(name, content)
 
 
 def say(words: str) -> None:

@@ -8,11 +8,10 @@ from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
 from service.dataset.dataset_plan import OURS, DatasetPlan, again, check_names, made_home, packed_all, varied
-from service.standard_streams import say, write_standard_output
+from service.standard_streams import put, say
 from solver.errors import FieldError
 from solver.exchange import dump_scene, format_of_file, format_of_name, load_text, read_request
 from solver.export_formats import EXPORTERS
-from solver.whole_files import write_whole
 
 CLEAN: Final = 0
 ERRORS_FOUND: Final = 1
@@ -100,10 +99,7 @@ def _make_again(options: Namespace, catalogs: Catalogs) -> int:
         raise FieldError("--seed", f"the home of seed {options.seed} is not the one of the row", "the version and catalogs of the dataset")
     format = _formats(options, "yaml")[0] if options.formats else format_of_name(options.output) or "json"
     content = dump_scene(home.scene, format)
-    if options.output == "-":
-        write_standard_output(content)
-    else:
-        write_whole(options.output, content)
+    put(content, options.output)
     return CLEAN if row["status"] == "clean" else ERRORS_FOUND
 
 

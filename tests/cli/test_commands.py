@@ -316,6 +316,17 @@ def test_what_was_decorated_is_known(house: Path, tmp_path: Path, capfdbinary: C
     assert b"no catalog here knows" not in capfdbinary.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["home.glb", "home.gltf", "home.v2.usda"])
+def test_a_scene_is_not_written_under_the_name_of_another_format(house: Path, tmp_path: Path, capfdbinary: Captured, name: str) -> None:
+    path = tmp_path / name
+    commands = [["generate", "--program", "studio", "--seed", "3"], ["validate", str(house)], ["fix", str(house)]]
+    for command in (*commands, *([["export", str(house)]] if name != "home.glb" else [])):
+        assert f"--output: {path} names no format (allowed: .yaml or .json" in refused(capfdbinary, *command, "-o", str(path))
+        assert not path.exists()
+    assert main([*commands[0], "-o", str(path), "--format", "json"]) == 0
+    assert json.loads(path.read_text())["seed"] == 3
+
+
 @pytest.mark.parametrize("piped", [False, True])
 def test_furnish_takes_a_plan_of_another_program(
     tmp_path: Path, capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch, piped: bool
@@ -326,7 +337,7 @@ def test_furnish_takes_a_plan_of_another_program(
     assert main(["furnish", plan, "--seed", "7", "-o", steps]) == 0
     more = capfdbinary.readouterr().err
     if piped:
-        monkeypatch.setattr("service.commands.read_standard_input", drawn.read_bytes)
+        monkeypatch.setattr("service.standard_streams.read_standard_input", drawn.read_bytes)
     assert main(["furnish", "-" if piped else str(drawn), "--seed", "7", "-o", once]) == 0
     assert Path(once).read_bytes() == Path(steps).read_bytes()
     assert capfdbinary.readouterr().err == said + more

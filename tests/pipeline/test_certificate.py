@@ -94,6 +94,6 @@ def test_after_a_repair_it_counts_what_is_there() -> None:
     fewer = replace(
         made, rooms=tuple(replace(room, furniture=tuple(one for one in room.furniture if one.id != gone)) for room in made.rooms)
     )
-    counts = (fix(fewer).scene.certificate or {})["counts"]
+    counts: Any = (fix(fewer).scene.certificate or {})["counts"]
     assert counts["furniture"] == sum(len(room.furniture) for room in made.rooms) - 1
     assert counts["dynamic"] == len(made.dynamic)
