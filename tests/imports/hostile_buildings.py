@@ -143,6 +143,12 @@ def ifc_of_a_room_within_itself() -> bytes:
     return ifc_of(*_IFC_ROOM, *ring, ifc_space(12), ifc_space(13))
 
 
+def ifc_of_rooms_within_rooms(deep: int) -> bytes:
+    """Each space holds the next."""
+    held = [f"#{at}=IFCRELAGGREGATES('{at}',$,$,$,#{at + 1000},(#{at + 1001}));" for at in range(1000, 999 + deep)]
+    return ifc_of(*_IFC_ROOM, *held, *(ifc_space(at) for at in range(2000, 2000 + deep)))
+
+
 @hostile
 def ifc_of_a_large_shape_often() -> bytes:
     """4,900 spaces of one outline of 100,000 points."""

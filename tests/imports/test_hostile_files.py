@@ -18,6 +18,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.errors import ComposeError, FieldError
+from solver.imports.formats import ifc_reading
 from tests.imports.hostile_buildings import (
     dxf_block,
     dxf_insert,
@@ -28,6 +29,7 @@ from tests.imports.hostile_buildings import (
     ifc_of_a_way_without_a_length,
     ifc_of_axes_without_a_length,
     ifc_of_placements_in_a_ring,
+    ifc_of_rooms_within_rooms,
     ifc_of_shapes_within_shapes,
 )
 from tests.imports.plans import Feature, box, collection, line, piece, polygon, read
@@ -255,6 +257,23 @@ def test_it_is_refused_with_words(name: str) -> None:
     error = bounded(refused, watched="zip" in name or "laughs" in name)
     assert error.field and error.problem
     assert untold_in_refusal(error) == []
+
+
+def test_a_room_within_itself_is_named() -> None:
+    with pytest.raises(FieldError, match="#12 IfcSpace 'a': is drawn within itself"):
+        read(ifc_of_a_room_within_itself())
+
+
+@pytest.mark.parametrize(("deep", "is_refused"), [(10, False), (30, True)])
+def test_relations_are_counted_as_often_as_they_are_followed(deep: int, is_refused: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rooms within rooms are followed once for each: a few pass a limit that is as many as they are squared, more do not."""
+    monkeypatch.setattr(ifc_reading, "MOST_RELATIONS", 300)
+    content = ifc_of_rooms_within_rooms(deep)
+    if is_refused:
+        with pytest.raises(FieldError, match=r"relations: are \d+ \(allowed: at most 300\)"):
+            read(content)
+    else:
+        assert len(read(content).scene.rooms) == deep
 
 
 MENDED: dict[str, bytes | Callable[[], bytes]] = {

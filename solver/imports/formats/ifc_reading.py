@@ -143,9 +143,16 @@ class _ReadBuilding:
         return None
 
     def _level(self, element: Element) -> int:
-        """Returns the storey that an element is in: by what holds it, else by its height."""
-        holder = self._holder(element)
+        """Returns the storey that an element is in: by what holds it, else by its height.
+
+        Raises:
+            FieldError: it holds itself, by way of others or not.
+        """
+        holder, held = self._holder(element), {element.id()}
         while holder is not None and holder.id() not in self.storeys:
+            if holder.id() in held:
+                raise FieldError(_place(holder), "is drawn within itself")
+            held.add(holder.id())
             holder = self._holder(holder)
         if holder is not None:
             return self.storeys[holder.id()]
