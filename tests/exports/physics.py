@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterator
+from copy import copy
+from functools import lru_cache
 from typing import Any, Final, NamedTuple
 
 import mujoco
@@ -41,9 +43,15 @@ def mjcf(model: HouseModel) -> str:
     return content.decode()
 
 
+@lru_cache(8)
+def _compiled(text: str) -> Any:
+    """What MuJoCo makes of a house: to compile one of many bodies takes as long as seconds in it."""
+    return mujoco.MjModel.from_xml_string(text)
+
+
 def started(text: str) -> tuple[Any, Any]:
-    """Returns a model and its state at its key `home`."""
-    world = mujoco.MjModel.from_xml_string(text)
+    """Returns a model, the caller's own, and its state at its key `home`."""
+    world = copy(_compiled(text))
     state = mujoco.MjData(world)
     mujoco.mj_resetDataKeyframe(world, state, world.key("home").id)
     mujoco.mj_forward(world, state)
