@@ -8,13 +8,14 @@ from argparse import Namespace
 from collections.abc import Callable, Mapping
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Any, Final
 
+from service.command_files import checked, format_of_foreign, held_scene, parsed, read_file, scene_of_file, spoken
 from service.sent_scenes import listed, told_as_sent, told_assets, told_kinds
 from service.service_settings import settings_of
 from service.standard_streams import STREAM, give_up_output, put, read_content, say
-from solver.errors import ComposeError, FieldError, SyntaxFault, system_words
-from solver.exchange import dump_scene, dump_text, format_of_file, format_of_name, load_text, read_request, scene_schema, write
+from solver.errors import ComposeError, FieldError, system_words
+from solver.exchange import dump_scene, dump_text, format_of_name, read_request, scene_schema, write
 from solver.export_formats import EXPORTERS
 from solver.plain import Document
 from solver.request import Request
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from catalogs import Catalogs
     from solver.imported import ImportSettings
 
-T = TypeVar("T")
 
 CLEAN: Final = 0
 ERRORS_FOUND: Final = 1
@@ -56,7 +56,7 @@ def _generate(options: Namespace) -> int:
         return _generate_many(options, request, catalogs)
     from service.generating import made_house
 
-    made = _checked(options.request, lambda: made_house(request, catalogs, options.engine))
+    made = checked(options.request, lambda: made_house(request, catalogs, options.engine))
     put(dump_scene(made.scene, _format(options)), options.output)
     return _judged([write(issue) for issue in made.issues])
 
@@ -71,7 +71,7 @@ def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: "Ca
     start = read_request({"seed": request.get("seed")}).seed or 0
     houses = HouseSet(request, folder, options.format or "yaml", options.engine)
     made = into_folder(houses, range(start, start + options.count), catalogs, options.workers)
-    return _checked(options.request, lambda: max((_judged(issues, f"seed {seed}: ") for seed, issues in made), default=CLEAN))
+    return checked(options.request, lambda: max((_judged(issues, f"seed {seed}: ") for seed, issues in made), default=CLEAN))
 
 
 def _stats(options: Namespace) -> int:
@@ -83,7 +83,7 @@ def _stats(options: Namespace) -> int:
     if options.presets and ("program" in request or not catalogs.presets):
         raise FieldError("--presets", "asks for every preset there is", "without --program, and with presets in the catalog")
     requests = [{**request, "program": name} for name in catalogs.presets] if options.presets else [request]
-    found = _checked(options.request, lambda: survey(requests, options.count, options.workers, catalogs))
+    found = checked(options.request, lambda: survey(requests, options.count, options.workers, catalogs))
     format = options.format or format_of_name(options.output) or "table"
     put(report(found).encode() if format == "table" else dump_text(found, format), options.output)
     return max(_exit_status(one["issues"]) for one in found["sets"])
@@ -91,7 +91,7 @@ def _stats(options: Namespace) -> int:
 
 def _answer(options: Namespace, **more: object) -> Document:
     """Makes the service's call of the command's name on its scene; what is wrong with that is said with its file's name."""
-    return _answer_on(_scene(options), options, **more)
+    return _answer_on(scene_of_file(options.scene), options, **more)
 
 
 def _answer_on(scene: object, options: Namespace, **more: object) -> Document:
@@ -99,16 +99,15 @@ def _answer_on(scene: object, options: Namespace, **more: object) -> Document:
 
     catalogs = _catalogs(options)
     told_kinds(scene, catalogs)
-    return _checked(options.scene, lambda: CALLS[options.command]({"scene": scene, **more}, catalogs))
+    return checked(options.scene, lambda: CALLS[options.command]({"scene": scene, **more}, catalogs))
 
 
 def _furnish(options: Namespace) -> int:
     from solver.imported import ImportSettings
-    from solver.pipeline.import_plan import plan_format
 
     name, content = options.scene, read_content(options.scene)
-    foreign = plan_format("" if name == STREAM else name, content)
-    scene = _imported(name, content, options, ImportSettings())["scene"] if foreign else _held(_parsed(name, content))
+    foreign = format_of_foreign(name, content)
+    scene = _imported(name, content, options, ImportSettings())["scene"] if foreign else held_scene(parsed(name, content))
     given = {name: getattr(options, name) for name in ("program", "style", "decorate", "access", "seed")}
     more = {name: value for name, value in given.items() if value is not None}
     answer = _answer_on(scene, options, rooms=options.rooms, keep=options.keep, types=dict(options.types), effort=options.effort, **more)
@@ -138,11 +137,11 @@ def _fix(options: Namespace) -> int:
 def _place(options: Namespace) -> int:
     from service import calls
 
-    given = _read(options.request)
+    given = read_file(options.request)
     given_here = {"alternatives": options.alternatives, "effort": options.effort}
     more = {name: value for name, value in given_here.items() if value is not None}
     body = {**given, **more} if isinstance(given, dict) else given
-    answer = _checked(options.request, lambda: calls.place_pieces(body, _catalogs(options), options.engine))
+    answer = checked(options.request, lambda: calls.place_pieces(body, _catalogs(options), options.engine))
     _write(answer, options)
     for relation in answer["relations"]:
         if not relation["held"]:
@@ -183,11 +182,11 @@ def _export(options: Namespace) -> int:
     if format not in EXPORTERS:
         _write(_answer(options), options)
         return CLEAN
-    scene, catalogs = _scene(options), _catalogs(options)
+    scene, catalogs = scene_of_file(options.scene), _catalogs(options)
     told_kinds(scene, catalogs)
     told_assets(scene, catalogs)
     body = {"scene": scene, "free": options.free, "strict": options.strict, "scale": options.scale}
-    files = _checked(options.scene, lambda: export_files(body, catalogs, format))
+    files = checked(options.scene, lambda: export_files(body, catalogs, format))
     _put_files(files, options.output)
     return CLEAN
 
@@ -208,7 +207,7 @@ def _imported(name: str, content: bytes, options: Namespace, settings: "ImportSe
     """Reads a plan of another program, and says all that is not as it is drawn."""
     from service.calls import import_content
 
-    answer = _checked(name, lambda: import_content(content, _catalogs(options), settings, "" if name == STREAM else name))
+    answer = checked(name, lambda: import_content(content, _catalogs(options), settings, "" if name == STREAM else name))
     say(f"read as {answer['format']}: {len(answer['scene']['rooms'])} rooms")
     for change in answer["changes"]:
         say(f"changed {change['of']}: {change['message']}")
@@ -313,60 +312,11 @@ def _catalogs(options: Namespace) -> "Catalogs":
     return used
 
 
-def _read(name: str) -> object:
-    """Reads a file or standard input, by its name's ending or else by how it begins."""
-    return _parsed(name, read_content(name))
-
-
-def _parsed(name: str, content: bytes) -> object:
-    return _checked(name, lambda: load_text(content, format_of_file(name, content)))
-
-
-def _checked(name: str | None, work: Callable[[], T]) -> T:
-    """Does some work on a document; what is wrong with the document is said with its file's name."""
-    try:
-        return work()
-    except FieldError as error:
-        raise FieldError(f"{_spoken(name)}{error.field}", error.problem, error.allowed) from None
-    except SyntaxFault as fault:
-        raise SyntaxFault(f"{_spoken(name)}{fault}") from None
-
-
-def _spoken(name: str | None) -> str:
-    return "" if name is None else f"{'standard input' if name == STREAM else name}: "
-
-
-def _scene(options: Namespace) -> object:
-    """Reads a scene; of an answer that holds one, that one.
-
-    Raises:
-        FieldError: it is a floor plan of another program.
-    """
-    name, content = options.scene, read_content(options.scene)
-    try:
-        document, fault = _parsed(name, content), None
-    except SyntaxFault as error:
-        document, fault = None, error
-    if not isinstance(document, dict) or not document.keys() & {"scene", "rooms"}:
-        from solver.pipeline.import_plan import plan_format
-
-        if format := plan_format("" if name == STREAM else name, content):
-            said = f"is a floor plan of the format {format}"
-            raise FieldError(f"{_spoken(name)}scene", said, "a scene; `compose import` makes one of a plan")
-    if fault is not None:
-        raise fault
-    return _held(document)
-
-
-def _held(document: object) -> object:
-    return document["scene"] if isinstance(document, dict) and "scene" in document and "rooms" not in document else document
-
-
 def _request(options: Namespace) -> dict[str, Any]:
     """Reads the request's file, if there is one; what the options say goes before it."""
-    document = {} if options.request is None else _read(options.request)
+    document = {} if options.request is None else read_file(options.request)
     if not isinstance(document, dict):
-        raise FieldError(f"{_spoken(options.request)}request", "is not an object", "an object")
+        raise FieldError(f"{spoken(options.request)}request", "is not an object", "an object")
     given = {field.name: getattr(options, field.name) for field in fields(Request)}
     forced = {"force_types": dict(options.force_types)} if options.force_types else {}
     return {**document, **{name: value for name, value in given.items() if value is not None}, **forced}
