@@ -6,7 +6,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.schema import RoomType
 from catalogs.styles import Style
 from solver.answers import Generated
 from solver.certificate import certificate, room_certificate
@@ -134,11 +133,12 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
 
 def _shifted(plan: FloorPlan, arrangements: dict[str, Arrangement], setting: _Setting) -> tuple[FloorPlan, dict[str, Arrangement]]:
     """Insists on a dear piece, and shifts a door where that or a required one would not fit otherwise; says why one does not."""
-    lacking = [room for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
-    for room in lacking[:SMALL_ROOMS]:
-        arrangements[room.id] = _insisted(room, arrangements[room.id], setting)
+    lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
+    for room_id in lacking[:SMALL_ROOMS]:
+        room = next(room for room in plan.rooms if room.id == room_id)
+        arrangements[room_id] = _insisted(room, arrangements[room_id], setting)
         if _missing(arrangements[room.id], room, setting):
-            plan = _shift_doors(plan, room.id, arrangements, setting)
+            plan = _shift_doors(plan, room, arrangements, setting)
     return plan, _explained(plan.rooms, arrangements, setting) if lacking else arrangements
 
 
@@ -214,39 +214,34 @@ def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], s
     return {**arrangements, **{room.id: with_lengths(*_wished(room, setting), arrangements[room.id]) for room in lacking}}
 
 
+def _dear(room: Room, arrangement: Arrangement, setting: _Setting) -> set[str]:
+    kind, gone = setting.catalogs.rooms.get(room.type), {label for label, _ in arrangement.left_out}
+    return {f"{one.piece}_1" for one in kind.pieces if one.skip_cost >= DEAR} & gone if kind and gone else set()
+
+
 def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     """Returns how many of the room type's requirements the arrangement does not meet, and how many dear pieces it leaves out."""
     room_type = setting.catalogs.rooms.get(room.type)
     if room_type is None:
         return 0
-    missing = len(_dear(room_type, arrangement))
     names = names_placed(arrangement, setting.catalogs) if room_type.requires else []
-    for either in room_type.requires:
-        missing += not any(names.count(name) >= number for name, number in either.items())
-    return missing
-
-
-def _dear(room_type: RoomType, arrangement: Arrangement) -> set[str]:
-    """Returns the labels of the dear pieces that an arrangement leaves out."""
-    return {label for label, _ in arrangement.left_out}.intersection(f"{one.piece}_1" for one in room_type.pieces if one.skip_cost >= DEAR)
+    unmet = sum(not any(names.count(name) >= number for name, number in either.items()) for either in room_type.requires)
+    return len(_dear(room, arrangement, setting)) + unmet
 
 
 def _insisted(room: Room, arrangement: Arrangement, setting: _Setting) -> Arrangement:
     """Insists on a dear piece that an arrangement leaves out."""
-    room_type = setting.catalogs.rooms.get(room.type)
-    dear = _dear(room_type, arrangement) if room_type else set[str]()
-    return insisting(*_wished(room, setting), arrangement, dear) if dear else arrangement
+    return insisting(*_wished(room, setting), arrangement, dear) if (dear := _dear(room, arrangement, setting)) else arrangement
 
 
-def _shift_doors(plan: FloorPlan, room_id: str, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
+def _shift_doors(plan: FloorPlan, room: Room, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
     """Tries other places for a room's doors; keeps the first that lets more of these pieces in, both sides counted."""
-    room = next(room for room in plan.rooms if room.id == room_id)
     for opening in room.openings:
         if opening.kind not in ("door", "passage"):
             continue
         for position in door_positions(plan, opening.id)[:SHIFTS]:
             shifted = with_door_at(plan, opening.id, position)
-            tried = _improved(shifted, room_id, opening.id, arrangements, setting)
+            tried = _improved(shifted, room.id, opening.id, arrangements, setting)
             if tried is not None:
                 arrangements.update(tried)
                 return shifted

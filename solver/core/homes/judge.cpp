@@ -174,8 +174,8 @@ f64 Judge::smallness(const Sheet& sheet) const {
   return suite && suite < other ? SMALL_SUITE : 0.0;
 }
 
-// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, bathrooms that only rooms one lives in lead to,
-// private ones that only the kitchen leads to; tells of a kitchen between.
+// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, bathrooms that only rooms one lives in lead
+// to, private ones that only the kitchen leads to; tells of a kitchen between.
 Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 hall = (1ULL << (rooms_.size + sheet.hallways)) - (1ULL << rooms_.size);
   const u64 ways = ways_ | hall;
