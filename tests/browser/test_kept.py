@@ -206,19 +206,6 @@ def test_recent_homes_have_pictures_and_open_as_they_were_left(visit: Visit) -> 
     assert visit.console == []
 
 
-def test_a_bare_address_opens_the_home_changed_last_and_else_the_family(visit: Visit) -> None:
-    page = visit.page
-    visit.open(SMALL.format(3))
-    family = again(visit, lambda: page.goto(visit.address))
-    assert json.loads(family)["request"]["program"] == "family"
-    visit.open(SMALL.format(3))
-    edited = edit(visit, random.Random(5))
-    visit.open(SMALL.format(4))  # as it was made: its address makes it again
-    assert again(visit, lambda: page.goto(visit.address)) == edited
-    assert undone(visit)
-    assert visit.console == []
-
-
 def test_a_link_brings_the_changes(visit: Visit, browser: Browser) -> None:
     visit.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     visit.open(SMALL.format(3))

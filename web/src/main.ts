@@ -148,12 +148,11 @@ class Page {
     void this.#stage.rehearse();
   }
 
-  /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request; at a bare one the home changed last. */
+  /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request. */
   #openAddress(): void {
-    const { home, file } = entry();
+    const { home } = entry();
     if (home !== undefined) this.#openKept(home, "keep");
-    else if (file || location.search !== "" || location.hash !== "") this.#openRequest();
-    else void this.#keeping.homes.changedLast().then((id) => { if (id === null) this.#openRequest(); else this.#openKept(id, "keep"); });
+    else this.#openRequest();
   }
 
   #openRequest(): void {

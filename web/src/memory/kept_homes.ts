@@ -73,12 +73,6 @@ export class KeptHomes {
     return this.#head?.id ?? null;
   }
 
-  /** The id of the home that was changed last, of those that no address makes as they are; null where there is none. */
-  async changedLast(): Promise<string | null> {
-    const heads = await this.store.heads().catch(() => []);
-    return heads.find(({ count, query }) => count > 1 || query === null)?.id ?? null;
-  }
-
   /** Reads a home; null where it is not kept, or cannot be read any more. */
   async read(id: string): Promise<LeftHome | null> {
     try {
