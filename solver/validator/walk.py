@@ -20,10 +20,8 @@ from solver.validator.world import WAYS, Hole, PlacedRoom, World
 DEEPEST_WALL: Final = exact(0.6)
 """As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
 ANY_NUMBER: Final = 1 << 60
-MOST: Final = 64
-"""How many boxes a tile of the floor holds before it is halved, where rooms are judged: twice or half as many take longer. Measured."""
-MOST_WHOLE: Final = 400
-"""The same where none is, so that the free floor of houses of 30 rooms is told in rectangles that no tile cuts. Our choice."""
+MOST: Final = 400
+"""How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
 _FLOOR: Final = Struct("<5q")
 _AREAS: Final = Struct("<4Q")
 _JUDGED: Final = Struct("<3q")
@@ -98,7 +96,7 @@ def judged_storey(
     places = tuple(place for place, _ in placed)
     entrances = _entrances(places)
     steps = [line.strip(line.start, line.end, 1) for line in (_line(place, hole) for place, hole in entrances)]
-    rows = storey_bytes(world, placed, kinds, Floors(steps, MOST if asked else MOST_WHOLE, DEEPEST_WALL))
+    rows = storey_bytes(world, placed, kinds, Floors(steps, MOST, DEEPEST_WALL))
     most_looks = int(min(still_allowed() / LOOK_WORK, ANY_NUMBER))
     told = ask("judge_storey", rows, pack(f"<{len(asked)}q", *asked), numbers=[most, most_looks])
     tiles, cells, comes_in, count, looks = _FLOOR.unpack_from(told)

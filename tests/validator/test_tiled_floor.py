@@ -41,7 +41,7 @@ def town(side: int, walled: int | None = None) -> Scene:
 def test_a_town_is_walked_from_tile_to_tile() -> None:
     (tiled,) = walk.walks(world_of(town(14)))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(walk, "MOST_WHOLE", 10_000)
+        patch.setattr(walk, "MOST", 10_000)
         (whole,) = walk.walks(world_of(town(14)))
     assert tiled.tiles >= 4 > whole.tiles == 1
     assert (tiled.areas, tiled.missed, tiled.comes_in) == (whole.areas, whole.missed, whole.comes_in)
@@ -73,7 +73,7 @@ def test_what_is_come_to_is_what_a_flood_finds(taken: list[list[bool]], most: in
             reached.add((i, k))
             waiting += [(i + 1, k), (i - 1, k), (i, k + 1), (i, k - 1)]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(walk, "MOST_WHOLE", most)
+        patch.setattr(walk, "MOST", most)
         (floor,) = floors(hall)
     for i in range(rows):
         for k in range(columns):

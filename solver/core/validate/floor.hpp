@@ -1,6 +1,6 @@
 // Free floor of any size: floors less obstacles, cut at every edge that matters, in components one can walk about in.
 //
-// A grid's cells grow with the square of its boxes, so the floor is cut into tiles of few each: a house is some, a town or a heap of
+// A grid's cells grow with the square of its boxes, so the floor is cut into tiles of few each: a house is one tile, a town or a heap of
 // thousands of boxes many. Components are numbered across the tiles' borders, from 1.
 #pragma once
 
