@@ -29,7 +29,7 @@ from tests.told_forms import is_told
 from tests.told_sources import NAME, NUMBER, Place, Source, sources, told_at, told_under
 
 ROOT = Path(__file__).parents[1]
-AT_START = ("dataset", "many", "commands", "cli", "service_settings", "keys", "pool", "admitting", "kept_contract")
+AT_START = ("dataset", "many", "commands", "command_files", "cli", "service_settings", "keys", "pool", "admitting", "kept_contract")
 """Parts of the service that are not heard through it: commands, what stops its start, and types of which no field is refused."""
 CLASSES = [kind.__name__ for kind in ALL_STATUS] + ["RequestError", "SceneError"]
 PLACES = [
