@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Decoration, Scene } from "../src/contract";
 import { footprint } from "../src/edit/gaps";
-import { aligned, changedThing, clipped, laidAs, pasted, resizedIn, shifted, stoodSo, transferred, withoutThing, type Alignment } from "../src/edit/many_edits";
+import { aligned, changedThing, clipped, hungOver, laidAs, pasted, resizedIn, shifted, stoodSo, transferred, withoutThing, type Alignment } from "../src/edit/many_edits";
 import { drawing } from "./random_requests";
 import { piece, room, scene } from "./rooms";
 
@@ -154,5 +154,18 @@ describe("another way to stand", () => {
       ["den/art_1", null, there.rooms[0]?.decorations[2]?.x], ["den/art_2", "den/table_1", 3.1], ["den/apple_1", "den/art_2", 3.1], ["den/bowl_1", "den/table_1", 3],
     ]);
     expect({ ...after, rooms: after.rooms.map((one) => ({ ...one, decorations: [] })) }).toEqual({ ...there, rooms: there.rooms.map((one) => ({ ...one, decorations: [] })) });
+  });
+
+  it("has over pieces that moved, at the wall, what hangs over them elsewhere, and keeps what hangs over others", () => {
+    const hung = (id: string, parent: string | null, wall: "east" | "north" | "south" | "west", x: number): Decoration => thing(id, { name: "art", parent, mounted_on_wall: wall, x });
+    const hang = (all: readonly Decoration[]): Scene => {
+      const scene = house();
+      return { ...scene, rooms: scene.rooms.map((one) => (one.id === "den" ? { ...one, decorations: all } : one)) };
+    };
+    const before = hang([hung("den/art_1", "den/table_1", "north", 1), hung("den/art_2", "den/sofa_1", "east", 2), hung("den/art_3", null, "south", 3)]);
+    const other = hang([hung("den/art_7", "den/table_1", "west", 4), hung("den/art_8", "den/sofa_1", "north", 5)]);
+    expect(hungOver(before, new Set(["den/table_1", "den/rug_1"]))).toEqual(["den/art_1"]);
+    const after = laidAs(before, other, [], new Set(["den/table_1"])).rooms.find(({ id }) => id === "den")?.decorations;
+    expect(after?.map(({ parent, mounted_on_wall, x }) => [parent, mounted_on_wall, x])).toEqual([["den/sofa_1", "east", 2], [null, "south", 3], ["den/table_1", "west", 4]]);
   });
 });

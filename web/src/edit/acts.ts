@@ -2,7 +2,7 @@
 import type { Decoration, Furniture, OtherWay, Room, Scene } from "../contract";
 import type { Home } from "../state/home";
 import type { Editor } from "./editor";
-import { aligned, changedPiece, changedThing, clipped, laidAs, pasted, resizedIn, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
+import { aligned, changedPiece, changedThing, clipped, hungOver, laidAs, pasted, resizedIn, shifted, stoodSo, withoutThing, type Alignment, type Clip } from "./many_edits";
 import { say } from "../words/language";
 import { theWords } from "../words/telling";
 import { without } from "./scene_edits";
@@ -130,13 +130,17 @@ export class Acts {
     });
   }
 
-  /** Stands a piece in another way, the others as they would stand with it; those of another size have laid on them what the service would. */
+  /**
+   * Stands a piece in another way, the others as they would stand with it. Those of another size have laid on them what the service would;
+   * what hangs at a wall over those that move hangs where the service would hang it.
+   */
   stand(id: string, way: OtherWay, room: string): void {
     this.editor.change(async (before) => {
       const there = stoodSo(before, way.moves, way.left_out);
-      const resized = resizedIn(before, there);
-      const scene = resized.length > 0 ? laidAs(there, await this.decorated(there), resized) : there;
-      return { scene, id, room, moved: way.moves.map((move) => move.id) };
+      const [resized, moved] = [resizedIn(before, there), way.moves.map((move) => move.id)];
+      const over = new Set(moved);
+      const scene = resized.length > 0 || hungOver(there, over).length > 0 ? laidAs(there, await this.decorated(there), resized, over) : there;
+      return { scene, id, room, moved };
     });
   }
 

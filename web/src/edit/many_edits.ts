@@ -166,9 +166,14 @@ export function resizedIn(before: Scene, after: Scene): string[] {
   return after.rooms.flatMap(({ furniture, decorations }) => furniture.filter((piece) => isResized(piece) && decorations.some(({ parent }) => parent === piece.id)).map(({ id }) => id));
 }
 
-/** A scene in which pieces have on them what they have in another scene of the house. */
-export function laidAs(scene: Scene, other: Scene, ids: readonly string[]): Scene {
-  const lying = (of: Scene): ReadonlySet<string> => new Set(ids.flatMap((id) => [...carriedBy(of, id)]));
+/** What hangs at walls over some pieces. */
+export function hungOver(scene: Scene, ids: ReadonlySet<string>): string[] {
+  return scene.rooms.flatMap(({ decorations }) => decorations.filter((thing) => thing.mounted_on_wall && ids.has(thing.parent ?? "")).map(({ id }) => id));
+}
+
+/** A scene in which pieces have on them what they have in another scene of the house, and others over them at the wall what hangs there. */
+export function laidAs(scene: Scene, other: Scene, ids: readonly string[], over: ReadonlySet<string> = new Set()): Scene {
+  const lying = (of: Scene): ReadonlySet<string> => new Set([...ids.flatMap((id) => [...carriedBy(of, id)]), ...hungOver(of, over)]);
   const [gone, come] = [lying(scene), lying(other)];
   const names = new Map<string, string>();
   const bare = { ...scene, rooms: scene.rooms.map((room) => ({ ...room, decorations: room.decorations.filter(({ id }) => !gone.has(id)) })) };
