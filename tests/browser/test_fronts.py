@@ -9,6 +9,10 @@ import pytest
 from tests.browser.visit import Visit
 
 PLANNED = "?program=studio&seed=3"
+MEETS_HOUSE = """name => {
+    const at = compose.whereIs(name);
+    return at !== null && document.elementFromPoint(at.x, at.y)?.matches('#stage > canvas') === true;
+}"""
 LARGE = "?program=large&seed=4&decorate=true"
 MOST_CALLS = 60
 
@@ -39,6 +43,19 @@ def seen_front(visit: Visit, fronts: dict[str, dict[str, Any]]) -> tuple[str, st
     raise AssertionError("no front is seen")
 
 
+def chosen_front(visit: Visit, fronts: dict[str, dict[str, Any]]) -> tuple[str, str]:
+    """A piece, chosen by a click, and one of its fronts that a click meets then: no distance is written over it."""
+    for piece, several in fronts.items():
+        for front in several:
+            name = f"{piece}/{front}"
+            if visit.page.evaluate("name => compose.whereIs(name)", name):
+                click(visit, name)
+                if visit.page.evaluate(MEETS_HOUSE, name):
+                    return piece, front
+                press(visit, "Escape")
+    raise AssertionError("no front of a chosen piece is seen")
+
+
 def test_the_key_opens_all_fronts_of_the_chosen_piece_and_shuts_them(visit: Visit) -> None:
     fronts = certified(visit.open(PLANNED))
     piece, front = seen_front(visit, fronts)
@@ -54,8 +71,7 @@ def test_the_key_opens_all_fronts_of_the_chosen_piece_and_shuts_them(visit: Visi
 
 def test_a_click_opens_one_front_of_the_chosen_piece(visit: Visit) -> None:
     fronts = certified(visit.open(PLANNED))
-    piece, front = seen_front(visit, fronts)
-    click(visit, f"{piece}/{front}")
+    piece, front = chosen_front(visit, fronts)
     click(visit, f"{piece}/{front}")
     assert visit.state()["openFronts"] == [f"{piece}/{front}"]
     assert visit.idle() == 0

@@ -145,7 +145,7 @@ def test_what_lies_on_a_piece_of_another_size_is_laid_on_it_anew(visit: Visit) -
 
 
 def rect_of(body: Document) -> tuple[float, ...]:
-    """A body's edges from west, north and below to east, south and above, m, a millimetre within, as if it stood at the nearest right angle."""
+    """A body's edges from west, north and below to east, south and above, m, a millimetre within, as at the nearest right angle."""
     wide, deep = (body["width"], body["depth"]) if round(body["rotation"] / 90) % 2 == 0 else (body["depth"], body["width"])
     half_x, half_z = wide / 2 - 0.001, deep / 2 - 0.001
     return (body["x"] - half_x, body["z"] - half_z, body["x"] + half_x, body["z"] + half_z, body["y"], body["y"] + body["height"])
