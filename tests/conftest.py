@@ -32,7 +32,7 @@ providers._get_local_constants = lambda: NO_CONSTANTS
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and `&` leave it: what tests start would never hear Ctrl-C
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-BROWSERS = min(3, os.cpu_count() or 1)
+BROWSERS = 3
 """Workers with a Chromium and a service of their own; each takes memory, and draws without a graphics card."""
 BROWSER_TESTS = Path(__file__).parent / "browser"
 GENERATED_CALLS = Path(__file__).parent / "service" / "test_openapi_cases.py"
@@ -56,6 +56,11 @@ def client() -> Iterator[TestClient]:
 
     with TestClient(create_app(settings=replace(EMBEDDED, request_seconds=PATIENCE_S)), raise_server_exceptions=False) as client:
         yield client
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """A worker more than cores: those of the browser's and the service's tests wait for other processes much of their time."""
+    return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(wrapper=True)
