@@ -17,7 +17,6 @@ from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
 from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Floats, Ints
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Positions, Problem, ProblemBox, Solution, Term
-from solver.placement.space import without_search
 
 
 @dataclass(frozen=True)
@@ -255,7 +254,7 @@ class Core:
 
     def release(self) -> None:
         """Gives back what only a search needs; the assembled problem and the walk stay."""
-        self.engine = without_search(self.engine)
+        self.engine = kernel.without_search(self.engine)
         self.encoded = replace(self.encoded, engine=self.engine)
 
 

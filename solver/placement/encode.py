@@ -11,8 +11,8 @@ from solver.geometry import INWARDS, LEAST_FLOOR_MM2
 from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
 from solver.placement import layout
 from solver.placement.budget import charge
+from solver.placement.kernel import new_engine, request_of
 from solver.placement.layout import Engine, Ints, RoomArrays
-from solver.placement.space import new_engine, request_of
 
 WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
 SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}

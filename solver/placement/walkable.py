@@ -14,7 +14,6 @@ from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import lay_out
 from solver.placement.layout import IMPOSSIBLE, POSSIBLE, UNKNOWN
-from solver.placement.space import new_engine
 
 WORK = 9000
 """Work of one proof over all candidates together: nodes times pieces."""
@@ -77,7 +76,7 @@ class _Proof:
     def __init__(self, space: Space, pieces: Sequence[Piece], most: int) -> None:
         self.pieces, self.left = pieces, most
         self.tables, room = lay_out(space, pieces, "stands")
-        self.engine = new_engine(room)
+        self.engine = kernel.new_engine(room)
         self.nodes = kernel.new_proof(self.engine, MOST_DEPTH)
         self.decisions = np.full(len(pieces), layout.ABSENT, dtype=np.int64)
 

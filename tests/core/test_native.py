@@ -14,7 +14,6 @@ from solver.placement.arrange import LIMITS
 from solver.placement.core import solution_of
 from solver.placement.encode import lay_out
 from solver.placement.layout import FOUND, Floats, Ints
-from solver.placement.space import request_of
 from solver.streams import Stream
 from tests.core.native import Native, framed
 from tests.placement.rooms import random_space, random_wanted
@@ -36,7 +35,7 @@ def room(seed: int) -> Room:
     space = random_space(stream)
     _, arrays = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
     whole = kernel.arrange_whole(arrays, LIMITS.row, Budget().left, walk, wide)
-    engine, request = whole.engine, request_of(arrays)
+    engine, request = whole.engine, kernel.request_of(arrays)
     said = [whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways, *whole.pieces, *sum(whole.left_out, ())]
     answer: list[NDArray[Any]] = [engine.call.decisions.copy(), np.array(said, dtype=np.int64), engine.nodes.best_cost]
     if engine.nodes.result[FOUND]:

@@ -17,7 +17,6 @@ from solver.placement import kernel, layout
 from solver.placement.core import solution_of
 from solver.placement.layout import Engine, RoomArrays, Work
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
-from solver.placement.space import request_of
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
@@ -129,7 +128,7 @@ def laid_out(problem: Problem) -> Engine:
     pulls = sum(term.i != ORIGIN for term in problem.terms)
     sizes = np.array([1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1], dtype=np.int64).tobytes()
     instance = taken(roomy=True)
-    sent = instance.write(sizes + request_of(_nowhere())[len(sizes) :])
+    sent = instance.write(sizes + kernel.request_of(_nowhere())[len(sizes) :])
     engine = Engine(instance, int(instance.call("new_desk", sent)))
     work = engine.work
     work.counts[:] = 0
