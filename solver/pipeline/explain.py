@@ -5,6 +5,7 @@ What its other ways to stand would have cost: the room is furnished once more wi
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 from typing import NamedTuple
 
@@ -17,7 +18,7 @@ from solver.pieces import Arrangement, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import generator, wanted_in
 from solver.placement import SolvedRoom, arrange, finish, is_call_spent
 from solver.placement.empty_floor import FLOOR
-from solver.placement.problem import ORIGIN, Choice, Confirmed, Force, ProblemBox
+from solver.placement.problem import ORIGIN, Choice, Force, ProblemBox
 from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
 from solver.scene_bodies import check_id
@@ -36,21 +37,18 @@ NEARLY_M = 0.015
 
 
 @dataclass(frozen=True)
-class _Furnished:
-    """A room furnished once more, and what OSQP says of it."""
+class AsFurnished:
+    """A room furnished once more as it was: what was wanted, what came of it, and the ids of its pieces by their labels."""
 
-    room: "AsFurnished"
-    confirmed: Confirmed
+    space: Space
+    wanted: Sequence[Piece]
+    solved: SolvedRoom
+    ids: Mapping[str, str]
 
-    @property
-    def solved(self) -> SolvedRoom:
-        """What was solved."""
-        return self.room.solved
-
-    @property
-    def ids(self) -> Mapping[str, str]:
-        """The ids of the pieces by their labels."""
-        return self.room.ids
+    @cached_property
+    def forces(self) -> tuple[Force, ...]:
+        """What holds its pieces back, by OSQP."""
+        return confirmed([self.solved])[0].forces
 
 
 class _Holder(NamedTuple):
@@ -98,10 +96,10 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     notes = [*_notes(candidate, again)]
     if wished and not holds:
         notes.append(AT_PLACE if max(abs(wished[0] - piece.x), abs(wished[1] - piece.z)) < NEARLY_M else BALANCED)
-    return Explained(id, room.id, (piece.x, piece.z), wished, holds, tuple(notes), other_ways(again.room, label))
+    return Explained(id, room.id, (piece.x, piece.z), wished, holds, tuple(notes), other_ways(again, label))
 
 
-def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | str:
+def _again(scene: Scene, room: Room, catalogs: Catalogs) -> AsFurnished | str:
     """Furnishes a room as it was made; or says why that cannot be told: it was not made here, was edited, or would be another now."""
     rooms = (scene.certificate or {}).get("rooms")
     entry = rooms.get(room.id) if isinstance(rooms, Mapping) else None
@@ -117,7 +115,7 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> _Furnished | str:
     ids = ids_of(room, made, catalogs)
     if not _same(made, ids, room.furniture):
         return CHANGED
-    return _Furnished(AsFurnished(space, wanted, solved, ids), confirmed([solved])[0])
+    return AsFurnished(space, wanted, solved, ids)
 
 
 def _same(made: Arrangement, ids: Mapping[str, str], furniture: Iterable[Furniture]) -> bool:
@@ -126,7 +124,7 @@ def _same(made: Arrangement, ids: Mapping[str, str], furniture: Iterable[Furnitu
     return there == {name: (rect.x0 + rect.x1, rect.z0 + rect.z1, turn) for name, rect, turn in rects}
 
 
-def _wished(candidate: Candidate, box: ProblemBox, again: _Furnished) -> tuple[float, float] | None:
+def _wished(candidate: Candidate, box: ProblemBox, again: AsFurnished) -> tuple[float, float] | None:
     """Returns where the footprint's centre was wished in the room; None for a piece that has its place at another one."""
     if candidate.attach is not None:
         return None
@@ -139,7 +137,7 @@ def _wished(candidate: Candidate, box: ProblemBox, again: _Furnished) -> tuple[f
     return round(wish[0], 4), round(wish[1], 4)
 
 
-def _notes(candidate: Candidate, again: _Furnished) -> Iterable[str]:
+def _notes(candidate: Candidate, again: AsFurnished) -> Iterable[str]:
     if candidate.wall:
         yield f"its back is at the {candidate.wall} wall"
     if candidate.attach is not None:
@@ -147,12 +145,12 @@ def _notes(candidate: Candidate, again: _Furnished) -> Iterable[str]:
         yield f"it has its place at {parent}"
 
 
-def _holds(again: _Furnished, body: ProblemBox) -> Iterable[Hold]:
+def _holds(again: AsFurnished, body: ProblemBox) -> Iterable[Hold]:
     """Yields what holds a body's variables, or those of what it moves with."""
     boxes = again.solved.problem.boxes
     for axis in (0, 1):
         mine = {body.var[axis]} | {box.var[axis] for box in boxes if box.label == body.label}
-        for force in again.confirmed.forces:
+        for force in again.forces:
             row = force.row
             if row.axis != axis or (row.i in mine) == (row.j in mine):
                 continue  # of others, or between the body and its own use side
@@ -161,12 +159,12 @@ def _holds(again: _Furnished, body: ProblemBox) -> Iterable[Hold]:
             yield _hold(again, force, towards, [box for box in boxes if box.var[axis] == variable])
 
 
-def _hold(again: _Furnished, force: Force, towards: str, held: list[ProblemBox]) -> Hold:
+def _hold(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> Hold:
     holder = _holder(again, force, towards, held)
     return Hold(holder.by, holder.what, towards, force.per_m, f"kept from going further {towards} by {holder.words}")
 
 
-def _holder(again: _Furnished, force: Force, towards: str, held: list[ProblemBox]) -> _Holder:
+def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> _Holder:
     problem, space = again.solved.problem, again.solved.space
     if force.choice is not None and force.choice < len(problem.choices):
         return _chosen_holder(again, problem.choices[force.choice], {(box.label, box.stand) for box in held})
@@ -182,7 +180,7 @@ def _holder(again: _Furnished, force: Force, towards: str, held: list[ProblemBox
     return _Holder("relation", None, "what its relations ask for")
 
 
-def _chosen_holder(again: _Furnished, choice: Choice, mine: Collection[tuple[str, bool]]) -> _Holder:
+def _chosen_holder(again: AsFurnished, choice: Choice, mine: Collection[tuple[str, bool]]) -> _Holder:
     """Returns the other side of a choice: a piece, the floor to use one, or what a room keeps free."""
     space, one = again.solved.space, (choice.first, choice.stands[0])
     other, stand = (choice.second, choice.stands[1]) if one in mine else one
@@ -191,7 +189,7 @@ def _chosen_holder(again: _Furnished, choice: Choice, mine: Collection[tuple[str
         return _Holder("use_side", name, f"the floor that a person needs to use {name}") if stand else _Holder("piece", name, name)
     if other == "outline":
         return _Holder("outline", None, "a part of the wall that stands out")
-    floor = next((piece for piece in again.room.wanted if piece.label == other), None)
+    floor = next((piece for piece in again.wanted if piece.label == other), None)
     if floor is not None:
         return _floor_holder(floor, again.ids)
     if other == FLOOR:
@@ -235,16 +233,6 @@ FACING = {0: "south", 90: "east", 180: "north", 270: "west"}
 """Where a front looks, by rotation."""
 
 _Stance = tuple[str | None, int]
-
-
-@dataclass(frozen=True)
-class AsFurnished:
-    """A room as it was furnished: what was wanted, what came of it, and the ids of its pieces by their labels."""
-
-    space: Space
-    wanted: Sequence[Piece]
-    solved: SolvedRoom
-    ids: Mapping[str, str]
 
 
 def other_ways(room: AsFurnished, label: str) -> tuple[OtherWay, ...]:
