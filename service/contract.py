@@ -10,7 +10,7 @@ from service.effort import EFFORTS, NORMAL
 from solver.answers import ON_CONFLICT, Conflict, Issue, Limited, Pose
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
-from solver.fields import OMITTED, WHOLE, Counted, Flag, Free, Like, OneOf, PositiveMetres, Record, Says, Text, Whole
+from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, PositiveMetres, Record, Says, Text, Whole, counted
 from solver.guessed import KEEPS
 from solver.imported import ALLOWED_UNITS
 from solver.request import MAX_COUNT, Seed
@@ -48,7 +48,7 @@ class FurnishBody(Record):
     rooms: Annotated[tuple[Text, ...], Says("ids of the rooms to furnish")] = ()
     keep: Annotated[str, OneOf(*KEEPS)] = KEEPS[0]
     types: Annotated[Mapping[Text, Text], Says("room types by room id, instead of what the scene says")] = field(default_factory=dict)
-    program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("what rooms the home has, to guess by")] = None
+    program: Annotated[Mapping[str, int] | str | None, counted(MAX_COUNT), Says("what rooms the home has, to guess by")] = None
     style: Text | None = None
     decorate: Annotated[Flag | None, Says("as the scene's request says where there is none")] = None
     access: Annotated[Text | None, Says("a profile of access.yaml, or none; as the scene's request says where there is none")] = None

@@ -60,7 +60,6 @@ class OneOf:
         self.words = words
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Tells pydantic."""
         return _core().core_schema.literal_schema(list(self.words))
 
 
@@ -71,7 +70,6 @@ class Matching:
         self.pattern = pattern
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Tells pydantic."""
         return {**handler(source), "pattern": self.pattern}
 
 
@@ -82,7 +80,6 @@ class Says:
         self.words = words
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
-        """Tells whoever reads the schema."""
         return {**handler(schema), "description": self.words}
 
 
@@ -93,7 +90,6 @@ class Like:
         self.declared = declared
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Tells pydantic."""
         return handler.generate_schema(self.declared)
 
 
@@ -132,46 +128,20 @@ class _Indexed:
         return {"type": "object", "propertyNames": {"pattern": "^[0-9]{1,9}$"}, "additionalProperties": {"type": "string"}}
 
 
-class Counted:
-    """A mapping from words to whole numbers from 0, or a text that names one."""
+class TextOr:
+    """A text as one type says, or what is no text as another says: what is wrong is said of the one it is meant to be."""
 
-    def __init__(self, most: int) -> None:
-        self.most = most
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Tells pydantic."""
-        counts = _core().SchemaValidator(handler.generate_schema(dict[Text, Annotated[int, Ge(0), Le(self.most), _Whole()]]))
-        return _core().core_schema.no_info_plain_validator_function(
-            lambda value: value if is_text(value) else counts.validate_python(value)
-        )
-
-    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
-        """Tells whoever reads the schema."""
-        counts = {"type": "integer", "minimum": 0, "maximum": self.most}
-        return {"anyOf": [{"type": "string"}, {"type": "object", "additionalProperties": counts}]}
-
-
-class WordOrCorners:
-    """One of some words, or the corners of an outline: pairs of numbers of metres."""
-
-    def __init__(self, *words: str, most: int) -> None:
-        self.words, self.most = words, most
+    def __init__(self, text: Any, other: Any) -> None:
+        self.text, self.other = text, other
+        self._either: list[Any] = []
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Tells pydantic."""
-        corner = tuple[Annotated[float, STRICT, Ge(-1000.0), Le(1000.0)], Annotated[float, STRICT, Ge(-1000.0), Le(1000.0)]]
-        corners = _core().SchemaValidator(handler.generate_schema(Annotated[tuple[corner, ...], MinLen(4), MaxLen(self.most)]))
-        word = _core().SchemaValidator(handler.generate_schema(Annotated[str, OneOf(*self.words)]))
-        return _core().core_schema.no_info_plain_validator_function(
-            lambda value: word.validate_python(value) if is_text(value) else corners.validate_python(value)
-        )
+        core, self._either = _core(), [handler.generate_schema(one) for one in (self.text, self.other)]
+        text, other = map(core.SchemaValidator, self._either)
+        return core.core_schema.no_info_plain_validator_function(lambda value: (text if is_text(value) else other).validate_python(value))
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
-        """Tells whoever reads the schema."""
-        number = {"type": "number", "minimum": -1000.0, "maximum": 1000.0}
-        corner = {"type": "array", "prefixItems": [number, number], "minItems": 2, "maxItems": 2}
-        corners = {"type": "array", "items": corner, "minItems": 4, "maxItems": self.most}
-        return {"anyOf": [{"type": "string", "enum": list(self.words)}, corners]}
+        return handler(_core().core_schema.union_schema(self._either))
 
 
 RECTANGLE: Final = "rectangle"
@@ -179,7 +149,6 @@ ANY: Final = "any"
 """The outline of a planned home that its seed draws."""
 MOST_CORNERS: Final = 24
 """Of an outline that is given. Our choice: the ways to cut it double with every inner corner."""
-OUTLINE: Final = WordOrCorners(RECTANGLE, "L", "T", "U", ANY, most=MOST_CORNERS)
 GivenCorners = tuple[tuple[float, float], ...]
 STRICT: Final = _Strict()
 Text = Annotated[str, STRICT]
@@ -197,9 +166,20 @@ PositiveMetres = Annotated[float, STRICT, Gt(0), Le(MAX_LENGTH)]
 """A size, m."""
 OpenShare = Annotated[float, STRICT, Ge(0), Le(1)]
 """How far something is open: 0 shut, 1 wholly."""
+_Coordinate = Annotated[float, STRICT, Ge(-1000.0), Le(1000.0)]
+OUTLINE: Final = TextOr(
+    Annotated[str, OneOf(RECTANGLE, "L", "T", "U", ANY)],
+    Annotated[tuple[tuple[_Coordinate, _Coordinate], ...], MinLen(4), MaxLen(MOST_CORNERS)],
+)
+"""One of some words, or the corners of an outline, m."""
 REQUIRED: Final = _Required()
 Free = Annotated[Mapping[str, object], _Free()]
 TextByIndex = Annotated[Mapping[int, str], _Indexed()]
+
+
+def counted(most: int) -> TextOr:
+    """Returns what takes whole numbers from 0 to `most` by word, or a text that names such numbers."""
+    return TextOr(Text, dict[Text, Annotated[int, Ge(0), Le(most), WHOLE]])
 
 
 class Record:
@@ -218,7 +198,6 @@ class Record:
 
     @classmethod
     def __get_pydantic_core_schema__(cls, source: Any, handler: Any) -> Any:
-        """Tells pydantic how it is read."""
         schema = handler(source)
         read = handler.resolve_ref_schema(schema)
         parts = read["schema"]

@@ -6,7 +6,7 @@ from typing import Annotated, ClassVar, Final
 
 from annotated_types import Ge, Le
 
-from solver.fields import MAX_WHOLE, OMITTED, OUTLINE, STRICT, WHOLE, Counted, Flag, GivenCorners, Record, Says, Text, TextByIndex
+from solver.fields import MAX_WHOLE, OMITTED, OUTLINE, STRICT, WHOLE, Flag, GivenCorners, Record, Says, Text, TextByIndex, counted
 from solver.scene import ROBOT_WIDTH, RobotWidth
 
 MAX_SEED: Final = MAX_WHOLE
@@ -54,7 +54,7 @@ class Request(Record):
     decorate: Flag = False
     force_types: Annotated[TextByIndex, Says("room types by the room's index")] = field(default_factory=dict)
     robot_width: RobotWidth = ROBOT_WIDTH
-    program: Annotated[Mapping[str, int] | str | None, Counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
+    program: Annotated[Mapping[str, int] | str | None, counted(MAX_COUNT), Says("a preset's name, or how many rooms of each word")] = None
     area: Annotated[float, STRICT, Ge(15.0), Le(1000.0)] | None = None
     style: Text | None = None
     outline: Annotated[str | GivenCorners | None, OUTLINE, Says("of a planned home, any by default; or of any home its corners, m")] = None
