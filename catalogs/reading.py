@@ -99,11 +99,7 @@ def _ours() -> _Layer:
 
 
 def _refuse_strays(directory: Path) -> None:
-    """Refuses a directory with a YAML file, in it or one folder down, that nobody would read.
-
-    Raises:
-        CatalogError: names the file, and one that may have been meant.
-    """
+    """Refuses a directory with a YAML file, in it or one folder down, that nobody would read; says which may have been meant."""
     for path in sorted(path for pattern in ("*.y*ml", "*/*.y*ml") for path in directory.glob(pattern)):
         folder, name = path.parent.relative_to(directory).name, path.name
         if not (name in _FILES if not folder else folder in (_ROOMS, _SHAPES) and path.suffix == ".yaml"):

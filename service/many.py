@@ -88,11 +88,7 @@ def into_folder(houses: HouseSet, seeds: range, catalogs: Catalogs, workers: int
 
 
 def _claim(folder: Path, made_from: bytes) -> None:
-    """Says in a folder what its houses are made from.
-
-    Raises:
-        FieldError: there are houses in it that were made from something else.
-    """
+    """Says in a folder what its houses are made from; refuses one with houses that were made from something else."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / MADE_FROM
     if path.exists() and path.read_bytes() == made_from:

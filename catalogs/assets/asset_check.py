@@ -104,11 +104,7 @@ def _name(file: str, taken: Iterable[str]) -> str:
 
 
 def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> AssetEntry:
-    """Returns the entry of a file of which nothing is said.
-
-    Raises:
-        GlbFault: it is refused, or no kind can be guessed.
-    """
+    """Returns the entry of a file of which nothing is said; a GlbFault where it is refused, or no kind can be guessed."""
     entry = AssetEntry(file=file, kinds=("?",), guessed=("kinds", "front", "license"))
     bounds = bounds_of(read_glb(folder / file))
     words = words_of(file.rpartition(".")[0])

@@ -75,11 +75,7 @@ def plan_of(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) 
 
 
 def _formats(options: Namespace, *others: str) -> tuple[str, ...]:
-    """Returns the formats asked for, of json and others.
-
-    Raises:
-        FieldError: one is of another task.
-    """
+    """Returns the formats asked for, of json and others; refuses those of another task."""
     if foreign := [name for name in options.formats or () if name not in ("json", *others)]:
         raise FieldError("--format", f"is {foreign[0]!r}, which is of another task", ", ".join(("json", *others)))
     return tuple(options.formats or ("json",))

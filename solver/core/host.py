@@ -71,11 +71,7 @@ class _Loaded(NamedTuple):
 
 @functools.cache
 def _loaded() -> _Loaded:
-    """Compiles core.wasm for this machine, 0.3 s of CPU, or takes what wasmtime's cache in the user's cache folder keeps of it.
-
-    Raises:
-        CoreFailed: the file is missing.
-    """
+    """Compiles core.wasm for this machine, 0.3 s of CPU, or takes what wasmtime's cache in the user's cache folder keeps of it."""
     import wasmtime  # noqa: PLC0415 - what only reads types needs no runtime
 
     if not WASM.exists():

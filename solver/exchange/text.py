@@ -102,11 +102,7 @@ def _decoded(text: bytes | str) -> str:
 
 
 def _scene_in_glb(content: bytes) -> object:
-    """Reads the scene inside a .glb.
-
-    Raises:
-        SyntaxFault: it is no .glb (glTF 2.0, binary), or none that Compose wrote.
-    """
+    """Reads the scene inside a .glb (glTF 2.0, binary) that Compose wrote; a SyntaxFault where it is none."""
     if not content.startswith(MAGIC) or len(content) < _HEADER:
         raise SyntaxFault("not a .glb: it does not begin as a binary glTF file does")
     version, total, length = (int.from_bytes(content[at : at + 4], "little") for at in (4, 8, 12))

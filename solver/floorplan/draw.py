@@ -45,11 +45,7 @@ def wall_thickness_of(request: Request) -> float:
 
 
 def _walls_of(request: Request, catalogs: Catalogs) -> HouseWalls:
-    """Reads how thick walls are to be.
-
-    Raises:
-        RequestError: outer walls are to be thinner than inner ones.
-    """
+    """Reads how thick walls are to be; refuses outer walls that are thinner than inner ones."""
     inner = wall_thickness_of(request)
     outer = inner if request.outer_wall_thickness is None else request.outer_wall_thickness
     if outer < inner:

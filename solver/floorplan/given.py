@@ -103,11 +103,7 @@ def _is_between(a: PlanCorner, b: PlanCorner, c: PlanCorner) -> bool:
 
 
 def _check(points: Sequence[PlanCorner]) -> None:
-    """Refuses what is no outline of a house.
-
-    Raises:
-        RequestError: it is none.
-    """
+    """Refuses what is no outline of a house."""
     if len(points) < 4:
         raise RequestError("outline", "encloses no floor", RECTILINEAR)
     edges = list(zip(points, [*points[1:], points[0]], strict=True))

@@ -80,11 +80,7 @@ def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings
 
 @cache
 def _extension() -> Any:
-    """Loads OSQP's extension under its own name, so that whoever imports `osqp` later finds it loaded.
-
-    Raises:
-        ModuleNotFoundError: osqp is not installed.
-    """
+    """Loads OSQP's extension, if it is installed, under its own name, so that whoever imports `osqp` later finds it loaded."""
     if _EXTENSION in sys.modules:
         return sys.modules[_EXTENSION]
     package = find_spec(_PACKAGE)

@@ -98,11 +98,7 @@ def _made(core: CoreInstance, rooms: Sequence[WantedRows], tidy: bool) -> list[_
 
 
 def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals | None]:
-    """Asks OSQP for the optimum of the whole house.
-
-    Raises:
-        OptimumRefuted: it finds another one than one that was proven.
-    """
+    """Asks OSQP for the optimum of the whole house; raises OptimumRefuted where it is another one than one that was proven."""
     answer = solved_house(core, [one.problem for one in answers])
     if answer is None:
         return [None] * len(answers)

@@ -143,11 +143,7 @@ class _ReadBuilding:
         return None
 
     def _level(self, element: Element) -> int:
-        """Returns the storey that an element is in: by what holds it, else by its height.
-
-        Raises:
-            FieldError: it holds itself, by way of others or not.
-        """
+        """Returns the storey that an element is in: by what holds it, else by its height; refuses one that holds itself in the end."""
         holder, held = self._holder(element), {element.id()}
         while holder is not None and holder.id() not in self.storeys:
             if holder.id() in held:

@@ -235,11 +235,7 @@ def _util() -> Any:
 
 
 def _axes(placement: Any) -> Matrix:
-    """Returns a placement's frame.
-
-    Raises:
-        FieldError: its axes have no length, or are one.
-    """
+    """Returns a placement's frame; refuses axes that have no length, or are one."""
     with np.errstate(invalid="ignore", divide="ignore"):
         found = np.asarray(_util().get_axis2placement(placement), dtype=np.float64)
     if not np.isfinite(found).all():
@@ -248,11 +244,7 @@ def _axes(placement: Any) -> Matrix:
 
 
 def _length(way: Matrix, said: Any) -> float:
-    """Returns the length of a direction.
-
-    Raises:
-        FieldError: it has none.
-    """
+    """Returns the length of a direction; refuses one that has none."""
     length = float(np.linalg.norm(way))
     if not 0 < length < np.inf:
         raise FieldError(f"#{said.id()}", "is a direction without a length", "numbers that are not all 0")

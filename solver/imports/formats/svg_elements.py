@@ -192,11 +192,7 @@ def _words(element: Element) -> str:
 
 
 def _used(turn: _Turn, said: Mapping[str, str], known: Mapping[str, Element], place: tuple[tuple[str, ...], SvgMatrix, str]) -> _Turn:
-    """Returns the element that a use draws, moved by its x and y.
-
-    Raises:
-        FieldError: there is none of that id in the file, or it is drawn within itself.
-    """
+    """Returns the element that a use draws, moved by its x and y; refuses one that is not in the file, or is drawn within itself."""
     names, matrix, where = place
     key = said.get("href", "").strip()[1:]
     if key in turn.uses or key not in known or not said.get("href", "").startswith("#"):
@@ -226,11 +222,7 @@ def times(outer: SvgMatrix, inner: SvgMatrix) -> SvgMatrix:
 
 
 def _transform(said: Mapping[str, str], where: str) -> SvgMatrix:
-    """Returns an element's own matrix.
-
-    Raises:
-        FieldError: its transform is none.
-    """
+    """Returns an element's own matrix; refuses a transform that is none."""
     text, at, made = said.get("transform", "").strip(), 0, IDENTITY
     while at < len(text):
         step = STEP.match(text, at)
@@ -287,11 +279,7 @@ def _text_place(element: Element, said: Mapping[str, str]) -> Spot:
 
 
 def _lines(tag: str, said: Mapping[str, str], where: str) -> Iterator[SvgLine]:
-    """Yields the lines of a shape, before its transform.
-
-    Raises:
-        FieldError: a path's data cannot be read.
-    """
+    """Yields the lines of a shape, before its transform; refuses a path's data that cannot be read."""
     if tag == "path":
         yield from _path(said.get("d", ""), where)
     elif tag in ("polygon", "polyline"):

@@ -126,11 +126,7 @@ def _room(element: SvgElement, points: tuple[Spot, ...]) -> DrawnRoom:
 
 
 def _opening(element: SvgElement) -> Iterator[DrawnOpening]:
-    """Yields an opening that a line with `data-opening` draws.
-
-    Raises:
-        FieldError: it is no line, or an attribute of it is wrong.
-    """
+    """Yields an opening that a line with `data-opening` draws; refuses what is no line, and an attribute that is wrong."""
     said, where = element.said, element.where
     kind = one_of(said, "data-opening", OPENINGS, where, required=True)
     if len(element.lines) != 1 or len(element.lines[0].points) != 2:
