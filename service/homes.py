@@ -16,7 +16,7 @@ from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
-from service.store.saved_homes import ANY_REVISION
+from service.store.saved_homes import ANY_REVISION, SavedHomes
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, write
@@ -75,7 +75,7 @@ async def save_home(request: Request) -> Response:
         return sent
     scene = sent.scene
     assert scene is not None, "a HomeBody has one"
-    home = await _asked(request, lambda homes, owner: homes.add(owner, sent.texts, scene))
+    home = await _asked(request, SavedHomes.add, sent.texts, scene)
     answer = _tagged(written(write(home), wanted), home, wanted)
     answer.status_code = 201
     answer.headers["Location"] = f"{request.scope.get('root_path', '')}/homes/{home.id}"
@@ -90,7 +90,7 @@ async def list_homes(request: Request) -> Response:
     if "limit" in given:
         asked["limit"] = int(given["limit"]) if re.fullmatch(r"\d{1,9}", given["limit"]) else given["limit"]
     query = read(HomeQuery, {**asked, "tag": given.getlist("tag")})
-    found = await _asked(request, lambda homes, owner: homes.list(owner, query))
+    found = await _asked(request, SavedHomes.list, query)
     document = {"homes": [write(one) for one in found.homes], "total": found.total, "after": found.after}
     return written(document, format_wanted(request))
 
@@ -102,7 +102,7 @@ async def read_home(request: Request) -> Response:
 
 
 async def _whole(request: Request, id_of: str, version: int | None) -> Response:
-    home, scene = await _asked(request, lambda homes, owner: homes.get(owner, id_of, version))
+    home, scene = await _asked(request, SavedHomes.get, id_of, version)
     wanted = format_wanted(request)
     shown = home if version is None else None
     if shown and f'"{home.revision}{"" if wanted == "json" else "-yaml"}"' in request.headers.get("if-none-match", ""):
@@ -121,23 +121,21 @@ async def change_home(request: Request) -> Response:
     sent, wanted = await _sent(request, True), format_wanted(request)
     if isinstance(sent, Response):
         return sent
-    home = await _asked(request, lambda homes, owner: homes.change(owner, id_of, revision, sent.texts, sent.scene))
+    home = await _asked(request, SavedHomes.change, id_of, revision, sent.texts, sent.scene)
     return _tagged(written(write(home), wanted), home, wanted)
 
 
 @homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
 async def remove_home(request: Request) -> Response:
     """Removes a home with all its versions."""
-    id_of, revision = id_in(request, "home"), _revision(request)
-    await _asked(request, lambda homes, owner: homes.remove(owner, id_of, revision))
+    await _asked(request, SavedHomes.remove, id_in(request, "home"), _revision(request))
     return Response(status_code=204)
 
 
 @homes.call("GET", "/{home}/versions", HomeVersions, takes=OF_HOME, responses=refusals(404))
 async def list_versions(request: Request) -> Response:
     """Lists the versions of a home that are kept."""
-    id_of = id_in(request, "home")
-    found = await _asked(request, lambda homes, owner: homes.versions(owner, id_of))
+    found = await _asked(request, SavedHomes.versions, id_in(request, "home"))
     return written({"versions": [{"number": number, "made": moment(made)} for number, made in found]}, format_wanted(request))
 
 
@@ -152,9 +150,9 @@ async def read_version(request: Request) -> Response:
 async def read_picture(request: Request) -> Response:
     """Returns the picture that was given to a home, else its plan, drawn."""
     id_of = id_in(request, "home")
-    found = await _asked(request, lambda homes, owner: homes.picture(owner, id_of))
+    found = await _asked(request, SavedHomes.picture, id_of)
     if found is None:
-        _, scene = await _asked(request, lambda homes, owner: homes.get(owner, id_of))
+        _, scene = await _asked(request, SavedHomes.get, id_of)
         drawn = await request.app.make("export", b'{"scene": ' + zlib.decompress(scene) + b"}", "json", "svg")
         if drawn.status_code != 200:
             return Response(drawn.body, drawn.status_code, media_type=drawn.media_type)
@@ -177,5 +175,5 @@ async def put_picture(request: Request) -> Response:
         raise TooLarge("body", "is a larger picture than is kept", f"at most {MOST_PICTURE} bytes")
     if not content.startswith(PICTURES[kind]):
         raise FieldError("body", f"is no {kind}", "a picture of the type that it is sent as")
-    await _asked(request, lambda homes, owner: homes.put_picture(owner, id_of, content, kind))
+    await _asked(request, SavedHomes.put_picture, id_of, content, kind)
     return Response(status_code=204)

@@ -62,7 +62,7 @@ async def add_job(request: Request) -> Response:
     """Takes on long work: a call, or a call of many seeds; answers at once where it is to be found."""
     body, sent = await body_of(request, request.app.settings.body_seconds), format_sent(request)
     call, asked, count = await to_thread.run_sync(asked_of, body, sent, limiter=request.app.store_threads)
-    job = await _of_store(request, lambda jobs, owner: jobs.add(owner, call, asked, count))
+    job = await _of_store(request, SavedJobs.add, call, asked, count)
     request.app.runner.wake()
     answer = written(write(job), format_wanted(request))
     answer.status_code = 202
@@ -73,22 +73,20 @@ async def add_job(request: Request) -> Response:
 @jobs.call("GET", "", JobList)
 async def list_jobs(request: Request) -> Response:
     """Lists jobs, the newest first."""
-    found = await _of_store(request, lambda jobs, owner: jobs.list(owner))
+    found = await _of_store(request, SavedJobs.list)
     return written({"jobs": [write(job) for job in found]}, format_wanted(request))
 
 
 @jobs.call("GET", "/{job}", JobHead, takes=OF_JOB, responses=refusals(404))
 async def read_job(request: Request) -> Response:
     """Says how far a job is."""
-    id_of = id_in(request, "job")
-    return written(write(await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))), format_wanted(request))
+    return written(write(await _of_store(request, SavedJobs.get, id_in(request, "job"))), format_wanted(request))
 
 
 @jobs.call("DELETE", "/{job}", takes=OF_JOB, status_code=204, responses=refusals(404))
 async def remove_job(request: Request) -> Response:
     """Ends a job and removes it with its results."""
-    id_of = id_in(request, "job")
-    await _of_store(request, lambda jobs, owner: jobs.remove(owner, id_of))
+    await _of_store(request, SavedJobs.remove, id_in(request, "job"))
     return Response(status_code=204)
 
 
@@ -96,7 +94,7 @@ async def remove_job(request: Request) -> Response:
 async def read_result(request: Request) -> Response:
     """Returns what one of a job's calls was answered by; `X-Call-Status` is its status."""
     id_of, number = id_in(request, "job"), number_in(request, "result", "the number of a call that has been made, from 0")
-    found: JobResult = await _of_store(request, lambda jobs, owner: jobs.result(owner, id_of, number))
+    found: JobResult = await _of_store(request, SavedJobs.result, id_of, number)
     headers = {"X-Call-Status": str(found.status), "Cache-Control": "private, no-cache"}
     return Response(zlib.decompress(found.content), media_type=found.media_type, headers=headers)
 
@@ -105,7 +103,7 @@ async def read_result(request: Request) -> Response:
 async def job_events(request: Request) -> Response:
     """Says how far a job is, each time that changes, as server-sent events, until it is done."""
     id_of = id_in(request, "job")
-    first = await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))
+    first = await _of_store(request, SavedJobs.get, id_of)
 
     async def events() -> AsyncIterator[bytes]:
         job, told, silent = first, None, 0.0
@@ -124,7 +122,7 @@ async def job_events(request: Request) -> Response:
                 silent = 0.0
                 yield b": still there\n\n"
             try:
-                job = await _of_store(request, lambda jobs, owner: jobs.get(owner, id_of))
+                job = await _of_store(request, SavedJobs.get, id_of)
             except NoSuchThing:
                 yield format_sse_event(data_str="{}", event="removed")
                 return
@@ -158,7 +156,7 @@ class Runner:
 
     async def _work_off(self) -> None:
         try:
-            while (taken := await self._in_thread(lambda jobs: jobs.take(self._name))) is not None:
+            while (taken := await self._in_thread(SavedJobs.take, self._name)) is not None:
                 await self._make(*taken)
         except ComposeError as error:
             _log.info("jobs wait: %s", error)
@@ -171,15 +169,15 @@ class Runner:
             group.start_soon(self._live, job.id, group.cancel_scope)
             for number in range(job.done, job.count):
                 result = await self._result(job.call, json.dumps(bodies[number]).encode())
-                if not await self._in_thread(partial(SavedJobs.put, runner=self._name, job=job.id, number=number, result=result)):
+                if not await self._in_thread(SavedJobs.put, self._name, job.id, number, result):
                     break
             else:
-                await self._in_thread(lambda jobs: jobs.finish(self._name, job.id))
+                await self._in_thread(SavedJobs.finish, self._name, job.id)
             group.cancel_scope.cancel()
 
     async def _live(self, job: str, scope: anyio.CancelScope) -> None:
         """Says that the runner lives; ends the job where it was removed or is another's."""
-        while await self._in_thread(lambda jobs: jobs.beat(self._name, job)):
+        while await self._in_thread(SavedJobs.beat, self._name, job):
             await anyio.sleep(min(LEASE_S / 10, 2.0))
         scope.cancel()
 
@@ -197,5 +195,5 @@ class Runner:
                 answer = problems.unexpected()
             return JobResult(answer.status_code, str(answer.media_type), zlib.compress(bytes(answer.body)))
 
-    async def _in_thread(self, question: Callable[[SavedJobs], Any]) -> Any:
-        return await to_thread.run_sync(lambda: question(self._app.store.jobs()), limiter=self._app.store_threads)
+    async def _in_thread(self, question: Callable[..., Any], *given: object) -> Any:
+        return await to_thread.run_sync(lambda: question(self._app.store.jobs(), *given), limiter=self._app.store_threads)
