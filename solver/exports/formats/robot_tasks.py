@@ -22,6 +22,7 @@ import numpy.typing as npt
 from solver.exports.model import HouseModel, ModelBody
 from solver.exports.plan_storeys import covers, opening_box
 from solver.exports.writers import ExportSettings, Files
+from solver.geometry import tiles_between
 from solver.scene import robot_width_of
 from solver.streams import Stream
 
@@ -252,19 +253,13 @@ def _rest(inside: Boxes) -> Boxes:
     """Returns rectangles that cover what boxes leave of the rectangle around them, and a rim around that."""
     rim = 4 * PER_METRE
     xs, zs = (np.unique([*inside[:, k], *inside[:, k + 2], inside[:, k].min() - rim, inside[:, k + 2].max() + rim]) for k in (0, 1))
-    free = np.zeros((len(zs) - 1, len(xs) - 1), dtype=np.bool_)
+    taken = np.ones((len(zs) - 1, len(xs) + 1), dtype=np.bool_)
+    taken[:, [0, -1]] = False
     for x0, z0, x1, z1 in inside.tolist():
-        free[np.searchsorted(zs, z0) : np.searchsorted(zs, z1), np.searchsorted(xs, x0) : np.searchsorted(xs, x1)] = True
-    found: list[tuple[int, int, int, int]] = []
-    growing: dict[tuple[int, int], int] = {}
-    for row, line in enumerate([*~free, np.zeros(len(xs) - 1, dtype=np.bool_)]):
-        turns = np.flatnonzero(np.diff(np.concatenate(([False], line, [False])).astype(np.int8)))
-        runs = {(int(a), int(b)) for a, b in turns.reshape(-1, 2)}
-        for a, b in sorted(growing.keys() - runs):
-            found.append((int(xs[a]), int(zs[growing.pop((a, b))]), int(xs[b]), int(zs[row])))
-        for run in runs - growing.keys():
-            growing[run] = row
-    return np.array(found, dtype=np.int64).reshape(-1, 4)
+        taken[np.searchsorted(zs, z0) : np.searchsorted(zs, z1), np.searchsorted(xs, x0) + 1 : np.searchsorted(xs, x1) + 1] = False
+    turns = np.argwhere(taken[:, 1:] != taken[:, :-1]).tolist()
+    lines = ((int(xs[column]), int(zs[row]), int(zs[row + 1])) for row, column in turns)
+    return np.array(tiles_between(lines), dtype=np.int64).reshape(-1, 4)
 
 
 def _inside(boxes: Boxes, spots: npt.NDArray[np.int64]) -> npt.NDArray[np.bool_]:
