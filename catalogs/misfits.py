@@ -5,9 +5,10 @@ That is what the JSON Schema says of the key: for refusals of documents, too, as
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Any, Final
 
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
 
 from catalogs.faults import Fault
 from catalogs.references import near
@@ -21,6 +22,18 @@ LENGTHS: Final = {"too_long": ("max_length", "at most"), "too_short": ("min_leng
 NO_KEYS: Final = ("[key]", "tuple[", "literal[")
 """How the steps of pydantic's ways begin that are no keys of the file: a mapping's key itself, and which of several forms was tried."""
 QUOTED: Final = re.compile("'([^']*)'")
+
+
+@cache
+def reader_of(of: Any) -> TypeAdapter[Any]:
+    """Returns what reads a type, made when it is first asked for."""
+    return TypeAdapter(of)
+
+
+@cache
+def schema_of(of: Any) -> Mapping[str, Any]:
+    """Returns the JSON Schema of a type, made when something is first refused by it: it takes as long as to read fifty scenes."""
+    return reader_of(of).json_schema()
 
 
 def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:

@@ -1,7 +1,7 @@
 """Reading: YAML files -> plain documents -> checked, frozen `Catalogs`; every fault with its file, key and line."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from hashlib import blake2b
@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Final
 
 import yaml
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from catalogs.access_profiles import AccessProfile
 from catalogs.checks import faults, holding_faults
@@ -17,7 +17,7 @@ from catalogs.decoration_types import Decorating, DecorationKind
 from catalogs.entries import DrawnName, Dweller, Evidence, Mark, Preset, Synonym
 from catalogs.faults import CatalogError, Fault
 from catalogs.insides import insides_of
-from catalogs.misfits import misfit
+from catalogs.misfits import misfit, reader_of, schema_of
 from catalogs.references import near
 from catalogs.schema import Catalogs, FlooringSpec, FurnitureSpec, Habit, RoomType
 from catalogs.shapes import Material, ShapeParts
@@ -162,18 +162,6 @@ def _holds_things(catalogs: Catalogs, kind: str) -> bool:
     return entry is not None and bool(entry.holds)
 
 
-@cache
-def _reader(of: Any) -> TypeAdapter[Any]:
-    """Returns what reads a type, made when it is first asked for."""
-    return TypeAdapter(of)
-
-
-@cache
-def _schema(of: Any) -> Mapping[str, Any]:
-    """Returns the JSON Schema of a type, made when something is first refused by it."""
-    return _reader(of).json_schema()
-
-
 def read_entries(path: Path, of: Any) -> Any:
     """Reads a file as a type: entries by name, or one.
 
@@ -181,14 +169,14 @@ def read_entries(path: Path, of: Any) -> Any:
         CatalogError: it cannot be read, is no YAML, or an entry is none.
     """
     try:
-        return _reader(of).validate_python(read_yaml(path.read_bytes()))
+        return reader_of(of).validate_python(read_yaml(path.read_bytes()))
     except OSError as error:
         raise CatalogError(str(path), "", 1, f"cannot be read: {error.strerror}") from error
     except YamlFault as fault:
         key = _key_above(path, fault.line) if fault.line else ""
         raise CatalogError(str(path), key, fault.line or 1, f"is not YAML: {fault}") from fault
     except ValidationError as error:
-        raise located(path, misfit(error, _schema(of))) from error
+        raise located(path, misfit(error, schema_of(of))) from error
 
 
 def _key_above(path: Path, line: int) -> str:

@@ -6,7 +6,6 @@ Not here: text (text.py), rules between bodies (validate).
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
 from difflib import get_close_matches
-from functools import lru_cache
 from itertools import islice
 from numbers import Number
 from typing import Annotated, Any, Final, TypeVar
@@ -14,7 +13,7 @@ from typing import Annotated, Any, Final, TypeVar
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import core_schema
 
-from catalogs.misfits import LENGTHS, allowed, called, options_of, schema_at
+from catalogs.misfits import LENGTHS, allowed, called, options_of, reader_of, schema_at, schema_of
 from solver.errors import MOST_TOLD, FieldError, RequestError, SceneError
 from solver.exchange.identity import check_outlines, identified, indexed
 from solver.exchange.told_keys import tell_keys
@@ -49,18 +48,6 @@ SentScene = Annotated[Scene, _Completed(), Says("a scene, as GET /schema describ
 SentRoom = Annotated[Room, _Alone(), Says("a room of a scene, as GET /schema describes it")]
 
 
-@lru_cache
-def adapter(of: Any) -> TypeAdapter[Any]:
-    """Returns what reads a type, made when it is first asked for."""
-    return TypeAdapter(of)
-
-
-@lru_cache
-def _schema(of: Any) -> Mapping[str, Any]:
-    """Returns the JSON Schema of a type, made when something is first refused by it: it takes as long as to read fifty scenes."""
-    return adapter(of).json_schema()
-
-
 def read(of: type[Read], document: object, root: str = "body", error: type[FieldError] = FieldError) -> Read:
     """Reads a document as a type that `solver.fields` describes.
 
@@ -73,11 +60,11 @@ def read(of: type[Read], document: object, root: str = "body", error: type[Field
     Raises:
         FieldError: fields are wrong; names them as paths, with what is allowed.
     """
-    reader: TypeAdapter[Read] = adapter(of)  # type: ignore[arg-type]
+    reader: TypeAdapter[Read] = reader_of(of)  # type: ignore[arg-type]
     try:
         made = reader.validate_python(document)
     except ValidationError as wrong:
-        (field, problem, allowed), *more = refusals(wrong, _schema(of), document)  # type: ignore[arg-type]
+        (field, problem, allowed), *more = refusals(wrong, schema_of(of), document)  # type: ignore[arg-type]
         raise error(field or root, problem, allowed, tuple(more)) from None
     return made
 
@@ -127,7 +114,7 @@ def checked_request(request: Request) -> Request:
 
 def scene_schema() -> dict[str, Any]:
     """Returns the JSON Schema (2020-12) of a scene document: what `read_scene` asks for, unknown keys welcome."""
-    schema = adapter(Scene).json_schema()
+    schema = reader_of(Scene).json_schema()
     tell_keys({"Scene": schema, **schema["$defs"]}, Record)
     return {"$schema": DIALECT, **schema, "title": FORMAT}
 

@@ -13,10 +13,10 @@ import yaml
 from hypothesis import given, settings
 from jsonschema import Draft202012Validator
 
+from catalogs.misfits import reader_of
 from solver.errors import FieldError, SceneError, SyntaxFault
 from solver.exchange import (
     FORMATS,
-    adapter,
     dump_scene,
     dump_text,
     load_text,
@@ -111,7 +111,7 @@ def same(one: Any, other: Any) -> bool:
 
 
 def test_schemas_are_schemas() -> None:
-    for schema in (scene_schema(), adapter(Request).json_schema()):
+    for schema in (scene_schema(), reader_of(Request).json_schema()):
         Draft202012Validator.check_schema(schema)
     assert scene_schema()["$schema"].endswith("2020-12/schema")
 
@@ -144,7 +144,7 @@ def test_the_schema_asks_for_what_the_reader_asks_for() -> None:
         with pytest.raises(SceneError):
             read_scene(wrong)
     assert SCHEMA.is_valid(scene(room(piece(brand="x"), light=3), by="me"))
-    assert not Draft202012Validator(adapter(Request).json_schema()).is_valid({"sed": 1})
+    assert not Draft202012Validator(reader_of(Request).json_schema()).is_valid({"sed": 1})
 
 
 def test_the_writer_keeps_the_order_of_the_types() -> None:
