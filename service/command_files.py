@@ -5,7 +5,7 @@ from typing import TypeVar
 
 from service.standard_streams import STREAM, read_content
 from solver.errors import FieldError, SyntaxFault
-from solver.exchange import format_of_file, load_text
+from solver.exchange import A_SCENE, format_of_file, load_text
 
 T = TypeVar("T")
 
@@ -46,10 +46,8 @@ def scene_of_file(name: str) -> object:
         document, fault = parsed(name, content), None
     except SyntaxFault as error:
         document, fault = None, error
-    is_scene = isinstance(document, dict) and document.keys() & {"scene", "rooms"}
-    if not is_scene and (format := format_of_foreign(name, content)):
-        said = f"is a floor plan of the format {format}"
-        raise FieldError(f"{spoken(name)}scene", said, "a scene; `compose import` makes one of a plan")
+    if not isinstance(document, dict) and (format := format_of_foreign(name, content)):
+        raise FieldError(f"{spoken(name)}scene", f"is a floor plan of the format {format}", A_SCENE)
     if fault is not None:
         raise fault
     return held_scene(document)

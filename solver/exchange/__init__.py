@@ -7,14 +7,14 @@ The types of the fields in `solver.scene` (`solver.fields`) drive the reader, th
 """
 
 from solver.exchange.misspelt import misspelt
-from solver.exchange.reader import SentRoom, SentScene, checked_request, read, read_request, read_scene, scene_schema
+from solver.exchange.reader import A_SCENE, SentRoom, SentScene, checked_request, read, read_request, read_scene, scene_schema
 from solver.exchange.scene_text import dump_scene
 from solver.exchange.text import FORMATS, GLB, dump_plain, dump_text, format_of_file, format_of_name, load_text
 from solver.exchange.told_keys import tell_keys
 from solver.exchange.writer import write, write_request, write_scene
 
 __all__ = [
-    "FORMATS", "GLB", "SentRoom", "SentScene", "checked_request", "dump_plain", "dump_scene", "dump_text", "format_of_file",
+    "A_SCENE", "FORMATS", "GLB", "SentRoom", "SentScene", "checked_request", "dump_plain", "dump_scene", "dump_text", "format_of_file",
     "format_of_name", "load_text", "misspelt", "read", "read_request", "read_scene", "scene_schema", "tell_keys", "write",
     "write_request", "write_scene",
 ]  # fmt: skip

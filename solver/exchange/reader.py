@@ -18,11 +18,13 @@ from solver.errors import MOST_TOLD, FieldError, RequestError, SceneError
 from solver.exchange.identity import check_outlines, identified, indexed
 from solver.exchange.told_keys import tell_keys
 from solver.fields import Record, Says, located
+from solver.foreign_plans import FOREIGN_DOCUMENTS
 from solver.plain import Wrong, path
 from solver.request import Request
 from solver.scene import FORMAT, Room, Scene
 
 Read = TypeVar("Read")
+A_SCENE: Final = "a scene; `compose import` and POST /import make one of a plan"
 DIALECT: Final = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -30,7 +32,7 @@ class _Completed:
     """Scenes as they come: rooms are numbered and everything gets an id where it has none; outlines are checked."""
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Callable[[Any], Any]) -> Any:
-        read = core_schema.no_info_before_validator_function(indexed, handler(source))
+        read = core_schema.no_info_before_validator_function(_indexed, handler(source))
         return core_schema.no_info_after_validator_function(_complete, read)
 
 
@@ -122,6 +124,13 @@ def scene_schema() -> dict[str, Any]:
 def _as_python(value: Any) -> Any:
     """Returns an array library's number as Python's own."""
     return value.item() if isinstance(value, Number) and hasattr(value, "item") else value
+
+
+def _indexed(document: object) -> object:
+    """Numbers the rooms of a scene's document; what is a plan of another program is told to be one, as no key of a scene is required."""
+    if format := next((name for name, is_it in FOREIGN_DOCUMENTS.items() if is_it(document)), None):
+        raise located(f"is a floor plan of the format {format}", A_SCENE)
+    return indexed(document)
 
 
 def _complete(scene: Scene, depth: int = 0) -> Scene:

@@ -6,15 +6,16 @@ from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs
 from solver.errors import FieldError, SyntaxFault
+from solver.foreign_plans import is_features, is_procthor, is_rplan
 from solver.geometry import to_m
 from solver.imported import ImportSettings
 from solver.imports.carried_things import with_carriers
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
 from solver.imports.formats.dxf_reading import is_dxf, read_dxf
 from solver.imports.formats.ifc_reading import is_ifc, read_ifc
-from solver.imports.formats.plan_features import is_features, read_features
-from solver.imports.formats.procthor_reading import is_procthor, read_procthor
-from solver.imports.formats.rplan_reading import is_rplan, read_rplan
+from solver.imports.formats.plan_features import read_features
+from solver.imports.formats.procthor_reading import read_procthor
+from solver.imports.formats.rplan_reading import read_rplan
 from solver.imports.formats.svg_reading import is_svg, read_svg
 from solver.imports.formats.sweet_home_reading import is_sweet_home, read_sweet_home
 from solver.imports.holes import cut_open

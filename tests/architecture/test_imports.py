@@ -24,6 +24,7 @@ GROUND_FLOOR = {
     "understanding",
     "named_assets",
     "export_formats",
+    "foreign_plans",
     "demanded",
     "imported",
     "body_parts",

@@ -211,13 +211,18 @@ def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfd
         ("plan.dxf", b"  0\nSECTION\n  2\nHEADER\n  0\nENDSEC\n  0\nEOF\n"),
         ("plan.svg", b'<svg xmlns="http://www.w3.org/2000/svg"><rect width="4" height="3"/></svg>'),
         ("plan.ifc", b"ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;\n"),
+        ("plan.procthor", b'{"rooms": [{"id": "room|1", "roomType": "Kitchen", "floorPolygon": [{"x": 0, "y": 0, "z": 0}]}], "walls": []}'),
+        ("plan.rplan", b'{"room_type": [0], "boxes": [[0, 0, 1, 1]], "edges": [], "ed_rm": []}'),
     ],
 )
 def test_a_floor_plan_where_a_scene_belongs_is_told_to_be_one(tmp_path: Path, capfdbinary: Captured, name: str, content: bytes) -> None:
     (tmp_path / name).write_bytes(content)
     for command in ("validate", "fix"):
         words = refused(capfdbinary, command, str(tmp_path / name))
-        assert f"scene: is a floor plan of the format {name[5:]} (allowed: a scene; `compose import` makes one of a plan)" in words
+        assert (
+            f"scene: is a floor plan of the format {name[5:]} (allowed: a scene; `compose import` and POST /import make one of a plan)"
+            in words
+        )
 
 
 @pytest.mark.parametrize(

@@ -203,6 +203,18 @@ def test_what_is_wrong_is_named(document: object, field: str) -> None:
     assert error.allowed
 
 
+@pytest.mark.parametrize(
+    ("document", "format"),
+    [
+        ({"type": "FeatureCollection", "features": []}, "geojson"),
+        ({"rooms": [{"floorPolygon": [], "width": 4, "depth": 3}]}, "procthor"),
+        ({"room_type": [], "boxes": [], "edges": [], "ed_rm": []}, "rplan"),
+    ],
+)
+def test_a_plan_of_another_program_is_told_to_be_one(document: object, format: str) -> None:
+    assert refused(document).problem == f"is a floor plan of the format {format}"
+
+
 def test_choices_are_listed() -> None:
     assert refused(scene(room(piece(wall="up")))).allowed == "north, south, east, west"
 

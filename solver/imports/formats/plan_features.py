@@ -53,11 +53,6 @@ TOLD: Final = {
 """What features say of themselves, by their geometry; anything else is of another program, but for a slip of the pen."""
 
 
-def is_features(document: object) -> bool:
-    """Tells whether a document is GeoJSON."""
-    return isinstance(document, Mapping) and document.get("type") == "FeatureCollection"
-
-
 def read_features(document: Mapping[str, Any]) -> DrawnPlan:
     """Reads a FeatureCollection.
 

@@ -32,14 +32,6 @@ DEEPEST: Final = 8
 Json = Mapping[str, Any]
 
 
-def is_procthor(document: object) -> bool:
-    """Tells whether a document is such a house."""
-    if not isinstance(document, Mapping) or not isinstance(document.get("rooms"), list):
-        return False
-    first = next((room for room in document["rooms"] if isinstance(room, Mapping)), {})
-    return "floorPolygon" in first
-
-
 def read_procthor(document: Json) -> DrawnPlan:
     """Reads a house.
 

@@ -25,11 +25,6 @@ DOOR: Final = 17
 Segment = tuple[Spot, Spot]
 
 
-def is_rplan(document: object) -> bool:
-    """Tells whether a document is such an apartment."""
-    return isinstance(document, Mapping) and {"room_type", "boxes", "edges", "ed_rm"} <= document.keys()
-
-
 def read_rplan(document: Mapping[str, Any]) -> DrawnPlan:
     """Reads an apartment.
 
