@@ -4,7 +4,7 @@ All pieces are placed with least movement; near the last answer while something 
 in the way are left out, the least important that help. Not here: which rooms are broken (fix), why something cannot stand (conflicts).
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 
 from solver.answers import Issue
@@ -68,7 +68,22 @@ def repair_room(problem: RoomProblem) -> RoomRepair:
         arrangement = _placed(trial, ())[1]
         gone = (*found.unplaced, *_labels_left_out(arrangement))
         found = replace(found, room=written_back(trial, arrangement.placed), unplaced=gone)
-    return found if found.whole or problem.settings.remove else until_nothing_changes(found)
+    if problem.settings.remove:
+        return _put_back(found)
+    return found if found.whole else until_nothing_changes(found)
+
+
+def _put_back(repair: RoomRepair) -> RoomRepair:
+    """Returns a repair with as few taken out: of several, the most important first, each for which there is a place with all that stay."""
+    for label in [piece.label for piece in repair.pieces if piece.label in repair.unplaced]:
+        gone = tuple(other for other in repair.unplaced if other != label)
+        if not gone or is_call_spent():
+            break
+        trial = replace(repair.problem, room=without(repair.asked, gone))
+        arrangement = least_moved(trial.space, pieces_as_sent(trial), Budget(trial.settings.work))
+        if is_repaired(trial, arrangement):
+            repair = replace(repair, room=written_back(trial, arrangement.placed), unplaced=gone)
+    return repair
 
 
 def unchanged(problem: RoomProblem) -> RoomRepair:
@@ -103,18 +118,28 @@ def unreached_in(repair: RoomRepair, errors: Sequence[Issue]) -> tuple[str, ...]
 
 
 def _misplaced(problem: RoomProblem) -> dict[str, str]:
-    """Says of bodies that are locked outside the room, or far from their wall, what is wrong with them."""
+    """Says of bodies that are locked outside the room, far from their wall, or out of reach by themselves, what is wrong with them."""
     locked = holders(problem.room, problem.settings)
     found: dict[str, list[str]] = {}
     for issue in problem.errors:
         if issue.rule in ("out_of_bounds", "wall_far") and set(issue.ids) <= locked.keys():
             found.setdefault(issue.ids[0], []).append(issue.message)
-    return {label: " and ".join(messages) for label, messages in found.items()}
+    shut = {label: [f"nobody can get to {label} where it stands"] for label in _out_of_reach(problem, locked.keys() - found.keys())}
+    return {label: " and ".join(messages) for label, messages in (found | shut).items()}
+
+
+def _out_of_reach(problem: RoomProblem, locked: Set[str]) -> list[str]:
+    """Returns the labels of those pieces that nobody could use, where they are locked, with nothing else in the room."""
+    if not locked or not _is_walked_in(problem):
+        return []
+    budget = Budget(problem.settings.work / WORK_SHARE)
+    used = [piece for piece in pieces_as_sent(problem) if piece.label in locked and piece.stands and not piece.candidates[0].attach]
+    return [piece.label for piece in used if not can_be_used(problem.space, [piece], budget)]
 
 
 def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[Piece], Arrangement]:
-    """Places a room's pieces; where those that are misplaced leave no way, as if they were not there."""
-    pieces = pieces_as_sent(problem)
+    """Places a room's pieces; nobody has to reach those that are misplaced; where these leave no way, as if they were not there."""
+    pieces = tuple(replace(piece, stands=()) if piece.label in misplaced else piece for piece in pieces_as_sent(problem))
     arrangement = least_moved_from_last(problem, pieces)
     if arrangement.left_out and misplaced:
         gone = [piece for piece in pieces if piece.label in misplaced or _stands_only_with(piece, misplaced)]

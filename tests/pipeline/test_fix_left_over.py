@@ -176,3 +176,34 @@ def test_what_is_left_beside_a_conflict_without_repairs_is_offered_none(locked: 
     sofa = body("sofa", 1.9, 0.3, (2.2, 1.7, 0.8))
     fixed = fix(room_of(pit, desk, sofa, openings=(FRONT,), width=3.4, depth=2.1))
     assert [(conflict.ids, conflict.repairs) for conflict in fixed.conflicts] == [((sofa.id, pit.id), ()), ((desk.id,), ())]
+
+
+@pytest.mark.parametrize("on_conflict", ["report", "remove"])
+def test_of_a_piece_locked_with_its_front_at_a_wall_others_do_not_pay_for(on_conflict: str) -> None:
+    """In front of the sink there are 0.52 m; the table shuts the door, so nobody can say yet what is out of reach."""
+    sink = replace(body("sink_1", 1.418, 0.824, (0.6, 0.6, 0.9), locked=True), rotation=180)
+    stove = replace(body("stove_1", 2.369, 2.013, (0.6, 0.6, 0.9), locked=True), rotation=270)
+    table = body("dining_table_1", 1.024, 3.845, (1.63, 1.1, 0.8))
+    door = Opening("door", "door", "south", 0.617, 1.0, connects_to="EXTERIOR", main_entrance=True)
+    loose = [body("dishwasher_1", 0.604, 3.144, (0.6, 0.6, 0.9)), body("dishwasher_2", 1.286, 1.334, (0.6, 0.6, 0.9))]
+    scene = room_of(sink, stove, table, *loose, width=2.777, depth=4.103, openings=(door,))
+    fixed = fix(scene, on_conflict=on_conflict)
+    (conflict,) = fixed.conflicts
+    assert conflict.ids == (sink.id,)
+    assert conflict.message == f"locked where it cannot stand: nobody can get to {sink.id} where it stands"
+    assert {repair["action"] for repair in conflict.repairs} == {"leave_out", "unlock"}
+    assert [gone["id"] for gone in fixed.removed] == ([sink.id] if on_conflict == "remove" else [])
+
+
+def test_what_is_taken_out_is_no_more_than_must() -> None:
+    """A hall 0.74 m wide between its walls: its bench is too long for it, and was all that the mirror and the table had no place for."""
+    bench = body("hall_bench_1", 0.53, 0.26, (0.9, 0.36, 0.46), wall="north")
+    table = replace(body("console_table_1", 0.25, 1.95, (1.2, 0.34, 0.8), wall="west"), rotation=90)
+    other = replace(body("console_table_2", 0.216, 8.058, (0.8, 0.28, 0.8), wall="west"), rotation=90)
+    mirror = replace(body("standing_mirror_1", 0.23, 2.85, (0.6, 0.3, 1.7), wall="west"), rotation=90)
+    places = [("south", 0.45), ("west", 0.9), ("east", 1.675), ("east", 5.1), ("east", 7.4)]
+    doors = [Opening(f"door_{k}", "door", wall, at, 0.9, connects_to=f"other_{k}") for k, (wall, at) in enumerate(places)]
+    scene = replace(room_of(bench, table, other, mirror, width=0.84, depth=11.4, openings=tuple(doors)), wall_thickness=0.1)
+    fixed = fix(scene, on_conflict="remove")
+    assert [gone["id"] for gone in fixed.removed] == [bench.id]
+    assert errors(fixed.scene) == []
