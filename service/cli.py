@@ -71,6 +71,17 @@ def _whole(least: int, most: int) -> Callable[[str], int]:
 _COUNT: Final = _whole(1, 10**9)
 
 
+def _task(*tasks: str) -> Callable[[str], str]:
+    """Returns what reads which task a command is to do: a folder comes behind it."""
+
+    def read(text: str) -> str:
+        if text in tasks:
+            return text
+        raise ArgumentTypeError(f"{text!r} is no task: {' or '.join(tasks)}, then a folder")
+
+    return read
+
+
 def seeds(text: str) -> tuple[int, int]:
     """Reads the first and the last seed of a range, such as 0-999."""
     first, dash, last = text.partition("-")
@@ -298,7 +309,8 @@ def _add_tellers(commands: Commands) -> None:
 def _add_assets(commands: Commands) -> None:
     words = "Check a folder of your own .glb files; writes its assets.yaml, what is not said measured or guessed, and marked so."
     command = _command(commands, "assets", words)
-    command.add_argument("task", choices=("check",), help="check: measure every file, refuse what cannot be used")
+    words = "check: measure every file, refuse what cannot be used"
+    command.add_argument("task", type=_task("check"), metavar="{check}", help=words)
     command.add_argument("folder", metavar="DIR", help="holds .glb files, and an assets.yaml if there is one already")
     command.add_argument("--surfaces", action="store_true", help="find where things may lie, too: reads all points of the files")
     command.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write assets.yaml (standard output)")
@@ -320,7 +332,8 @@ def _add_dataset(commands: Commands) -> None:
     words = "Make homes by the thousand in files that training reads; make one of them again; check that all is as it was made."
     command = _command(commands, "dataset", words)
     add = command.add_argument
-    add("task", nargs="?", choices=("make", "check"), help="make: one home of DIR again, by --seed; check: all of DIR (neither: make DIR)")
+    words = "make: one home of DIR again, by --seed; check: all of DIR (neither: a dataset is made in --out)"
+    add("task", nargs="?", type=_task("make", "check"), metavar="{make,check}", help=words)
     add("folder", nargs="?", metavar="DIR", help="of the task: a dataset")
     add("--out", metavar="DIR", help="where the dataset is made, or gone on with")
     add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")

@@ -16,7 +16,7 @@ from catalogs.assets.asset_entry import UNSAID, Asset, AssetEntry, Front
 from catalogs.assets.asset_folder import ASSET_FILE, entries_of
 from catalogs.assets.asset_measures import KindTable, fitting_units, kind_table, measured, turned_extents
 from catalogs.assets.glb_file import GlbFault, bounds_of, read_glb
-from catalogs.faults import ComposeError
+from catalogs.faults import CatalogError, ComposeError
 from catalogs.schema import Catalogs
 
 FRONTS: Final[tuple[Front, ...]] = ("+z", "+x")
@@ -53,8 +53,10 @@ def checked_folder(folder: Path, catalogs: Catalogs, levels: LevelFinder | None 
     `levels` finds the surfaces of an asset whose kinds have some, where nobody says them; without it they stay unsaid.
 
     Raises:
-        CatalogError: its `assets.yaml` cannot be read.
+        CatalogError: there is no such folder, or its `assets.yaml` cannot be read.
     """
+    if not folder.is_dir():
+        raise CatalogError(str(folder), "", 0, "is no folder", "a folder of .glb files")
     kinds = kind_table(catalogs.furniture, catalogs.decorations)
     said = entries_of(folder / ASSET_FILE) if (folder / ASSET_FILE).is_file() else {}
     known = {entry.file for entry in said.values()}

@@ -193,6 +193,14 @@ def test_a_bad_file_is_told_by_its_name(tmp_path: Path, capfdbinary: Captured, n
         assert words in refused(capfdbinary, command, str(tmp_path / name))
 
 
+def test_a_folder_where_a_task_belongs_and_one_that_is_not_there_are_told(tmp_path: Path, capfdbinary: Captured) -> None:
+    for command, tasks in (("assets", "check"), ("dataset", "make or check")):
+        with pytest.raises(SystemExit):
+            main([command, str(tmp_path)])
+        assert f"{str(tmp_path)!r} is no task: {tasks}, then a folder" in capfdbinary.readouterr().err.decode()
+    assert "none: is no folder (allowed: a folder of .glb files)" in refused(capfdbinary, "assets", "check", str(tmp_path / "none"))
+
+
 def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfdbinary: Captured) -> None:
     for name, words in (
         ("readme.md", "file: is in none of the formats that are read here; read as a scene: not YAML: "),
