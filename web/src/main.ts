@@ -281,7 +281,7 @@ class Page {
   #showDrawn(drawn: Scene, isToBeFurnished: boolean): void {
     void this.#asking.run(isToBeFurnished ? say("Furnishing the plan") : say("Looking at the plan"), async (signal) => {
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { ...(await report(drawn, [], signal)), scene: drawn, timing_ms: 0, guesses: [], entrance: null };
-      this.#drawing.close();
+      this.#drawing.finish();
       this.#home.show({ scene: made.scene, issues: made.issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
       this.#imported.show(null);
       this.#imported.guessed(made, drawn);

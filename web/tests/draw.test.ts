@@ -118,7 +118,7 @@ describe("a plan", () => {
     const put = (x: number, z: number, kind: "door" | "window" = "door") => withOpening(rooms, kind, { x, z }, 300)?.draft as Draft;
     const door = put(4700, 4000);
     expect(door.openings[0]).toMatchObject({ axis: "x", line: 4000, from: 4050, to: 4950, isMainEntrance: false });
-    const { rooms: made } = sceneOf(door, null);
+    const { rooms: made } = sceneOf(door);
     expect(made.map(({ id, openings }) => [id, openings.map(({ connects_to: to }) => to)])).toEqual([["room_1", ["room_4"]], ["room_2", []], ["room_3", []], ["room_4", ["room_1"]], ["room_5", []]]);
     expect(put(4050, 4000, "window").openings[0]).toMatchObject({ from: 4050, to: 4950 }); // narrower: there is no more wall
     expect(withOpening(rooms, "door", { x: 5250, z: 4000 }, 100)).toBeNull(); // these two share half a metre
@@ -168,7 +168,7 @@ describe("a scene", () => {
   ]);
 
   it("comes back from the plan as it was", () => {
-    const again = sceneOf(draftOf(home()), home());
+    const again = sceneOf(draftOf(home()));
     expect(again.rooms.map(({ id, x, z, width, depth }) => [id, x, z, width, depth])).toEqual([["den", 0, 0, 4, 3], ["hall", 4, 0, 2, 3]]);
     for (const [i, one] of again.rooms.entries()) {
       expect(one.openings).toEqual([{ ...home().rooms[i]?.openings[0], sill: 0 }]);
@@ -179,21 +179,21 @@ describe("a scene", () => {
   it("keeps furniture where it stands in the house when a wall moves, and takes it along when the room does", () => {
     const draft = draftOf(home());
     const wider = wallMoved(draft, "den", 3, -1000) as Draft;
-    expect(sceneOf(wider, home()).rooms[0]).toMatchObject({ x: -1, width: 5, furniture: [{ x: 3, z: 0.5 }] });
+    expect(sceneOf(wider).rooms[0]).toMatchObject({ x: -1, width: 5, furniture: [{ x: 3, z: 0.5 }] });
     expect(reshapedRooms(draft, wider)).toEqual(new Set(["den"]));
     const away = roomMoved(draft, "den", -1000, 500) as Draft;
-    expect(sceneOf(away, home()).rooms[0]).toMatchObject({ x: -1, z: 0.5, width: 4, furniture: [{ x: 2, z: 0.5 }] });
+    expect(sceneOf(away).rooms[0]).toMatchObject({ x: -1, z: 0.5, width: 4, furniture: [{ x: 2, z: 0.5 }] });
     expect(reshapedRooms(draft, away)).toEqual(new Set());
-    expect(atOrigin(sceneOf(away, home())).rooms.map(({ x, z }) => [x, z])).toEqual([[0, 0.5], [5, 0]]);
+    expect(atOrigin(sceneOf(away)).rooms.map(({ x, z }) => [x, z])).toEqual([[0, 0.5], [5, 0]]);
   });
 
   it("says walls of rooms that are no rectangles by their corners", () => {
     const shape = reshaped(three(), "room_3", box(5000, 4000, 7000, 5000), "cut") as Draft;
     const door = withOpening(shape, "door", { x: 6000, z: 4000 }, 100)?.draft as Draft;
-    const hall = sceneOf(door, null).rooms[2];
+    const hall = sceneOf(door).rooms[2];
     expect(hall?.outline).toEqual([[0, 0], [7, 0], [7, 1], [5, 1], [5, 2], [0, 2]]);
     expect(hall?.openings[0]).toMatchObject({ wall: null, edge: 2, position: 1, connects_to: "EXTERIOR", main_entrance: true });
-    expect(draftOf(sceneOf(door, null)).openings).toEqual(door.openings);
+    expect(draftOf(sceneOf(door)).openings).toEqual(door.openings);
   });
 
   it("leaves other storeys and walls at an angle as they are", () => {
@@ -202,7 +202,7 @@ describe("a scene", () => {
     const whole = scene([...home().rooms, slanted, above]);
     const draft = draftOf(whole);
     expect(draft.rooms.map(({ id }) => id)).toEqual(["den", "hall"]);
-    expect(sceneOf(draft, whole).rooms.slice(2)).toEqual([{ ...slanted, index: 2 }, { ...above, index: 3 }]);
+    expect(sceneOf(draft).rooms.slice(2)).toEqual([{ ...slanted, index: 2 }, { ...above, index: 3 }]);
   });
 });
 
@@ -231,6 +231,19 @@ describe("drawing", () => {
     plan.redo();
     plan.redo();
     expect([plan.draft, plan.canRedo]).toEqual([states[2], false]);
+  });
+
+  it("keeps what was drawn and never shown when another plan is begun", () => {
+    const [plan, drew, other] = [new DrawnPlan(EMPTY), three(), drawn([0, 0, 2000, 2000])];
+    plan.step(drew);
+    for (const begun of [EMPTY, EMPTY, other]) plan.open(begun);
+    expect(plan.draft).toBe(other);
+    plan.undo();
+    plan.undo();
+    expect(plan.draft).toBe(drew);
+    plan.finish();
+    plan.open(EMPTY);
+    expect([plan.draft, plan.canUndo, plan.canRedo]).toEqual([EMPTY, false, false]);
   });
 
   it("has no picture to scale before one is laid", () => {

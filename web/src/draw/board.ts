@@ -87,25 +87,30 @@ export class Board {
     });
     this.#plan.onChange = (what) => this.#changed(what);
     document.addEventListener("keydown", (event) => this.#key(event), { capture: true });
+    window.addEventListener("beforeunload", (event) => { if (this.isOpen && this.#plan.canUndo) event.preventDefault(); });
   }
 
   get isOpen(): boolean {
     return !this.host.hidden;
   }
 
-  /** Opens the board: on a home, or on an empty sheet; on what was drawn last, where nothing is given. */
-  open(scene: Scene | null | undefined): void {
+  /** Opens the board: on a home, or on an empty sheet. */
+  open(scene: Scene | null): void {
     this.host.hidden = false;
-    if (scene !== undefined) {
-      this.#reflow.base = scene;
-      this.#before = scene ? draftOf(scene) : EMPTY;
-      this.#plan.open(this.#before);
-    }
+    this.#before = scene ? draftOf(scene) : EMPTY;
+    this.#plan.open(this.#before);
     this.#learn().catch((reason: unknown) => this.words.failed(reason));
     this.#use(scene ? "choose" : "room");
+    if (this.#plan.canUndo) this.#say(say("Undo brings back what was drawn before."));
     this.#fit();
     this.#redraw();
     this.#sheet.svg.focus();
+  }
+
+  /** Closes the board on what is shown now. */
+  finish(): void {
+    this.#plan.finish();
+    this.close();
   }
 
   close(): void {
@@ -123,7 +128,7 @@ export class Board {
 
   /** The drawn home as a scene. */
   get scene(): Scene {
-    return sceneOf(this.#plan.settled, this.#reflow.base);
+    return sceneOf(this.#plan.settled);
   }
 
   #tools(): Tool[] {
@@ -187,7 +192,7 @@ export class Board {
     this.#toolbar.enable("undo", this.#plan.canUndo);
     this.#toolbar.enable("redo", this.#plan.canRedo);
     for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
-    this.#inspector.show([this.#beneath()], clearAreas(this.#plan.draft, this.#reflow.base));
+    this.#inspector.show([this.#beneath()], clearAreas(this.#plan.draft));
     const head = this.#issues.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: this.#issues.length });
     this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(tellSentence(issue.message, this.scene), () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
     this.#draw();
@@ -198,7 +203,7 @@ export class Board {
     const wrong = new Set(this.#issues.filter(({ severity }) => severity === "error").map(({ room }) => room ?? ""));
     this.#sheet.draw(this.#plan.draft, {
       ...this.#plan.chosen, ghost: this.#ghost, wrong, measured: this.#picture.measured, picture: this.#picture.picture, furnished: this.#furnished,
-      names: ({ id }) => inWords(names.get(id) ?? id), areas: clearAreas(this.#plan.draft, this.#reflow.base), colors: (room) => this.#color(room),
+      names: ({ id }) => inWords(names.get(id) ?? id), areas: clearAreas(this.#plan.draft), colors: (room) => this.#color(room),
     });
   }
 

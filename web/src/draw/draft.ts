@@ -1,5 +1,5 @@
 /** A plan that is being drawn: rooms of corners, openings on wall lines. Every change makes a new one. */
-import type { OpeningKind, Room } from "../contract";
+import type { OpeningKind, Room, Scene } from "../contract";
 import { areOverlapping, boxOf, combined, isSound, shifted, wallsOf, withWallAt, type Axis, type Box, type Corners, type Point, type Wall } from "./corners";
 
 export interface DraftRoom {
@@ -33,9 +33,11 @@ export interface DraftOpening {
 export interface Draft {
   readonly rooms: readonly DraftRoom[];
   readonly openings: readonly DraftOpening[];
+  /** The scene that it was taken from. */
+  readonly base: Scene | null;
 }
 
-export const EMPTY: Draft = { rooms: [], openings: [] };
+export const EMPTY: Draft = { rooms: [], openings: [], base: null };
 
 /** The least side of a room, and how near to a corner an opening may come [mm]. */
 const LEAST_SIDE = 500;
@@ -194,7 +196,7 @@ export function roomMoved(draft: Draft, id: string, dx: number, dz: number): Dra
     const [off, by] = opening.axis === "x" ? [dz, dx] : [dx, dz];
     return { ...opening, line: opening.line + off, from: opening.from + by, to: opening.to + by };
   });
-  return tenable({ rooms, openings });
+  return tenable({ ...draft, rooms, openings });
 }
 
 /** All walls of other rooms that make one wall with this: on its line, each touching the next over some length. */
@@ -225,7 +227,7 @@ export function wallMoved(draft: Draft, id: string, index: number, line: number,
     rooms = rooms.map((one) => (one.id === room.id ? { ...one, corners } : one));
   }
   const goesAlong = (opening: DraftOpening): boolean => isOnSameLine(opening, wall) && run.some((part) => part.from <= opening.from && opening.to <= part.to);
-  return tenable({ rooms, openings: draft.openings.map((opening) => (goesAlong(opening) ? { ...opening, line } : opening)) });
+  return tenable({ ...draft, rooms, openings: draft.openings.map((opening) => (goesAlong(opening) ? { ...opening, line } : opening)) });
 }
 
 /** The place of a width in a face, of less where it is shorter, that is nearest to a beginning. */

@@ -36,8 +36,9 @@ export class Drawing {
     void this.#load().then((board) => board.lay(file), () => undefined); // that it cannot be loaded is said already
   }
 
-  close(): void {
-    this.#board?.close();
+  /** Closes the board on what is shown now. */
+  finish(): void {
+    this.#board?.finish();
   }
 
   async #load(): Promise<Board> {

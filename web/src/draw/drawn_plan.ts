@@ -56,10 +56,16 @@ export class DrawnPlan {
     this.onChange("moment");
   }
 
-  /** Begins anew with a plan. */
+  /** Begins anew with a plan; where something was drawn that nobody was shown, undo leads back to it. */
   open(draft: Draft): void {
-    [this.#past, this.#future] = [[], []];
+    if (this.canUndo) return this.step(draft);
+    this.#future = [];
     this.#goTo(draft);
+  }
+
+  /** Forgets the steps: what was drawn is shown as a home, which keeps its own. */
+  finish(): void {
+    [this.#past, this.#future] = [[], []];
   }
 
   /** Makes a step; what was shown last, where no plan is given. */

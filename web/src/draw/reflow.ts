@@ -37,21 +37,19 @@ export function reshapedRooms(before: Draft, after: Draft): ReadonlySet<string> 
 }
 
 /** The plan's rooms alone, each with its doors as ways out: what is judged the quickest. */
-function roomsAlone({ draft, rooms }: Question, base: Scene | null): Scene {
-  const whole = sceneOf(draft, base);
+function roomsAlone({ draft, rooms }: Question): Scene {
+  const whole = sceneOf(draft);
   const kept = whole.rooms.filter((room) => rooms.has(room.id));
   const openings = (room: Room): Room["openings"] => room.openings.map((one) => (one.kind === "window" || rooms.has(one.connects_to ?? "") ? one : { ...one, connects_to: "EXTERIOR" }));
   return { ...whole, rooms: kept.map((room) => ({ ...room, openings: openings(room) })), dynamic: whole.dynamic.filter((body) => rooms.has(body.room)) };
 }
 
 export class Reflow {
-  /** The scene that the plan was taken from. */
-  base: Scene | null = null;
   readonly #live: Live<Question, FixAnswer>;
 
   constructor(readonly calls: ReflowCalls, readonly words: ReflowWords) {
     this.#live = new Live({
-      ask: (question, signal) => calls.fix({ scene: roomsAlone(question, this.base), on_conflict: "remove" }, signal),
+      ask: (question, signal) => calls.fix({ scene: roomsAlone(question), on_conflict: "remove" }, signal),
       answered: ({ scene }) => words.seen(new Map(scene.rooms.map((room) => [room.id, room]))),
       failed: () => words.seen(new Map()),
     });
@@ -69,7 +67,7 @@ export class Reflow {
     const rooms = reshapedRooms(before, draft);
     if (rooms.size === 0) return;
     try {
-      const fixed = await this.calls.fix({ scene: sceneOf(draft, this.base), on_conflict: "remove" }, NEVER);
+      const fixed = await this.calls.fix({ scene: sceneOf(draft), on_conflict: "remove" }, NEVER);
       const { scene } = await this.calls.furnish(fixed.scene, [...rooms], NEVER);
       this.words.settled(draft, this.#with(draft, scene, rooms));
     } catch (reason) {

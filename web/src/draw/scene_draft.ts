@@ -60,7 +60,7 @@ export function draftOf(scene: Scene): Draft {
     return corners ? [{ room, corners }] : [];
   });
   const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: nameOf(room), corners, from: room }));
-  const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening) };
+  const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening), base: scene };
   return { ...draft, openings: draft.openings.filter((opening) => wallsAt(draft, opening).length > 0) };
 }
 
@@ -118,7 +118,8 @@ function sizeOf(rooms: readonly Room[], height: number): Scene["size"] {
 }
 
 /** A drawn plan as a scene, where it lies on the sheet; rooms of `base` that could not be drawn on are as they were. */
-export function sceneOf(draft: Draft, base: Scene | null): Scene {
+export function sceneOf(draft: Draft): Scene {
+  const { base } = draft;
   const before = base ? new Set(draftOf(base).rooms.map(({ id }) => id)) : new Set<string>();
   const others = base?.rooms.filter((room) => !before.has(room.id)) ?? [];
   const rooms = [...draft.rooms.map((room) => roomOf(draft, room)), ...others].map((room, index) => ({ ...room, index }));
@@ -138,9 +139,9 @@ function withRoomMoved<Person extends Scene["dynamic"][number]>(body: Person, dr
 
 
 /** The clear floor of each room of a drawn plan [m²], by its id. */
-export function clearAreas(draft: Draft, base: Scene | null): ReadonlyMap<string, number> {
+export function clearAreas(draft: Draft): ReadonlyMap<string, number> {
   const bare = draft.rooms.map((room) => ({ ...room, from: room.from && { ...room.from, furniture: [], decorations: [] } }));
-  const { rooms, wall_thickness: thickness } = drawable(sceneOf({ ...draft, rooms: bare }, base));
+  const { rooms, wall_thickness: thickness } = drawable(sceneOf({ ...draft, rooms: bare }));
   const runs = runsOf(rooms, thickness);
   return new Map(rooms.map((room) => [room.id, clearFloorOf(room, runs, thickness).area]));
 }
