@@ -347,6 +347,9 @@ def test_the_board_is_accessible_and_gives_the_focus_back(board: DrawingBoard) -
     expect(board.page.get_by_text("Undo brings back what was drawn before.")).to_be_visible()
     board.page.keyboard.press("Control+z")
     assert board.rooms() == drawn
+    board.visit.after(board.page.locator("#random").click)
+    expect(board.page.locator(".sheet")).to_be_hidden()
+    expect(board.page.locator("#random")).to_be_focused()
 
 
 def test_what_is_under_way_and_what_fails_is_said_over_the_board(visit: Visit) -> None:

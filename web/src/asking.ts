@@ -7,6 +7,8 @@ import { Notice } from "./panel/notice";
 export type Beside = (what: string, act: () => Promise<void>) => Promise<void>;
 
 export class Asking {
+  /** Called before a question about the home that is shown, or about another one. */
+  onBegin: () => void = () => undefined;
   /** Called with what went wrong, null once a question went well. */
   onEnd: (reason: unknown) => void = () => undefined;
   readonly notice: Notice;
@@ -19,8 +21,9 @@ export class Asking {
     this.notice = new Notice(host, useKey);
   }
 
-  /** Asks one question at a time: a newer one withdraws an older one. What is shown of the answer hides the notice. */
-  async run(what: string, ask: (signal: AbortSignal) => Promise<void>): Promise<void> {
+  /** Asks one question at a time: a newer one withdraws an older one. What is shown of the answer hides the notice. One `ofDrawn` is of a plan that is being drawn. */
+  async run(what: string, ask: (signal: AbortSignal) => Promise<void>, ofDrawn = false): Promise<void> {
+    if (!ofDrawn) this.onBegin();
     this.#pending.abort();
     this.#end();
     const { signal } = (this.#pending = new AbortController());
@@ -30,7 +33,7 @@ export class Asking {
       if (!signal.aborted) this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason)) return;
-      this.notice.show(reason, () => void this.run(what, ask));
+      this.notice.show(reason, () => void this.run(what, ask, ofDrawn));
       this.onEnd(reason);
     } finally {
       end();

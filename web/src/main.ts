@@ -126,6 +126,7 @@ class Page {
     new Menu(element("tools"), element("said"));
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], (reason) => this.#asking.notice.show(reason));
+    this.#asking.onBegin = () => this.#drawing.close();
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
     for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#remaking.furnish());
@@ -286,7 +287,7 @@ class Page {
       this.#imported.show(null);
       this.#imported.guessed(made, drawn);
       await this.#reads;
-    });
+    }, true);
   }
 
   /** Shows where the home comes from: in the address, the form, the title, and what a link can hold. */

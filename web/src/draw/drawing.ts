@@ -36,6 +36,11 @@ export class Drawing {
     void this.#load().then((board) => board.lay(file), () => undefined); // that it cannot be loaded is said already
   }
 
+  /** Closes the board, where it is open, before another home. */
+  close(): void {
+    if (this.#board?.isOpen) this.#board.close();
+  }
+
   /** Closes the board on what is shown now. */
   finish(): void {
     this.#board?.finish();
@@ -56,6 +61,7 @@ export class Drawing {
   #uncover(): void {
     for (const element of this.covered) element.inert = false;
     this.told.forEach((one, at) => this.#places[at]?.append(one));
-    if (this.#before instanceof HTMLElement) this.#before.focus();
+    const isLeft = this.host.contains(document.activeElement) || document.activeElement === document.body;
+    if (isLeft && this.#before instanceof HTMLElement) this.#before.focus();
   }
 }
