@@ -8,7 +8,7 @@ import { PiecePanel } from "../src/edit/piece_panel";
 import { isSizable, sizeRange, variantsOf } from "../src/edit/size_range";
 import { snapped } from "../src/edit/snap";
 import { Tape } from "../src/edit/tape";
-import { whyLines } from "../src/edit/why_lines";
+import { awayWords, whyLines } from "../src/edit/why_lines";
 import { drawing } from "./random_requests";
 import { piece, room } from "./rooms";
 
@@ -141,5 +141,7 @@ describe("what holds a piece", () => {
     expect([(strong?.from[0] ?? 0) - 5.5, (weak?.from[0] ?? 0) - 5.5]).toEqual([expect.closeTo(0.7, 9), expect.closeTo(0.35, 9)]);
     expect([wish?.from[0], wish?.to[0]]).toEqual([5, expect.closeTo(5.4, 9)]);
     expect(whyLines({ holds: [], wished: [2.01, 1.5], stands: [2, 1.5] }, den, own, 0)).toEqual([]);
+    const odd = { wished: [2.355, 1.5], stands: [2, 1.5] } as const; // a little less than 0.355 in binary, a little more in hundreds
+    expect(whyLines({ holds: [], ...odd }, den, own, 0).map(({ words }) => words)).toEqual([`wished ${awayWords(odd)} from here`]);
   });
 });

@@ -12,8 +12,8 @@ const SHORTEST = 0.3;
 const LONGEST = 1.1;
 /** Arrows on one side lie so far apart [m]. */
 const APART = 0.22;
-/** A wish nearer than this is where it stands [m]. */
-const THERE = 0.02;
+/** A wish nearer than this is where it stands [mm]. */
+const THERE = 20;
 
 function holderWords({ by, what, towards }: Hold): string {
   if (what === "piece" || what === "use_side" || what === "relation") {
@@ -23,6 +23,12 @@ function holderWords({ by, what, towards }: Hold): string {
   if (what === "floor") return by === null ? say("floor kept free") : say("floor kept free at {piece}", { piece: pieceWords(by) });
   if (what === "wall") return say("wall in the {side}", { side: sayAny(towards) });
   return say(({ door: "the door's floor", window: "the window's floor", outline: "the outline", way: "a way" } as const)[what]);
+}
+
+/** How far from where it stands a piece was wished, in words; "": it stands there. */
+export function awayWords({ wished, stands }: Pick<Explained, "wished" | "stands">): string {
+  const away = wished ? Math.round(100 * Math.hypot(wished[0] - stands[0], wished[1] - stands[1])) * 10 : 0;
+  return away < THERE ? "" : lengthWords(away);
 }
 
 /** The arrows, each pressing on the side towards which it keeps the piece from going; and a line to where it was wished. */
@@ -41,7 +47,7 @@ export function whyLines({ holds, wished, stands }: Pick<Explained, "holds" | "w
       return { look: "hold", from: spot(axis, isLow ? edge - length : edge + length, beside), to: spot(axis, edge, beside), words: `${holderWords(hold)} · ${sayNumber(hold.cost_per_m, 2)}/m`, at: 0 };
     });
   });
-  const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
-  if (!wished || away < THERE) return arrows;
-  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: say("wished {length} from here", { length: lengthWords(Math.round(away * 100) * 10) }), at: 1 }];
+  const length = awayWords({ wished, stands });
+  if (!wished || !length) return arrows;
+  return [...arrows, { look: "wish", from: spot("x", stands[0], stands[1]), to: spot("x", wished[0], wished[1]), words: say("wished {length} from here", { length }), at: 1 }];
 }

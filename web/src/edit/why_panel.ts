@@ -1,7 +1,8 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { isAbort } from "../service";
-import { capital, say, sayNumber } from "../words/language";
+import { awayWords } from "./why_lines";
+import { capital, say } from "../words/language";
 import { tell, theWords } from "../words/telling";
 
 const COST = say("The numbers are the room's cost: by how much it falls short of all that is wished for in it. Less is better.");
@@ -101,9 +102,9 @@ export class WhyPanel {
 }
 
 /** How far it stands from where it was wished. */
-function wishOf({ wished, stands }: Explained): string[] {
-  const away = wished ? Math.hypot(wished[0] - stands[0], wished[1] - stands[1]) : 0;
-  return away >= 0.02 ? [say("it was wished {length} m from here", { length: sayNumber(away, 2) })] : [];
+function wishOf(answer: Explained): string[] {
+  const length = awayWords(answer);
+  return length ? [say("it was wished {length} from here", { length })] : [];
 }
 
 function button(words: string, act: () => void): HTMLButtonElement {
