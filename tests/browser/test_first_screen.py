@@ -14,6 +14,8 @@ from tests.browser.test_accessible import violations
 from tests.browser.visit import Visit
 
 GROUND = "() => getComputedStyle(document.documentElement).backgroundColor"
+SCROLLBAR = 16
+"""What one that is hidden here takes from the controls elsewhere [CSS pixels]."""
 PLAIN = "?width=7&depth=5&seed=4"
 DENIED = """for (const name of ['localStorage', 'sessionStorage', 'indexedDB']) {
     Object.defineProperty(window, name, {get() { throw new DOMException('denied', 'SecurityError'); }});
@@ -24,6 +26,13 @@ PLACES = """() => [...document.querySelectorAll('.controls, .controls details:no
     return [one.id, x, y, width, one.matches('details') && !one.open ? height : null];
 })"""
 """Where the panels and the groups in them are; of groups that are open not how high."""
+SPARE = """one => {
+    const style = getComputedStyle(one);
+    const pen = document.createElement('canvas').getContext('2d');
+    pen.font = `${style.fontSize} ${style.fontFamily}`;
+    return one.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - pen.measureText(one.placeholder).width;
+}"""
+"""How much wider a field is than what is written in it to begin with [CSS pixels]."""
 
 
 @pytest.fixture
@@ -73,6 +82,7 @@ def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:
     assert any(room["decorations"] for room in scene["rooms"])
     assert folded(page) == [False, True]
     expect(page.locator("#width")).to_be_hidden()
+    assert page.locator("#asked").evaluate(SPARE) > SCROLLBAR
     assert all(page.locator("#starts img").evaluate_all("all => all.map(one => one.naturalWidth > 100)"))
     schemes: tuple[Literal["light", "dark"], ...] = ("light", "dark")
     for colours in schemes:
