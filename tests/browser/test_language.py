@@ -128,5 +128,7 @@ def test_all_german_tools_are_one_row_of_a_small_laptop(german: Visit) -> None:
 def in_one_row(page: Page, row: str, count: int) -> None:
     tools = page.locator(f"{row} button").filter(visible=True)
     expect(tools).to_have_count(count)
+    titles = " ".join(tools.evaluate_all("all => all.map(one => one.title)"))
+    assert "Strg+Z" in titles and not re.search("Control|Shift|Delete", titles), titles
     boxes = [tool.bounding_box() for tool in tools.all()]
     assert len({round(box["y"] + box["height"] / 2) for box in boxes if box}) == 1

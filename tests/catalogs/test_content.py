@@ -142,4 +142,5 @@ def test_every_name_is_said_in_german_too() -> None:
     table = json.loads((Path(catalogs.__file__).parents[1] / "web" / "src" / "words" / "names.de.json").read_text("utf-8"))
     shown = {kind.name or name for name, kind in KNOWN.furniture.items()} | set(KNOWN.decorations)
     walls = {finish.type for style in KNOWN.styles.values() for finishes in style.walls.values() for finish in finishes}
-    assert (shown | walls | set(KNOWN.rooms) | {kind.category for kind in KNOWN.furniture.values()}) - set(table) == set()
+    wanted = {piece.piece for room in KNOWN.rooms.values() for piece in room.pieces}
+    assert (shown | wanted | walls | set(KNOWN.rooms) | {kind.category for kind in KNOWN.furniture.values()}) - set(table) == set()

@@ -1,6 +1,7 @@
 /** The row of buttons over the canvas: what can be done to the piece in hand, and to the home. */
-
+import { keyWords } from "../panel/key_list";
 import { say, type Words } from "../words/language";
+
 export interface Tool {
   readonly name: string;
   readonly words: Words;
@@ -26,7 +27,7 @@ export class Toolbar {
     button.type = "button";
     button.dataset.tool = tool.name;
     const words = say(tool.words);
-    button.title = tool.keys ? `${words} (${tool.keys.split(" ")[0] ?? ""})` : words;
+    button.title = tool.keys ? `${words} (${keyWords(tool.keys.split(" ")[0] ?? "")})` : words;
     button.setAttribute("aria-label", words);
     if (tool.keys) button.setAttribute("aria-keyshortcuts", tool.keys);
     const sign = document.createElement("span");

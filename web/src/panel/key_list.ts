@@ -1,12 +1,12 @@
 /** What keys do, as the dialog of keys tells it: a heading, then keys and what they do. */
 import { say, type Words } from "../words/language";
 
-/** The keys that keyboards of other languages call otherwise. */
-const CALLED: readonly Words[] = ["Ctrl", "Shift", "Del"];
+/** The keys that keyboards of other languages call otherwise, also as `aria-keyshortcuts` has them. */
+const CALLED: Readonly<Record<string, Words>> = { Ctrl: "Ctrl", Control: "Ctrl", Shift: "Shift", Del: "Del", Delete: "Del" };
 
 /** What the reader's keyboard calls keys, such as Ctrl+Z. */
 export function keyWords(keys: string): string {
-  return keys.split("+").map((key) => (CALLED.some((one) => one === key) ? say(key as Words) : key)).join("+");
+  return keys.split("+").map((key) => (CALLED[key] ? say(CALLED[key]) : key)).join("+");
 }
 
 export const KEY_LIST: readonly (readonly [Words, readonly (readonly [keys: string, does: Words])[]])[] = [
