@@ -30,9 +30,10 @@ SPARE = """one => {
     const style = getComputedStyle(one);
     const pen = document.createElement('canvas').getContext('2d');
     pen.font = `${style.fontSize} ${style.fontFamily}`;
-    return one.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - pen.measureText(one.placeholder).width;
+    const longest = Math.max(...[one, ...document.querySelectorAll('#saved input')].map(field => pen.measureText(field.placeholder).width));
+    return one.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight) - longest;
 }"""
-"""How much wider a field is than what is written in it to begin with [CSS pixels]."""
+"""How much wider a field is than what is written to begin with in it, or in those as wide of saved homes [CSS pixels]."""
 
 
 @pytest.fixture

@@ -28,7 +28,7 @@ def panel(visit: Visit) -> Any:
 
 def save(panel: Any, name: str, tags: str = "") -> None:
     panel.get_by_label("Name to save as").fill(name)
-    panel.get_by_label("Tags, with commas between").fill(tags)
+    panel.get_by_label("Tags, with commas").fill(tags)
     panel.get_by_role("button", name="Save this home").click()
     expect(panel.get_by_role("status")).to_have_text(f"Saved “{name}”.")
 

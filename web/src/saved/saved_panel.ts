@@ -44,7 +44,7 @@ export class SavedPanel {
   /** Called with why homes are not listed. */
   onFailure: (reason: unknown) => void = () => undefined;
   readonly #name = field(say("Name to save as"));
-  readonly #tags = field(say("Tags, with commas between"));
+  readonly #tags = field(say("Tags, with commas"));
   readonly #search = field(say("Search saved homes"));
   readonly #update = button(say("Save changes"), () => this.#try(say("Saving the home"), () => this.#saveChanges()));
   readonly #said = Object.assign(document.createElement("p"), { className: "hint", role: "status" });
