@@ -337,6 +337,8 @@ def test_the_board_is_accessible_and_gives_the_focus_back(board: DrawingBoard) -
     found["a window"] = violations(board.visit)
     board.page.set_viewport_size({"width": 390, "height": 800})
     found["on a phone"] = violations(board.visit)
+    board.page.keyboard.press("n")
+    expect(board.page.locator(".floor").nth(2)).to_be_in_viewport(ratio=0.99)
     assert {state: wrong for state, wrong in found.items() if wrong} == {}
     drawn = board.rooms()
     board.tool("close")

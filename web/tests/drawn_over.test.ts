@@ -3,6 +3,8 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { cornersOfBox } from "../src/draw/corners";
 import { EMPTY, withRoom, type Draft } from "../src/draw/draft";
+import { DrawnPlan } from "../src/draw/drawn_plan";
+import { Pencil } from "../src/draw/pencil";
 import { Sheet, type Marks, type Picture } from "../src/draw/sheet";
 import { Files } from "../src/panel/files";
 
@@ -76,4 +78,42 @@ it("shows all of a picture that lies on an empty sheet", () => {
   sheet.draw(EMPTY, { ...MARKS, picture: PICTURE });
   sheet.fit(EMPTY, PICTURE);
   expect(holds(seen(), 12_000, 36_000)).toBe(true);
+});
+
+it("comes nearer and moves under two fingers, and forgets what the first one began", () => {
+  const { sheet } = laid();
+  sheet.svg.setPointerCapture = () => undefined;
+  const plan = new DrawnPlan(EMPTY);
+  plan.step(drawn(36_000, 24_000));
+  sheet.draw(plan.draft, MARKS);
+  sheet.fit(plan.draft, null);
+  let measured: readonly unknown[] = [];
+  const pencil = new Pencil(sheet, plan, { ghost: () => undefined, measured: (points) => { measured = points; }, said: () => undefined });
+  const touch = (what: "down" | "move" | "up", pointerId: number, clientX: number, clientY: number): void => {
+    sheet.svg.dispatchEvent(new PointerEvent(`pointer${what}`, { pointerId, clientX, clientY, button: 0, bubbles: true, cancelable: true }));
+  };
+  const before = plan.settled;
+  const north = sheet.seen({ x: 18_000, z: 0 });
+  for (const tool of ["room", "door", "measure", "choose"] as const) {
+    pencil.tool = tool;
+    const [held, perPixel] = [sheet.at({ clientX: 400, clientY: 300 }), sheet.perPixel];
+    touch("down", 1, 350, tool === "door" ? sheet.seen({ x: 18_000, z: 0 }).y : 300);
+    touch("move", 1, 350, 300);
+    touch("down", 2, 450, 300);
+    touch("move", 1, 300, 320);
+    touch("move", 2, 500, 320);
+    expect(sheet.perPixel / perPixel).toBeCloseTo(0.5, 6);
+    expect(sheet.at({ clientX: 400, clientY: 320 })).toEqual({ x: expect.closeTo(held.x, 6), z: expect.closeTo(held.z, 6) });
+    touch("up", 1, 300, 320);
+    touch("move", 2, 700, 500);
+    touch("up", 2, 700, 500);
+    expect([plan.settled, measured, sheet.perPixel / perPixel]).toEqual([before, [], expect.closeTo(0.5, 6)]);
+    sheet.fit(plan.draft, null);
+  }
+  expect(sheet.seen({ x: 18_000, z: 0 })).toEqual(north);
+  touch("down", 1, 400, 300);
+  touch("down", 1, 400, 300); // of one finger that was lifted unseen: it is no second one
+  touch("move", 1, 420, 300);
+  touch("up", 1, 420, 300);
+  expect(sheet.seen({ x: 18_000, z: 0 })).toEqual({ x: expect.closeTo(north.x + 20, 6), y: expect.closeTo(north.y, 6) });
 });

@@ -261,7 +261,8 @@ export class Board {
     const count = draft.rooms.length;
     if (beside) this.#pencil.draw(at(boxOf(beside.corners).x1, boxOf(beside.corners).z0), "room");
     if (this.#plan.draft.rooms.length === count) this.#pencil.draw(at(all.x, Number.isFinite(all.z) ? all.z : 0), "room");
-    if (count === 0) this.#fit();
+    const made = this.#plan.draft.rooms[count];
+    if (made && (count === 0 || !this.#sheet.holds(made.corners))) this.#fit();
   }
 
   #key(event: KeyboardEvent): void {

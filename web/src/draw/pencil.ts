@@ -27,18 +27,34 @@ export interface PencilWords {
 interface Stroke {
   move(event: PointerEvent): void;
   end(): void;
+  /** Takes back what was done as the pointer went down. */
+  undo?(): void;
+}
+
+/** Half way between two fingers, and how far apart they are [pixels]. */
+function grip([a, b]: readonly PointerEvent[]): { readonly clientX: number; readonly clientY: number; readonly apart: number } {
+  const [one, other] = [a, b ?? a] as [PointerEvent, PointerEvent];
+  return {
+    clientX: (one.clientX + other.clientX) / 2, clientY: (one.clientY + other.clientY) / 2,
+    apart: Math.max(1, Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY)),
+  };
 }
 
 export class Pencil {
   tool: ToolName = "choose";
   #stroke: Stroke | null = null;
   #measured: readonly Point[] = [];
+  /** What is down on the sheet, by its id. */
+  readonly #fingers = new Map<number, PointerEvent>();
 
   constructor(readonly sheet: Sheet, readonly plan: DrawnPlan, readonly words: PencilWords) {
     const { svg } = sheet;
     svg.addEventListener("pointerdown", (event) => this.#down(event));
-    svg.addEventListener("pointermove", (event) => this.#stroke?.move(event));
-    svg.addEventListener("pointerup", () => this.#up());
+    svg.addEventListener("pointermove", (event) => {
+      this.#stroke?.move(event);
+      if (this.#fingers.has(event.pointerId)) this.#fingers.set(event.pointerId, event);
+    });
+    svg.addEventListener("pointerup", (event) => this.#up(event));
     svg.addEventListener("pointercancel", () => this.cancel());
     svg.addEventListener("wheel", (event) => {
       event.preventDefault();
@@ -51,6 +67,7 @@ export class Pencil {
   }
 
   cancel(): void {
+    this.#fingers.clear();
     this.#stroke = null;
     this.words.ghost(null);
     this.#measured = [];
@@ -58,17 +75,23 @@ export class Pencil {
     this.plan.cancel();
   }
 
-  #up(): void {
+  #up(event: PointerEvent): void {
+    this.#fingers.delete(event.pointerId);
     const stroke = this.#stroke;
     this.#stroke = null;
     stroke?.end();
   }
 
   #down(event: PointerEvent): void {
-    if (this.#stroke) return;
+    this.#fingers.set(event.pointerId, event);
+    if (this.#stroke && this.#fingers.size !== 2) return;
     event.preventDefault();
     this.sheet.svg.focus();
     this.sheet.svg.setPointerCapture(event.pointerId);
+    if (this.#fingers.size === 2) {
+      this.#stroke = this.#pinch();
+      return;
+    }
     this.#stroke = event.button === 0 ? this.#begin(event) : event.button === 1 ? this.#pull(event) : null;
   }
 
@@ -86,6 +109,24 @@ export class Pencil {
   #pull(event: PointerEvent): Stroke {
     const held = this.sheet.at(event);
     return { move: (next) => this.sheet.pull(held, next), end: () => undefined };
+  }
+
+  /** Two fingers move the sheet and come nearer; what the first one had begun is forgotten. */
+  #pinch(): Stroke {
+    this.#stroke?.undo?.();
+    this.words.ghost(null);
+    this.plan.cancel();
+    return {
+      move: (next) => {
+        const before = grip([...this.#fingers.values()]);
+        const held = this.sheet.at(before);
+        this.#fingers.set(next.pointerId, next);
+        const after = grip([...this.#fingers.values()]);
+        this.sheet.pull(held, after);
+        this.sheet.zoom(after.apart / before.apart, after);
+      },
+      end: () => undefined,
+    };
   }
 
   #grasp(event: PointerEvent): Stroke {
@@ -168,6 +209,7 @@ export class Pencil {
         if (moment) this.plan.show(moment);
       },
       end: () => this.plan.amend(this.plan.draft),
+      undo: () => this.plan.undo(),
     };
   }
 
@@ -206,10 +248,11 @@ export class Pencil {
     else this.words.said(room === null ? say("Choose a room first.") : say("That would leave no single floor, or meet another room."));
   }
 
-  #measure(event: PointerEvent): Stroke | null {
-    this.#measured = [...(this.#measured.length === 2 ? [] : this.#measured), this.sheet.at(event)];
-    this.words.measured(this.#measured);
-    return null;
+  #measure(event: PointerEvent): Stroke {
+    const before = this.#measured;
+    const show = (points: readonly Point[]): void => this.words.measured((this.#measured = points));
+    show([...(before.length === 2 ? [] : before), this.sheet.at(event)]);
+    return { move: () => undefined, end: () => undefined, undo: () => show(before) };
   }
 }
 

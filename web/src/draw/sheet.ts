@@ -121,6 +121,12 @@ export class Sheet {
     this.pull(held, to);
   }
 
+  /** Whether all of an outline is in view. */
+  holds(corners: Corners): boolean {
+    const { left, top, width, height } = this.svg.getBoundingClientRect();
+    return corners.map((corner) => this.seen(corner)).every(({ x, y }) => left <= x && x <= left + width && top <= y && y <= top + height);
+  }
+
   #resized(): void {
     if (this.#isFitted && this.#shown && this.svg.clientWidth > 0) this.fit(this.#shown.draft, this.#shown.marks.picture);
   }
