@@ -307,15 +307,21 @@ def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
 
 
 def _clear_for(name: str, room: RoomType, profile: AccessProfile) -> RoomType:
-    """Returns a room type in which nothing must stand on the floor that a profile asks for before another piece."""
-    pieces = tuple(p.model_copy(update={"required": False}) if _is_before(p, name, profile) else p for p in room.pieces)
-    return room.model_copy(update={"pieces": pieces})
+    """Returns a room type in which nothing stands on the floor that a profile asks for before another piece: what would, farther off."""
+    return room.model_copy(update={"pieces": tuple(_farther_off(piece, name, profile) for piece in room.pieces)})
 
 
-def _is_before(piece: PieceSpec, room: str, profile: AccessProfile) -> bool:
-    """Tells whether a piece stands nearer before another one than a profile allows in rooms of a type."""
-    before = (rule for rule in piece.rules if rule.required and rule.type == "in_front_of" and rule.gap)
-    return any(rule.gap and rule.gap[0] < profile.deep(of, room) for rule in before for of in rule.of)
+def _farther_off(piece: PieceSpec, room: str, profile: AccessProfile) -> PieceSpec:
+    """Returns a piece so far before others as a profile asks for in rooms of a type; no longer required where it gives way."""
+    rules = tuple(_before(rule, max((profile.deep(of, room) for of in rule.of), default=0.0)) for rule in piece.rules)
+    return piece if rules == piece.rules else piece.model_copy(update={"required": False, "rules": rules})
+
+
+def _before(rule: RelationSpec, deep: float) -> RelationSpec:
+    """Returns a relation that leaves floor so deep, m, before the piece that another one stands in front of."""
+    if rule.type != "in_front_of" or not rule.gap or rule.gap[0] >= deep:
+        return rule
+    return rule.model_copy(update={"gap": (deep, max(rule.gap[1], deep))})
 
 
 @lru_cache(maxsize=16)

@@ -44,6 +44,19 @@ def test_without_a_profile_homes_are_as_they_were() -> None:
     assert (made_for.generator or {})["catalog"] != CATALOGS.fingerprint
 
 
+@pytest.mark.parametrize(("profile", "deep"), [("din_18040_2", 0.9), ("din_18040_2_r", 1.5)])
+def test_a_coffee_table_stands_beyond_the_floor_that_is_empty_before_the_sofa(profile: str, deep: float) -> None:
+    living = [room for seed in range(70, 80) for room in family(seed, access=profile).scene.rooms if room.type == "living_room"]
+    apart = list[float]()
+    for pieces in ({piece.name: piece for piece in room.furniture} for room in living):
+        sofa, table = pieces["sofa"], pieces.get("coffee_table")
+        if table:
+            off = abs(table.z - sofa.z if sofa.rotation % 180 == 0 else table.x - sofa.x)
+            apart.append(off - (sofa.depth + (table.depth if (table.rotation - sofa.rotation) % 180 == 0 else table.width)) / 2)
+    assert len(apart) >= 8
+    assert min(apart) >= deep - 2e-3
+
+
 @pytest.mark.parametrize(("profile", "inner", "main"), [("din_18040_2", 0.9, 1.0), ("din_18040_2_r", 1.0, 1.0), ("ada", 0.95, 0.95)])
 def test_doors_are_cut_for_their_clear_width(profile: str, inner: float, main: float) -> None:
     doors = [one for room in family(3, access=profile).scene.rooms for one in room.openings if one.kind == "door"]
