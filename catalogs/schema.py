@@ -150,6 +150,7 @@ class PieceSpec(Entry):
     `without`: the piece is wanted only in a home planned without rooms of these types: a bed where there is no bedroom.
     `unless`: the piece is not wanted in a home that has a room of these types: a dining table beside a dining room.
     `unless_elsewhere`: nor where one of these pieces, as scenes call them, stands in a room of a type that asks nothing of the kind.
+    `entered`: the piece is wanted only in the room that the home's main entrance leads into: a coat rack.
     `among`: neighbours in the list with the same word matter alike: a seed draws their order.
     """
 
@@ -166,6 +167,7 @@ class PieceSpec(Entry):
     without: RoomTypeNames = ()
     unless: RoomTypeNames = ()
     unless_elsewhere: Annotated[Words, PIECE_NAMES] = ()
+    entered: bool = False
     among: str | None = None
     rules: tuple[RelationSpec, ...] = ()
 

@@ -4,10 +4,10 @@ The work is the core's: solver/core/furnish.
 """
 
 from collections.abc import Sequence, Set
-from functools import partial
+from functools import lru_cache, partial
 
 from catalogs.relation_keys import OPENINGS
-from catalogs.schema import Catalogs, PieceSpec
+from catalogs.schema import Catalogs, PieceSpec, RoomType
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
 from solver.furnish.core_rows import Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
@@ -25,7 +25,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     Raises:
         CoreFailed: an error within the core.
     """
-    room_type = catalogs.rooms.get(room.type)
+    room_type = _type_of(room, catalogs)
     if room_type is None:
         return ()
     known = compiled_type(room_type, catalogs, room.type)
@@ -36,7 +36,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 
 def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
     """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
-    known = compiled_type(catalogs.rooms.get(room.type), catalogs, room.type)
+    known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
     rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
     told = partial(label_of, known), partial(candidate_in, known)
     return WantedRows(space, known.data, rows + place_rows(space), known.named, known.looks, *told)
@@ -55,7 +55,8 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
         return ()
     area, labels = room.floor_m2, {piece.label for piece in wanted}
     found = [(spec.piece, f"only in a home planned without {', '.join(spec.without)}") for spec in room_type.pieces if spec.without]
-    known = compiled_type(room_type, catalogs, room.type)
+    known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
+    found += [(spec.piece, "only where one enters the home") for spec in room_type.pieces if spec.entered and spec not in known.specs]
     for at, copies in _asked(known, room_rows(scope_of(room, space), space.zones, area, stream.state, counts_only=True)).counted:
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):
@@ -63,6 +64,21 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
         elif copies < spec.count:
             found.append((spec.piece, _why_fewer(spec, area, copies)))
     return tuple(found)
+
+
+def _type_of(room: Room, catalogs: Catalogs) -> RoomType | None:
+    """Returns a room's type; one that nobody enters the home by goes without what is wanted only there."""
+    kind = catalogs.rooms.get(room.type)
+    if kind is None or not any(spec.entered for spec in kind.pieces) or any(opening.main_entrance for opening in room.openings):
+        return kind
+    return _not_entered(catalogs, room.type)
+
+
+@lru_cache(maxsize=64)
+def _not_entered(catalogs: Catalogs, name: str) -> RoomType:
+    """Returns a room type without what is wanted only where one enters; the same object each time, as what is compiled is kept by it."""
+    kind = catalogs.rooms[name]
+    return kind.model_copy(update={"pieces": tuple(spec for spec in kind.pieces if not spec.entered)})
 
 
 def _asked(known: CompiledType, room: bytes) -> Answer:

@@ -181,15 +181,20 @@ def test_a_kids_bedroom_has_its_toys() -> None:
         assert errors(done) == []
 
 
-@pytest.mark.parametrize("name", ["hallway", "foyer"])
-def test_an_entrance_has_its_things_beside_the_console(name: str) -> None:
+@pytest.mark.parametrize(("name", "piece"), [("hallway", "shoe_cabinet"), ("foyer", "console_table")])
+def test_an_entrance_has_its_things_beside_what_stands_there(name: str, piece: str) -> None:
     for seed in range(5):
-        done = decorate(room(at_wall("console_table"), type=name), seed)
+        done = decorate(room(at_wall(piece), type=name), seed)
         found = on_floor(done)
         assert (found["shoe_pair"], found["umbrella_stand"], found["basket"]) == (2, 1, 1)
         near = [thing for thing in done.decorations if thing.name in ("shoe_pair", "umbrella_stand", "basket") and thing.parent is None]
         assert all(abs(thing.x - SIDE / 2) < 2.2 and thing.z < 0.5 for thing in near)
         assert errors(done) == []
+
+
+def test_no_shoes_stand_in_a_hallway_that_nobody_enters_the_home_by() -> None:
+    found = on_floor(decorate(room(at_wall("console_table"), type="hallway")))
+    assert (found["shoe_pair"], found["umbrella_stand"], found["basket"]) == (0, 0, 1)
 
 
 def test_a_laundry_has_a_basket() -> None:

@@ -18,6 +18,7 @@ from catalogs import load_catalogs
 from solver import Request, generate, reroll, validate
 from solver.answers import Generated
 from solver.exchange import dump_scene, dump_text, load_text, read_scene, write_scene
+from solver.pipeline.generate import wanted_in
 from solver.scene import Room
 from solver.streams import Stream
 from tests.sweeps import examples, seeds, times
@@ -192,6 +193,20 @@ def test_no_desk_stands_without_a_chair() -> None:
             desks += "desk" in names
             assert "desk" not in names or {"office_chair", "dining_chair"} & set(names), room.id
     assert 12 * desks > 20 * len(SEEDS)
+
+
+def test_coats_hang_where_one_comes_in_alone() -> None:
+    known, there = load_catalogs(), 0
+    for seed in SEEDS:
+        scene = house(seed).scene
+        for room in scene.rooms:
+            entered = any(opening.main_entrance for opening in room.openings)
+            racks = {"coat_rack", "shoe_cabinet"} & {piece.name for piece in room.furniture}
+            there += "coat_rack" in racks
+            assert entered or not racks, room.id
+            if room.type == "hallway" and not entered:
+                assert ("coat_rack", "only where one enters the home") in wanted_in(scene, room, known)[2]
+    assert 10 * there >= 9 * len(SEEDS)
 
 
 @pytest.mark.parametrize("seed", seeds(range(60), 6))

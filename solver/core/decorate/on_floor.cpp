@@ -274,6 +274,7 @@ List<Spot> Floor::spots_of(const Stands& row) {
     }
   } else {
     if (row.where == Where::beside) add_beside(row, spots);
+    if (row.where == Where::beside && spots.size() == 0) return spots;
     Wall walls[] = {WALLS[0], WALLS[1], WALLS[2], WALLS[3]};
     stream.shuffle(Span<Wall>{walls, 4});
     for (const Wall wall : walls) {
