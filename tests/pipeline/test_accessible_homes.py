@@ -57,6 +57,12 @@ def test_a_coffee_table_stands_beyond_the_floor_that_is_empty_before_the_sofa(pr
     assert min(apart) >= deep - 2e-3
 
 
+@pytest.mark.parametrize("profile", PROFILES)
+def test_most_children_have_a_desk(profile: str) -> None:
+    rooms = [room for seed in range(70, 80) for room in family(seed, access=profile).scene.rooms if room.type == "kids_bedroom"]
+    assert sum("desk" in {piece.name for piece in room.furniture} for room in rooms) >= 0.7 * len(rooms) >= 7
+
+
 @pytest.mark.parametrize(("profile", "inner", "main"), [("din_18040_2", 0.9, 1.0), ("din_18040_2_r", 1.0, 1.0), ("ada", 0.95, 0.95)])
 def test_doors_are_cut_for_their_clear_width(profile: str, inner: float, main: float) -> None:
     doors = [one for room in family(3, access=profile).scene.rooms for one in room.openings if one.kind == "door"]
