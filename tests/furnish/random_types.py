@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from random import Random
 from typing import Any
 
@@ -80,7 +81,8 @@ def random_room(rng: Random, name: str) -> Room:
         wall, kind = rng.choice(WALLS), rng.choice(("door", "passage", "window", "window", "garage_door"))
         along = width if wall in ("north", "south") else depth
         at, wide = round(rng.uniform(0, along), 4), rng.choice((0.8, 0.9, 1.25, 2.4))
-        openings.append(Opening(f"o{i}", kind, wall, at, wide, 2.1, rng.choice((0.0, 0.4, 0.9)) * (kind == "window"), connects_to="hall"))
+        one = Opening(f"o{i}", kind, wall, at, wide, 2.1, rng.choice((0.0, 0.4, 0.9)) * (kind == "window"), connects_to="hall")
+        openings.append(replace(one, main_entrance=kind == "door" and i == 0))
     x, z = round(width * rng.uniform(0.2, 0.8), 3), round(depth * rng.uniform(0.2, 0.8), 3)
     outline = ((0.0, 0.0), (x, 0.0), (x, z), (width, z), (width, depth), (0.0, depth)) if rng.random() < 0.2 else None
     exterior = Sides(*(rng.random() < 0.5 for _ in WALLS)) if rng.random() < 0.7 else None

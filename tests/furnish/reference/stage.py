@@ -69,6 +69,8 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     gates = tuple(strip(space.clear, one.wall, one.interval, GATE_MM) for one in opened(scope, "garage_door"))
     opens = partial(_opened_within, scope, space, catalogs)
     furnisher = _Furnisher(scope, TakenWalls(space, gates, opens), catalogs)
+    if not any(opening.main_entrance for opening in room.openings):
+        room_type = room_type.model_copy(update={"pieces": tuple(spec for spec in room_type.pieces if not spec.entered)})
     counted = _counted(room_type, catalogs, room.floor_m2, stream)
     there = {one.spec.piece: one for one in counted if one.copies}
     run = planned_run(scope, furnisher.walls, room_type.run, there, stream) if room_type.run else {}
