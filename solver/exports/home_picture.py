@@ -34,6 +34,8 @@ _TALL: Final = 1.2
 """What is higher gives no more shade than this, m: walls would darken their rooms."""
 _JOINTS: Final = {"wood": (0.16, None), "deck": (0.14, None), "tile": (0.4, 0.4), "stone": (0.6, 0.6)}
 """How far apart the joints of a flooring are, across and along its boards, m."""
+_STRIP: Final = 64
+"""How many rows or columns are lit at once: few enough that the processor's cache holds them."""
 Heights = npt.NDArray[np.float32]
 
 
@@ -69,9 +71,9 @@ def picture_of(model: HouseModel, level: int) -> bytes:
     heights = np.full((size[1], size[0]), _TALL, dtype=np.float32)
     for row, column in np.ndindex(SAMPLES, SAMPLES):
         np.minimum(heights, samples[row::SAMPLES, column::SAMPLES], out=heights)
-    lit = np.clip(colors * _light(heights, scale)[:, :, None], 0, 255).astype(np.uint8)
+    colors *= _light(heights, scale)[:, :, None]
     content = io.BytesIO()
-    Image.fromarray(lit).save(content, "PNG")
+    Image.fromarray(np.clip(colors, 0, 255, out=colors).astype(np.uint8)).save(content, "PNG")
     return content.getvalue()
 
 
@@ -86,26 +88,31 @@ def _draw_floor(canvas: _Canvas, room: FloorPlate) -> None:
 
 
 def _floor_colors(room: FloorPlate, shape: tuple[int, int], scale: float) -> npt.NDArray[np.uint8]:
+    """Returns each pixel's colour. Rows that are alike, those of a board or a tile, are painted once."""
     texture = room.paint.texture or ""
     rows, columns = np.arange(shape[0])[:, None] / scale, np.arange(shape[1])[None, :] / scale
-    light = np.ones(shape, dtype=np.float32)
     across, along = _JOINTS.get(texture, (None, None))
+    grain, joint = (along, 0.012) if along else (across, 0.008) if across else (0.02, 0.0)
+    counted = np.column_stack((np.floor(rows / grain), rows % grain < joint))
+    first = np.flatnonzero(np.any(np.diff(counted, axis=0, prepend=-1.0), axis=1))
+    often, rows = np.diff(first, append=shape[0]), rows[first]
+    light = np.ones((len(rows), shape[1]), dtype=np.float32)
     if across and along:
         tile = np.floor(rows / along) * 7919 + np.floor(columns / across) * 104729
         light += 0.035 * (_noise(tile) - 0.5)
-        light[((rows % along) < 0.012) | ((columns % across) < 0.012)] *= 0.9
+        light[((rows % along) < joint) | ((columns % across) < joint)] *= 0.9
     elif across:
         board = np.floor(rows / across)
         shifted = columns + 1.3 * _noise(board * 31.0)
         length = np.floor(shifted / 1.6)
         light += 0.11 * (_noise(board * 7919.0 + length * 104729.0) - 0.5)
-        light[((rows % across) < 0.008) | ((shifted % 1.6) < 0.008)] *= 0.86
+        light[((rows % across) < joint) | ((shifted % 1.6) < joint)] *= 0.86
     else:
-        grain = 0.16 if texture == "grass" else 0.04
-        light += grain * (_noise(np.floor(rows / 0.02) * 7919.0 + np.floor(columns / 0.02) * 104729.0) - 0.5)
+        strength = 0.16 if texture == "grass" else 0.04
+        light += strength * (_noise(np.floor(rows / grain) * 7919.0 + np.floor(columns / grain) * 104729.0) - 0.5)
     color = np.array(channels(shade(room.paint.color, 0.12)), dtype=np.float32)
     painted: npt.NDArray[np.uint8] = np.clip(color * light[:, :, None], 0, 255).astype(np.uint8)
-    return painted
+    return np.repeat(painted, often, axis=0)
 
 
 def _noise(numbers: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
@@ -128,33 +135,50 @@ def _draw_shapes(canvas: _Canvas, model: HouseModel, level: int) -> None:
         canvas.colors.paste(Image.new("RGB", inside.size, shape.color), (box[0], box[1]), inside)
 
 
-def _light(heights: Heights, scale: float) -> npt.NDArray[np.float32]:
+def _light(heights: Heights, scale: float) -> Heights:
     """Returns each pixel's share of light: less where higher things are around it or stand in the sun."""
     open_sky = np.ones_like(heights)
     for reach, weight in ((0.05, 0.3), (0.15, 0.3), (0.45, 0.25)):
-        above = np.maximum(_blurred(heights, reach * scale) - heights, 0.0)
-        open_sky -= weight * np.minimum(above / (reach * 2.5), 1.0)
+        above = _blurred(heights, reach * scale)
+        above -= heights
+        above /= reach * 2.5
+        open_sky -= np.multiply(np.clip(above, 0.0, 1.0, out=above), weight, out=above)
+    shade_left = _blurred(_shadow(heights, scale).astype(np.float32), 0.02 * scale)
+    shade_left *= _SHADOW
+    light = np.maximum(open_sky, _OPEN, out=open_sky)
+    light *= np.subtract(1.0, shade_left, out=shade_left)
+    light *= 1.04
+    return light
+
+
+def _shadow(heights: Heights, scale: float) -> npt.NDArray[np.bool_]:
+    """Returns which pixels something to their north-west hides from the sun."""
     east, south, longest = _SUN
+    rows, columns = heights.shape
     shadow = np.zeros(heights.shape, dtype=np.bool_)
     steps = max(1, round(longest * scale / 3))
-    for step in range(1, steps + 1):
-        height = longest * step / steps
-        right, down = round(east * height * scale), round(south * height * scale)
-        if not (right or down) or right >= heights.shape[1] or down >= heights.shape[0]:
-            continue
-        shadow[down:, right:] |= heights[: heights.shape[0] - down, : heights.shape[1] - right] - heights[down:, right:] > height
-    soft = _blurred(shadow.astype(np.float32), 0.02 * scale)
-    light: npt.NDArray[np.float32] = np.maximum(open_sky, _OPEN) * (1.0 - _SHADOW * soft) * 1.04
-    return light
+    reached = [longest * step / steps for step in range(1, steps + 1)]
+    falls = [(height, round(east * height * scale), round(south * height * scale)) for height in reached]
+    for top in range(0, rows, _STRIP):
+        end = min(top + _STRIP, rows)
+        for height, right, down in falls:
+            start = max(top, down)
+            if (right or down) and right < columns and start < end:
+                cast = heights[start - down : end - down, : columns - right] - heights[start:end, right:]
+                shadow[start:end, right:] |= cast > height
+    return shadow
 
 
 def _blurred(values: Heights, radius: float) -> Heights:
     """Returns values, each the mean of those around it: two box blurs, edges repeated."""
     width = max(1, round(radius))
-    for axis in (0, 1, 0, 1):
-        padded = np.pad(values, [(width, width) if axis == at else (0, 0) for at in (0, 1)], mode="edge")
-        sums = _summed(padded, 2 * width + 1) if axis == 0 else _summed(padded.T, 2 * width + 1).T
-        values = sums / np.float32(2 * width + 1)
+    for turned in (False, True, False, True):
+        blurred = np.empty_like(values)
+        before, after = (values.T, blurred.T) if turned else (values, blurred)
+        for start in range(0, before.shape[1], _STRIP):
+            strip = np.pad(before[:, start : start + _STRIP], ((width, width), (0, 0)), mode="edge")
+            np.divide(_summed(strip, 2 * width + 1), np.float32(2 * width + 1), out=after[:, start : start + _STRIP])
+        values = blurred
     return values
 
 
