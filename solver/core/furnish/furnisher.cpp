@@ -57,10 +57,10 @@ bool Furnisher::add(const CountedPiece& counted, i32 number, const Preferences& 
 
 List<Candidate*> Furnisher::found_for(const Subject& subject, Span<Effect> effects, const Preferences& preferences) const {
   List<Candidate*> found = slots_of(subject, effects, preferences);
-  for (Candidate* slot : found) {
-    for (const Effect& effect : effects) effect.relation->keep(subject, effect, *slot);
-  }
   if (!must_have_slot(subject.rules)) found.add_all(alone(subject, effects, preferences).all());
+  for (Candidate* way : found) {
+    for (const Effect& effect : effects) effect.relation->keep(subject, effect, *way);
+  }
   return found;
 }
 
@@ -102,7 +102,6 @@ List<Candidate*> Furnisher::alone(const Subject& subject, Span<Effect> effects, 
     if (!(cost < INFINITE)) continue;
     candidate.cost = rounded_6(cost);
     candidate.weight = pull;
-    for (const Effect& effect : effects) effect.relation->keep(subject, effect, candidate);
     found.add(&candidate);
   }
   return best_of_each(subject, found);

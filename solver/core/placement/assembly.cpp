@@ -25,36 +25,41 @@ static bool is_within_reach(const Work& work, const DifferenceRow& row) {
   return last - first >= row.s;
 }
 
-// Adds an option to a choice where it is within reach; true where the bounds keep its ends `lowest` apart at least, and so hold it anyway.
-static bool offer(const Work& work, i64 choice, i64 lowest, const DifferenceRow& row) {
-  if (lowest >= row.s) return true;
-  if (is_within_reach(work, row)) work.options[OPTIONS * choice + work.choice_size[choice]++] = row;
-  return false;
+// Adds those of the options to a choice that are within reach.
+static void offer(const Work& work, i64 choice, const DifferenceRow (&rows)[OPTIONS]) {
+  i64& size = work.choice_size[choice] = 0;
+  for (const DifferenceRow& row : rows) {
+    if (is_within_reach(work, row)) work.options[OPTIONS * choice + size++] = row;
+  }
 }
 
 // Writes the options that keep two parts apart, a left of, right of, north of, south of b; false where the bounds do.
 static bool keep_apart(const Work& work, i64 choice, const Part& a, const Part& b) {
-  work.choice_size[choice] = 0;
+  DifferenceRow rows[OPTIONS];
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis];
-    const i64 shift = a.offset[axis] - b.offset[axis];
+    const i64 shift = a.offset[axis] - b.offset[axis], a_first = a.extent[axis] + shift, b_first = b.extent[axis] - shift;
     const i64 after = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
     const i64 before = u == v ? 0 : work.low.at(axis, u) - work.high.at(axis, v);
-    if (offer(work, choice, after, {axis, u, v, a.extent[axis] + shift})) return false;
-    if (offer(work, choice, before, {axis, v, u, b.extent[axis] - shift})) return false;
+    if (after >= a_first || before >= b_first) return false;
+    rows[2 * axis] = {axis, u, v, a_first};
+    rows[2 * axis + 1] = {axis, v, u, b_first};
   }
+  offer(work, choice, rows);
   return true;
 }
 
 // Writes the options that keep a part out of a zone; false where the bounds do.
 static bool keep_clear(const Work& work, i64 choice, const Part& part, const Zone& zone) {
-  work.choice_size[choice] = 0;
+  DifferenceRow rows[OPTIONS];
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    const i64 lowest = work.low.at(axis, v), highest = work.high.at(axis, v);
-    if (offer(work, choice, -highest, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis]})) return false;
-    if (offer(work, choice, lowest, {axis, ORIGIN, v, zone.high[axis] - offset})) return false;
+    const i64 before = part.extent[axis] + offset - zone.low[axis], behind = zone.high[axis] - offset;
+    if (-work.high.at(axis, v) >= before || work.low.at(axis, v) >= behind) return false;
+    rows[2 * axis] = {axis, v, ORIGIN, before};
+    rows[2 * axis + 1] = {axis, ORIGIN, v, behind};
   }
+  offer(work, choice, rows);
   return true;
 }
 
@@ -113,10 +118,13 @@ static bool bounds_hold(const Work& work) {
   return true;
 }
 
-// The bounds of an axis's variables, as they are marked.
-static Table<i64> bounds_of(const Work& work, i64 which) {
-  const Table<i64> all[] = {work.low, work.high, work.least, work.most};
-  return all[which];
+// Copies the bounds of all variables to where they are marked for a piece, or back.
+template <bool back> static void copy_bounds(const Work& work, i64 piece) {
+  const Table<i64>* const all[] = {&work.low, &work.high, &work.least, &work.most};
+  for (i64 k = 0; k < 8; k++) {
+    const Span<i64> own = all[k / 2]->row(k % 2), marked = work.marked_bounds.row(piece, k), &to = back ? own : marked;
+    for (i64 v = 0; v < work.sizes[k % 2]; v++) to[v] = (back ? marked : own)[v];
+  }
 }
 
 // Notes what the problem is once a piece was added, so that the next problem can go on from there.
@@ -125,10 +133,7 @@ static void note(const Work& work, i64 piece, i64 decision) {
   const i64 wide = work.sizes[0], deep = work.sizes[1], last = piece > 0 ? work.marks[piece - 1].bounds : -1;
   const i64 bounds = decision == ABSENT ? last : piece;
   work.marks[piece] = {decision, {wide, deep}, counts.rows, counts.parts, counts.choices, counts.pulls, bounds};
-  for (i64 k = 0; k < 8 && decision != ABSENT; k++) {
-    const Table<i64> own = bounds_of(work, k / 2);
-    for (i64 v = 0; v < work.sizes[k % 2]; v++) work.marked_bounds.at(piece, k, v) = own.at(k % 2, v);
-  }
+  if (decision != ABSENT) copy_bounds<false>(work, piece);
 }
 
 // Brings back the problem of as many pieces as are decided as they were last; returns how many.
@@ -144,10 +149,7 @@ static i64 go_back(const Work& work, const Decisions& decisions) {
   counts.placed = least(counts.placed, mark.choices);
   counts.pulls = mark.pulls;
   for (i64 axis = 0; axis < 2; axis++) work.sizes[axis] = mark.sizes[axis];
-  for (i64 k = 0; k < 8; k++) {
-    const Table<i64> own = bounds_of(work, k / 2);
-    for (i64 v = 0; v < mark.sizes[k % 2]; v++) own.at(k % 2, v) = work.marked_bounds.at(mark.bounds, k, v);
-  }
+  if (mark.bounds >= 0) copy_bounds<true>(work, mark.bounds);
   return first;
 }
 

@@ -252,8 +252,8 @@ struct Tree {
   Rows<HeapEntry> heap;
   Span<f64> heap_cost;
   Span<u64> refused;      // fingerprints
-  Span<i64> refused_at;   // where in the table each is
-  Span<i64> refused_table;        // their numbers; a place is taken where the fingerprint of its number is there: nothing is ever cleared
+  Span<i32> refused_at;   // where in the table each is
+  Span<i32> refused_table;        // their numbers; a place is taken where the fingerprint of its number is there: nothing is ever cleared
   Span<i64> found;
   Span<f64> found_cost;
   Span<i64> trial;

@@ -138,24 +138,22 @@ static i32 cut(const WalkGrid& grid, i64 axis, i64 low, i64 high) {
 // The words of a row of cells; the last cell has a blocked one behind it, and that a free one.
 static i32 words_of(i32 nz) { return (nz + 1) / 64 + 1; }
 
-// Marks cells of a row from `first` to before `last` as blocked.
-static void block(u64* words, i32 first, i32 last) {
-  const i32 begin = first / 64, end = (last - 1) / 64;
-  for (i32 w = begin; w <= end && first < last; w++) {
-    const u64 from = w == begin ? ALL << first % 64 : ALL, to = w == end ? ALL >> (63 - (last - 1) % 64) : ALL;
-    words[w] |= from & to;
+// Marks cells as blocked: a word of all their rows after the other.
+static void block(const WalkGrid& grid, i32 words, const Cells& cells) {
+  const auto& [first, last] = cells;
+  const i32 begin = first[1] / 64, end = (last[1] - 1) / 64;
+  for (i32 w = begin; w <= end && first[1] < last[1]; w++) {
+    const u64 from = w == begin ? ALL << first[1] % 64 : ALL, to = w == end ? ALL >> (63 - (last[1] - 1) % 64) : ALL;
+    for (i32 i = first[0]; i < last[0]; i++) grid.blocked[i * words + w] |= from & to;
   }
 }
 
-// Marks the cells that blocks cover.
+// Marks the cells that blocks cover, and those beyond the ends of rows.
 static void mark_blocked(const WalkGrid& grid, i32 nx, i32 nz) {
   const i32 words = words_of(nz);
   for (i32 k = 0; k < nx * words; k++) grid.blocked[k] = 0;
-  for (i32 i = 0; i < nx; i++) block(&grid.blocked[i * words], nz, nz + 1);
-  for (i64 k = 0; k < grid.state->blocks; k++) {
-    const auto& [first, last] = grid.block_cells[k];
-    for (i32 i = first[0]; i < last[0]; i++) block(&grid.blocked[i * words], first[1], last[1]);
-  }
+  block(grid, words, {{0, nz}, {nx, nz + 1}});
+  for (i64 k = 0; k < grid.state->blocks; k++) block(grid, words, grid.block_cells[k]);
 }
 
 // The first cell of a row from one on that is blocked, or, by ALL, that is free.

@@ -83,16 +83,16 @@ static u64 fingerprint(const Room& room, const Decisions& decisions) {
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
 static bool refused(const Tree& tree, u64 number, bool add) {
-  const i64 mask = tree.refused_table.size - 1;
+  const i32 mask = tree.refused_table.size - 1;
   i64& count = tree.counters->refused;
-  i64 at = static_cast<i64>(number >> 32) & mask;
+  i32 at = static_cast<i32>(number >> 32) & mask;
   for (;; at = (at + 1) & mask) {
-    const i64 k = tree.refused_table[at];
+    const i32 k = tree.refused_table[at];
     if (k < 0 || k >= count || tree.refused_at[k] != at) break;
     if (tree.refused[k] == number) return true;
   }
   if (add && count < tree.refused.size) {
-    tree.refused_table[at] = count;
+    tree.refused_table[at] = static_cast<i32>(count);
     tree.refused_at[count] = at;
     tree.refused[count++] = number;
   }

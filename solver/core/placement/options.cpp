@@ -20,7 +20,7 @@ static bool fits_parent(const Room& room, const Decisions& decisions, i64 piece,
   if (own.parent < 0) return true;
   if (decisions[own.parent] == ABSENT || room.candidates[candidate_of(decisions[own.parent])].kind != own.parent_kind) return false;
   if (own.slot < 0) return true;
-  for (i64 other = 0; other < decisions.size; other++) {
+  for (i64 other = own.parent + 1; other < decisions.size; other++) {  // what stands at a slot comes behind its parent
     if (other == piece || decisions[other] == ABSENT) continue;
     const CandidateRow& taken = room.candidates[candidate_of(decisions[other])];
     if (taken.parent == own.parent && taken.slot == own.slot) return false;

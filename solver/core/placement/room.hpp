@@ -103,8 +103,8 @@ struct Room {
 // What is decided: of each piece 8 * candidate + the number of its choice of sides, or ABSENT.
 using Decisions = Span<i64>;
 
-inline i64 candidate_of(i64 decision) { return decision / 8; }
-inline i64 sides_of(i64 decision) { return decision % 8; }
+inline i64 candidate_of(i64 decision) { return decision >> 3; }
+inline i64 sides_of(i64 decision) { return decision & 7; }
 
 // A hash of numbers, with one more; its upper bits are the good ones.
 constexpr u64 mixed(u64 hash, i64 number) { return (hash ^ static_cast<u64>(number)) * 0x9E3779B97F4A7C15ULL; }

@@ -199,8 +199,8 @@ static Tree new_tree(const Sizes& sizes) {
   tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
   tree.refused = new_span<u64>(MOST_REFUSED / 2);
-  tree.refused_at = new_span<i64>(MOST_REFUSED / 2);
-  tree.refused_table = new_span<i64>(MOST_REFUSED);
+  tree.refused_at = new_span<i32>(MOST_REFUSED / 2);
+  tree.refused_table = new_span<i32>(MOST_REFUSED);
   tree.found = new_span<i64>(sizes.decisions);
   tree.found_cost = new_span<f64>(sizes.decisions);
   tree.trial = new_span<i64>(p);

@@ -24,7 +24,7 @@ List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
   List<Rect> found;
   for (i32 i = 0; i < all.size(); i++) {
     bool goes = i > 0 && all[i] == all[i - 1];
-    for (const Rect& other : all) goes = goes || (other != all[i] && other.contains(all[i]));
+    for (i32 k = 0; k < all.size() && !goes && all[k].x0 <= all[i].x0; k++) goes = all[k] != all[i] && all[k].contains(all[i]);
     if (!goes) found.add(all[i]);
   }
   return found;
