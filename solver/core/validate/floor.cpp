@@ -142,6 +142,11 @@ class Joined {
   Span<i32> first_;
 };
 
+// Free cells side by side along z, from `start` to before `end`, in a row across x.
+struct Run {
+  i32 row, start, end;
+};
+
 // A free cell at a tile's border: on which line (across x or z), from, to, of which component.
 struct Border {
   i64 axis, line, from, to, component;
@@ -154,30 +159,37 @@ struct Border {
 
 }  // namespace
 
+// Finds the runs of free cells along z, row by row.
+static List<Run> runs_of(const Table<i32>& cells) {
+  List<Run> runs;
+  for (i32 i = 0; i < cells.rows; i++) {
+    const Span<i32> row = cells.row(i);
+    for (i32 k = 0; k < row.size; k++) {
+      if (row[k] == 0) continue;
+      const i32 start = k;
+      while (k < row.size && row[k] != 0) k++;
+      runs.add({i, start, k});
+    }
+  }
+  return runs;
+}
+
 // Numbers the components of one tile from `count` + 1; returns the last number.
 static i32 label_tile(const Grid& grid, i32 count) {
   arena::Scope scope;
-  const Table<i32>& cells = grid.cells;
-  i32 runs = 0;
-  for (i32 i = 0; i < cells.rows; i++) {
-    for (i32 k = 0; k < cells.columns; k++) {
-      if (cells.at(i, k) == 0) continue;
-      cells.at(i, k) = k > 0 && cells.at(i, k - 1) ? cells.at(i, k - 1) : ++runs;
-    }
-  }
-  const Joined joined(runs);
-  for (i32 i = 1; i < cells.rows; i++) {
-    for (i32 k = 0; k < cells.columns; k++) {
-      const i32 here = cells.at(i, k), above = cells.at(i - 1, k);
-      const bool is_known = k > 0 && cells.at(i, k - 1) == here && cells.at(i - 1, k - 1) == above;
-      if (here && above && !is_known) joined.join(here, above);
-    }
+  const List<Run> runs = runs_of(grid.cells);
+  const Joined joined(runs.size());
+  for (i32 a = 0, b = 0; b < runs.size();) {
+    const Run &one = runs[a], &other = runs[b];
+    const bool beside = one.row + 1 == other.row;
+    if (beside && one.start < other.end && other.start < one.end) joined.join(a + 1, b + 1);
+    if (one.row + 1 < other.row || (beside && one.end <= other.end)) a++;
+    else b++;
   }
   const i32 found = joined.number();
-  for (i32 i = 0; i < cells.rows; i++) {
-    for (i32& cell : cells.row(i)) {
-      if (cell) cell = count + joined[cell];
-    }
+  for (i32 k = 0; k < runs.size(); k++) {
+    const Span<i32> row = grid.cells.row(runs[k].row);
+    for (i32 at = runs[k].start; at < runs[k].end; at++) row[at] = count + joined[k + 1];
   }
   return count + found;
 }

@@ -260,12 +260,14 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
   const Point hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
   List<SolidBox> parts;
   List<i64> clear_until;  // by part: the first step in which it may meet anything
+  List<f64> farthest;     // how far a point of it moves at most in a step
   for (const i64 part : moving.parts) {
     SolidBox box = box_of(row, all[part], frame, moving.body);
     const Point half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
     box.half = {most(half.x, 0.0), most(half.y, 0.0), most(half.z, 0.0)};
     parts.add(box);
     clear_until.add(0);
+    farthest.add(farthest_step(front, hinge, box));
   }
   const f64 length = absolute(front.slides ? front.end * row.depth : front.end), step = front.slides ? STEP_METRES : STEP_DEGREES;
   const List<Obstacle> others = obstacles(room, shell, carries, moving.body, frame, swept(front, hinge, parts, length));
@@ -283,7 +285,8 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
         if (gap >= 0 || !meet_each_other(now, other.box)) continue;
         return {whole(nearest(most(way - step, 0.0) * 1e6)), other.box.body, moving.body, moving.number, 0};
       }
-      clear_until[i] = k + 1 + between<i64>(whole((room_left - SURELY_METRES) / farthest_step(front, hinge, parts[i])), 0, STEPS);
+      const f64 surely = room_left - SURELY_METRES;
+      clear_until[i] = k + 1 + (surely > 0 ? least(whole(surely / farthest[i]), STEPS) : 0);
     }
     if (way >= length) break;
     way = least(way + step, length);
