@@ -3,10 +3,11 @@
 What is made up depends on the document alone, so the same document gets the same ids.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeVar, cast
 
+from solver.free_names import FreeNames
 from solver.geometry import doubled_area
 from solver.plain import Wrong
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
@@ -31,38 +32,20 @@ def indexed(document: object) -> object:
     return {**cast(Mapping[str, Any], document), "rooms": numbered}
 
 
-class _Ids:
+class _Ids(FreeNames):
     """The ids in use; hands out new ones."""
 
     def __init__(self, given: Iterator[tuple[str, str]]) -> None:
-        self._taken: set[str] = set()
-        self._last: dict[str, int] = {}
+        super().__init__()
         for path, name in given:
-            if name and name in self._taken:
+            if name and name in self.given:
                 raise Wrong(f"is {name!r:.80}, which another one has too", "ids that no two share").inside(path)
-            self._taken.add(name)
+            self.given.add(name)
 
-    def take(self, item: Named, wanted: str) -> Named:
-        """Returns the item with an id: its own, or the wanted one if it is free, else that with the next number."""
-        if item.id:
-            return item
-        name = wanted
-        while name in self._taken:
-            self._last[wanted] = self._last.get(wanted, 1) + 1
-            name = f"{wanted}_{self._last[wanted]}"
-        self._taken.add(name)
-        return replace(item, id=name)
 
-    def count(self, item: Named, stem: str) -> Named:
-        """Returns the item with an id: its own, or the stem with the next free number from 1."""
-        if item.id:
-            return item
-        while True:
-            self._last[stem] = self._last.get(stem, 0) + 1
-            name = f"{stem}_{self._last[stem]}"
-            if name not in self._taken:
-                self._taken.add(name)
-                return replace(item, id=name)
+def _named(items: Sequence[Named], name: Callable[[Named], str]) -> tuple[Named, ...]:
+    """Returns items with an id each: its own, else the one that it is given."""
+    return tuple(item if item.id else replace(item, id=name(item)) for item in items)
 
 
 def identified(scene: Scene) -> Scene:
@@ -74,11 +57,11 @@ def identified(scene: Scene) -> Scene:
         Wrong: two rooms or two bodies share an id.
     """
     room_ids = _Ids((f"rooms[{place}].id", room.id) for place, room in enumerate(scene.rooms))
-    rooms = tuple(room_ids.take(room, f"{room.type}_{room.index}") for room in scene.rooms)
+    rooms = _named(scene.rooms, lambda room: room_ids.take(f"{room.type}_{room.index}"))
     body_ids = _Ids(_body_ids(scene))
     opening_ids = _Ids(("", opening.id) for opening in _openings_once(scene))
     rooms = tuple(_filled(room, body_ids, opening_ids) for room in rooms)
-    dynamic = tuple(body_ids.count(body, body.kind) for body in scene.dynamic)
+    dynamic = _named(scene.dynamic, lambda body: body_ids.count(body.kind))
     return replace(scene, rooms=rooms, dynamic=dynamic)
 
 
@@ -101,9 +84,9 @@ def _given(path: str, bodies: Sequence[Furniture | Decoration | Dynamic]) -> Ite
 def _filled(room: Room, bodies: _Ids, openings: _Ids) -> Room:
     return replace(
         room,
-        openings=tuple(openings.count(item, f"{room.id}/{item.kind}") for item in room.openings),
-        furniture=tuple(bodies.count(item, f"{room.id}/{item.name}") for item in room.furniture),
-        decorations=tuple(bodies.count(item, f"{room.id}/{item.name}") for item in room.decorations),
+        openings=_named(room.openings, lambda item: openings.count(f"{room.id}/{item.kind}")),
+        furniture=_named(room.furniture, lambda item: bodies.count(f"{room.id}/{item.name}")),
+        decorations=_named(room.decorations, lambda item: bodies.count(f"{room.id}/{item.name}")),
     )
 
 

@@ -8,6 +8,7 @@ from typing import Final
 
 from catalogs import Catalogs
 from catalogs.synonyms import room_names_of
+from solver.free_names import FreeNames
 from solver.geometry import to_m
 from solver.imports.drawn import DrawnRoom, PlanNotes
 from solver.imports.joining import HEIGHTS, SILLS, Joined
@@ -36,14 +37,9 @@ class NamedRoom:
 
 def named_rooms(rooms: Sequence[tuple[DrawnRoom, str, FloorCorners]]) -> list[NamedRoom]:
     """Gives rooms their ids: the file's own, else the type and the room's number."""
-    taken: set[str] = set()
-    found = []
+    names, found = FreeNames(), []
     for number, (drawn, kind, corners) in enumerate(rooms):
-        wished = drawn.id if PLAIN_ID.fullmatch(drawn.id) else f"{kind}_{number}"
-        name, count = wished, 2
-        while name in taken:
-            name, count = f"{wished}_{count}", count + 1
-        taken.add(name)
+        name = names.take(drawn.id if PLAIN_ID.fullmatch(drawn.id) else f"{kind}_{number}")
         found.append(NamedRoom(drawn, name, kind, corners))
     return found
 

@@ -39,6 +39,7 @@ GROUND_FLOOR = {
     "pieces",
     "free_places",
     "free_floor",
+    "free_names",
     "wall_fittings",
     "certificate",
     "version",

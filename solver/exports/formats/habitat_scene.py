@@ -16,9 +16,9 @@ from solver.exports.formats import glb
 from solver.exports.formats.glb_book import GltfBook, geometry_of
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.paints import by_paint
-from solver.exports.safe_names import SafeNames
 from solver.exports.solid_meshes import joined, surface_of
 from solver.exports.writers import ExportSettings, Files
+from solver.free_names import FreeNames
 
 _MOTION: Final = {"furniture": "STATIC", "decoration": "STATIC", "dynamic": "KINEMATIC"}
 _UPRIGHT: Final = {"up": [0, 1, 0], "front": [0, 0, -1]}
@@ -70,7 +70,7 @@ class _Objects:
         self.files: Files = {}
         self.classes: dict[str, int] = {}
         """Numbers of the semantic classes, from 1."""
-        self._names = SafeNames(r"[^A-Za-z0-9_-]")
+        self._names = FreeNames(r"[^A-Za-z0-9_-]")
         self._known: dict[tuple[object, ...], str] = {}
 
     def placed(self, body: ModelBody) -> HabitatJson:

@@ -17,8 +17,8 @@ import numpy.typing as npt
 
 from solver.exports.floor_grid import FloorGrid, floor_mask
 from solver.exports.model import FloorPlate, HouseModel, ModelBody
-from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files, zipped
+from solver.free_names import FreeNames
 from solver.geometry import rectangles_of
 
 ROOM_SIDE: Final = 6.1
@@ -31,7 +31,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes the rooms that have furniture; the same bytes for the same house."""
     furniture = [body for body in model.bodies if body.sort == "furniture"]
     classes = sorted({*model.kinds, *map(_class_of, furniture)})
-    names = SafeNames()
+    names = FreeNames()
     house = _plain(model.name)
     files: Files = {}
     splits: list[str] = []

@@ -28,9 +28,9 @@ from solver.exports.moving_parts import (
 )
 from solver.exports.object_files import AssetObjects
 from solver.exports.paints import channels
-from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_numbers, xml_text
+from solver.free_names import FreeNames
 
 SLEEPS: Final = 0.005
 """What moves more slowly falls asleep, m/s: what lies on rounded rims rocks at up to 2 mm/s for ever, and keeps all about it awake."""
@@ -58,7 +58,7 @@ _SUN: Final = '<light directional="true" pos="0 0 20" dir="0.3 0.4 -1" diffuse="
 def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.xml`: names are ids; seed, catalog, labels and warnings stand in `custom`, the start in the key `home`."""
     objects = AssetObjects(model.assets, False)
-    looks, names = MujocoLooks(objects), SafeNames()
+    looks, names = MujocoLooks(objects), FreeNames()
     carry = carriers(model.bodies)
     held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
     bodies = _Bodies(looks, names, carry, held, [])
@@ -134,7 +134,7 @@ class _Bodies(NamedTuple):
     """
 
     looks: "MujocoLooks"
-    names: SafeNames
+    names: FreeNames
     carry: Collection[str]
     held: Mapping[str, HeldThing]
     apart: list[tuple[str, str]]
@@ -198,7 +198,7 @@ def _opened(name: str, at: Triple, turn: float) -> str:
 def _uses(model: HouseModel) -> Iterator[str]:
     """Yields where somebody stands who uses a piece; a site's x axis points to it."""
     floors = {floor.id: floor.elevation for floor in model.rooms}
-    names = SafeNames()
+    names = FreeNames()
     for body in model.bodies:
         for x, z, turn in body.uses:
             name = xml_text(names.take(f"{body.id}/use"))

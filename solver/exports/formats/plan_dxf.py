@@ -17,8 +17,8 @@ from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import too_short
 from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel
 from solver.exports.plan_storeys import HIGH, PlanMark, PlanStorey, marks_of, open_leaf, opening_box, storeys_of
-from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
+from solver.free_names import FreeNames
 
 LAYERS: Final = {
     "WALLS": 7, "DOORS": 1, "GARAGE_DOORS": 1, "WINDOWS": 5, "OPENINGS": 8, "RAILINGS": 8, "ROOMS": 252, "FURNITURE": 8, "DECORATIONS": 9,
@@ -88,7 +88,7 @@ class _DxfPlan:
         self.doc.styles.add("PLAN", font="arial.ttf")
         self.space: Any = self.doc.modelspace()
         self.blocks: dict[object, str] = {}
-        self.names = SafeNames(_FORBIDDEN)
+        self.names = FreeNames(_FORBIDDEN)
 
     def text(self) -> bytes:
         """Returns the file."""

@@ -12,9 +12,9 @@ from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import channels
-from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
+from solver.free_names import FreeNames
 
 FORBIDDEN: Final = r"::|^__|__$|^world$"
 """What SDF keeps for itself in names."""
@@ -37,7 +37,7 @@ class _World:
 
     def __init__(self, objects: AssetObjects) -> None:
         self.meshes, self.objects = UnitMeshes(), objects
-        self._models = SafeNames(FORBIDDEN)
+        self._models = FreeNames(FORBIDDEN)
         self._painted: dict[Paint, str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:
@@ -75,7 +75,7 @@ class _World:
         """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
         bits = None if body.flat else BODIES
         links = self._link("link", still, body, bits)
-        names = SafeNames(FORBIDDEN)
+        names = FreeNames(FORBIDDEN)
         names.take("link")
         for front in moving_parts(body):
             name = names.take(front.name)

@@ -12,9 +12,9 @@ from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import StretchedMesh, UnitMeshes
 from solver.exports.paints import channels
-from solver.exports.safe_names import SafeNames
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
+from solver.free_names import FreeNames
 
 LinkForm = Collider | StretchedMesh
 _QUARTER: Final = f"{math.pi / 2:.9g}"
@@ -33,7 +33,7 @@ class _Robot:
     def __init__(self) -> None:
         self.meshes = UnitMeshes()
         self._materials: dict[Paint, str] = {}
-        self._links, self._joints = SafeNames(), SafeNames()
+        self._links, self._joints = FreeNames(), FreeNames()
         self._fronts: dict[tuple[str, str], str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:

@@ -14,10 +14,10 @@ from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import held_things, moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
-from solver.exports.safe_names import SafeNames
 from solver.exports.usd_bodies import AssetLayers, body_guides, body_kind, door_text, front_text, held_text, wall_kind
 from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
 from solver.exports.writers import ExportSettings, Files, zipped
+from solver.free_names import FreeNames
 from solver.geometry import rectangles_of
 from solver.version import VERSION
 
@@ -92,17 +92,17 @@ def _environment(model: HouseModel) -> str:
 
 def prim_paths(model: HouseModel) -> dict[str, str]:
     """Returns the path of each body's prim, by the body's id."""
-    names = SafeNames(r"[^A-Za-z0-9_]")
+    names = FreeNames(r"[^A-Za-z0-9_]")
     return {body.id: f"/House/{_SORTS[body.sort]}/{prim_name(body.id, names)}" for body in model.bodies}
 
 
 def front_names(model: HouseModel) -> dict[tuple[str, str], str]:
     """Returns the name of each front's prim, in /House/Fronts, by body and front."""
-    names = SafeNames(r"[^A-Za-z0-9_]")
+    names = FreeNames(r"[^A-Za-z0-9_]")
     return {(body.id, front.name): prim_name(f"{body.id}/{front.name}", names) for body in model.bodies for front in body.fronts}
 
 
-def prim_name(wished: str, names: SafeNames) -> str:
+def prim_name(wished: str, names: FreeNames) -> str:
     """Returns a name of a prim, which never begins with a digit."""
     return names.take(f"_{wished}" if wished[:1].isdigit() else wished)
 
@@ -114,7 +114,7 @@ class _Stage:
         self._model = model
         self.layers = AssetLayers(model.assets)
         self._carriers = carriers(model.bodies)
-        self._names = SafeNames(r"[^A-Za-z0-9_]")
+        self._names = FreeNames(r"[^A-Za-z0-9_]")
         self._held: Mapping[str, str] = {}
         """The joints of what does not move by itself and lies in drawers, by id."""
         self._kinds: dict[tuple[object, ...], str] = {}
@@ -230,7 +230,7 @@ class _Stage:
         yield from (group(prim_name(surface, self._names), made, surface) for surface, made in found.items())
 
     def _doors(self) -> Iterator[str]:
-        names = SafeNames(r"[^A-Za-z0-9_]")
+        names = FreeNames(r"[^A-Za-z0-9_]")
         for leaf in self._model.leaves:
             self._paint(leaf.paints)
             yield door_text(leaf, prim_name(leaf.id, names))
