@@ -24,12 +24,10 @@ from solver.free_places import (
 )
 from solver.geometry import Rect, wall_faced
 from solver.pieces import Space
-from solver.scene import WALLS, Room
+from solver.scene import WALL_NUMBERS, WALLS, Room
 
 HEADROOM_MM: Final = 2000
 """What hangs higher is walked under: the height of a door."""
-WALL_NUMBERS: Final = {wall: number for number, wall in enumerate(WALLS)}
-"""As the core numbers them."""
 DOORWAY: Final = Struct("<2i4q")
 """A doorway as the core reads it: its wall, and behind an unused number its square."""
 _FLOOR: Final = Struct("<5q4i")

@@ -13,7 +13,7 @@ from solver.core import ask
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
 from solver.floorplan.tiling import HouseWalls, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, to_mm
-from solver.scene import WALLS
+from solver.scene import WALL_NUMBERS, WALLS
 
 KINDS: Final = ("door", "passage", "window", "garage_door")
 """As the core numbers them."""
@@ -25,7 +25,6 @@ _JOINT: Final = Struct("<6q")
 _CUT: Final = Struct("<9q")
 _PLACE: Final = Struct("<q")
 _NONE: Final = -1
-_WALL: Final = {wall: number for number, wall in enumerate(WALLS)}
 
 
 class Pane(NamedTuple):
@@ -127,7 +126,9 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
     layout, walls, profile = house.layout, house.layout.walls, house.profile
     wishes: list[bytes] = []
     kinds = {name: _kind_numbers(name, house, walls, wishes) for name in dict.fromkeys(house.types)}
-    stretches = [(room, _WALL[wall], *one) for room, outside in enumerate(layout.exposed) for wall, free in outside.items() for one in free]
+    stretches = [
+        (room, WALL_NUMBERS[wall], *one) for room, outside in enumerate(layout.exposed) for wall, free in outside.items() for one in free
+    ]
     rooms, first = [], 0
     for room, rect in enumerate(house.rects):
         traits, cars, *kept = kinds[house.types[room]]
@@ -136,9 +137,9 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
         first += count
     widths = [max(walls.leaf, to_mm(profile.leaf(main))) if profile else walls.leaf for main in (False, True)]
     counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), 0
-    header = _HEADER.pack(*counts, walls.jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], _WALL[entrance[1]])
+    header = _HEADER.pack(*counts, walls.jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], WALL_NUMBERS[entrance[1]])
     outside = [_STRETCH.pack(*row[1:]) for row in stretches]
-    shared = [_JOINT.pack(one.a, one.b, _WALL[one.wall], one.low, one.high, entered) for one, entered in joints]
+    shared = [_JOINT.pack(one.a, one.b, WALL_NUMBERS[one.wall], one.low, one.high, entered) for one, entered in joints]
     return b"".join([header, *rooms, *wishes, *outside, *shared, *(_cut_row(cut) for cut in cuts)])
 
 
@@ -157,7 +158,7 @@ def _kind_numbers(name: str, house: OpenedHouse, walls: HouseWalls, wishes: list
 
 def _cut_row(cut: Cut) -> bytes:
     other, leaf = (_NONE if room is None else room for room in (cut.other, cut.leaf))
-    return _CUT.pack(KINDS.index(cut.kind), cut.number, cut.room, _WALL[cut.wall], other, cut.centre, cut.width, leaf, cut.main)
+    return _CUT.pack(KINDS.index(cut.kind), cut.number, cut.room, WALL_NUMBERS[cut.wall], other, cut.centre, cut.width, leaf, cut.main)
 
 
 def _cut(row: Sequence[int]) -> Cut:

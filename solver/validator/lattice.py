@@ -12,15 +12,12 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 from solver.demanded import demand
-from solver.scene import WALLS
 
 PER_METRE: Final = 4_000_000
 """Lattice steps in a metre."""
 BOX_WORK: Final = 2
 """What a box of an outline counts; measured."""
 MICROMETRE: Final = PER_METRE // 1_000_000
-WALL_NUMBERS: Final = {wall: number for number, wall in enumerate(WALLS)}
-"""As the core numbers them."""
 
 
 def exact(metres: float) -> int:

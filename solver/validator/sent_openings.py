@@ -4,8 +4,8 @@ from functools import lru_cache
 from struct import Struct
 from typing import Final, NamedTuple
 
-from solver.scene import EXTERIOR, Opening
-from solver.validator.lattice import PER_METRE, WALL_NUMBERS, WallEdge, metres
+from solver.scene import EXTERIOR, WALL_NUMBERS, Opening
+from solver.validator.lattice import PER_METRE, WallEdge, metres
 from solver.validator.world import Hole, PlacedRoom, World
 from solver.wall_fittings import Span, door_bars, leaf_bars, leaf_offset, window_bars
 

@@ -8,8 +8,9 @@ from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, KindKey, rows_in
+from solver.scene import WALL_NUMBERS
 from solver.validator.kinds import NO_KIND, SEATED, Kinds
-from solver.validator.lattice import WALL_NUMBERS, ExactBox
+from solver.validator.lattice import ExactBox
 from solver.validator.sent_openings import sent_openings
 from solver.validator.world import PlacedRoom, World, turns_of
 
