@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final, Literal, NamedTuple
 
 from solver.errors import RequestError
-from solver.geometry import Rect, encloses, to_mm
+from solver.geometry import Rect, edges_round, encloses, to_mm
 from solver.streams import Stream
 
 LARGEST_MM: Final = 100_000
@@ -106,7 +106,7 @@ def _check(points: Sequence[PlanCorner]) -> None:
     """Refuses what is no outline of a house."""
     if len(points) < 4:
         raise RequestError("outline", "encloses no floor", RECTILINEAR)
-    edges = list(zip(points, [*points[1:], points[0]], strict=True))
+    edges = list(edges_round(points))
     for a, b in edges:
         if a[0] != b[0] and a[1] != b[1]:
             raise RequestError("outline", f"has a slanted edge from {_said(a)} to {_said(b)}", RECTILINEAR)

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from solver.geometry import doubled_area
+from solver.geometry import doubled_area, edges_round
 
 FloorCorner = tuple[int, int]
 FloorCorners = list[FloorCorner]
@@ -69,7 +69,7 @@ def _is_passed(before: FloorCorner, here: FloorCorner, after: FloorCorner) -> bo
 def edges_of_corners(room: int, corners: Sequence[FloorCorner]) -> list[PlanEdge]:
     """Returns the edges of a room whose corners go clockwise."""
     found = []
-    for index, ((x, z), (next_x, next_z)) in enumerate(zip(corners, [*corners[1:], *corners[:1]], strict=True)):
+    for index, ((x, z), (next_x, next_z)) in enumerate(edges_round(corners)):
         if z == next_z:
             found.append(PlanEdge(room, index, "x", z, min(x, next_x), max(x, next_x), -1 if next_x > x else 1))
         else:

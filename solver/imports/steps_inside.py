@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.geometry import edges_round
 from solver.imports.rectilinear import FloorCorners, tidied
 
 STEP: Final = 100
@@ -37,7 +38,7 @@ def stepped(polygon: Polygon, rooms: int = 1) -> FloorCorners:
 def _cuts(polygon: Polygon, axis: int, step: int) -> NDArray[np.int64]:
     """Returns where the floor is cut: at every edge along the other axis, and in steps along slanted edges."""
     found: set[int] = set()
-    for a, b in zip(polygon, [*polygon[1:], *polygon[:1]], strict=True):
+    for a, b in edges_round(polygon):
         if a[axis] == b[axis]:
             found.add(round(a[axis]))
         elif a[1 - axis] != b[1 - axis]:
@@ -54,7 +55,7 @@ def _inside(polygon: Polygon, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> C
         return np.zeros((0, 0), dtype=np.bool_)
     mid_x, mid_z = (xs[1:] + xs[:-1]) / 2, (zs[1:] + zs[:-1]) / 2
     inside, cut = np.zeros((len(mid_x), len(mid_z)), dtype=np.bool_), np.zeros((len(mid_x), len(mid_z)), dtype=np.bool_)
-    for (ax, az), (bx, bz) in zip(polygon, [*polygon[1:], *polygon[:1]], strict=True):
+    for (ax, az), (bx, bz) in edges_round(polygon):
         if ax == bx:
             continue
         (x0, z0), (x1, z1) = sorted(((ax, az), (bx, bz)))

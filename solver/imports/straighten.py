@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
-from solver.geometry import doubled_area
+from solver.geometry import doubled_area, edges_round
 from solver.imports.drawn import PlanNotes, Spot
 from solver.imports.rectilinear import FloorCorners, is_simple, tidied, weighted_median
 from solver.imports.steps_inside import stepped
@@ -94,7 +94,7 @@ def turn_of(polygons: Sequence[Sequence[Spot]]) -> float:
     weights: dict[int, float] = {}
     angles: list[tuple[float, float]] = []
     for polygon in polygons:
-        for a, b in zip(polygon, [*polygon[1:], *polygon[:1]], strict=True):
+        for a, b in edges_round(polygon):
             length, angle = math.dist(a, b), math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])) % 90.0
             angles.append((angle, length))
             weights[round(angle * 2) % 180] = weights.get(round(angle * 2) % 180, 0.0) + length
@@ -188,7 +188,7 @@ def _spread(points: Sequence[Spot], axis: str) -> float:
 def _kinds(points: Sequence[Spot]) -> list[str]:
     """Tells of each edge whether it runs along x or z, is slanted, or too short to tell."""
     count, kinds, curving = len(points), [], []
-    for a, b in zip(points, [*points[1:], *points[:1]], strict=True):
+    for a, b in edges_round(points):
         dx, dz = abs(b[0] - a[0]), abs(b[1] - a[1])
         minor, major = min(dx, dz), max(dx, dz)
         level = minor <= STRAIGHT * major and minor <= 2 * NEAR
