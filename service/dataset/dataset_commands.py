@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
+from service.command_files import read_file
 from service.dataset.dataset_plan import OURS, DatasetPlan, again, check_names, made_home, packed_all, varied
 from service.standard_streams import put, say
 from solver.errors import FieldError
-from solver.exchange import dump_scene, format_of_file, format_of_name, load_text, read_request
+from solver.exchange import dump_scene, format_of_name, read_request
 from solver.export_formats import EXPORTERS
 
 CLEAN: Final = 0
@@ -58,7 +59,7 @@ def plan_of(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) 
     Raises:
         FieldError: the request, or how requests differ, is wrong.
     """
-    document = None if options.vary is None else _document(options.vary)
+    document: Any = None if options.vary is None else read_file(options.vary)
     read_request(request, "request")
     requests = varied({name: value for name, value in request.items() if name != "seed"}, document or {})
     known = {name: catalogs if name == OURS else load_catalogs(name) for name in requests.catalogs}
@@ -110,14 +111,6 @@ def _check(options: Namespace, catalogs: Catalogs) -> int:
     said = "nothing is wrong" if not found.faults else f"{len(found.faults)} things are wrong"
     say(f"{found.homes:,} homes, {found.files:,} files, {found.made:,} homes made again and validated: {said}")
     return ERRORS_FOUND if found.faults else CLEAN
-
-
-def _document(name: str) -> Any:
-    content = Path(name).read_bytes()
-    try:
-        return load_text(content, format_of_file(name, content))
-    except FieldError as error:
-        raise FieldError(f"{name}: {error.field}", error.problem, error.allowed) from None
 
 
 def _need(module: str, extra: str, what: str) -> None:
