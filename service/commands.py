@@ -10,8 +10,19 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from service.command_files import checked, format_of_foreign, held_scene, parsed, read_file, scene_of_file, spoken
-from service.sent_scenes import listed, told_as_sent, told_assets, told_kinds
+from service.command_files import (
+    checked,
+    format_of_foreign,
+    held_scene,
+    listed,
+    parsed,
+    read_file,
+    scene_of_file,
+    spoken,
+    told_as_sent,
+    told_assets,
+    told_kinds,
+)
 from service.service_settings import settings_of
 from service.standard_streams import STREAM, give_up_output, put, read_content, say
 from solver.errors import ComposeError, FieldError, system_words
@@ -229,11 +240,7 @@ def _ends_as_file(name: str) -> bool:
 
 
 def _put_files(files: Mapping[str, bytes], name: str) -> None:
-    """Writes files into a folder; one alone also under a name that ends as a file's does, or to standard output.
-
-    Raises:
-        FieldError: there are several files, and no folder for them.
-    """
+    """Writes files into a folder; one alone also under a name that ends as a file's does, or to standard output. Several need a folder."""
     content = next(iter(files.values()))
     if name == STREAM or Path(name).is_file() or (_ends_as_file(name) and not Path(name).is_dir()):
         if len(files) > 1:
@@ -293,11 +300,7 @@ COMMANDS: Final[Mapping[str, Callable[[Namespace], int]]] = {
 
 
 def _catalogs(options: Namespace) -> "Catalogs":
-    """Reads our catalogs, or a folder of the user's own laid over them, and the user's assets.
-
-    Raises:
-        CatalogError: there is a mistake in a folder; names its file, line and key.
-    """
+    """Reads our catalogs, or a folder of the user's own laid over them, and the user's assets."""
     from catalogs import load_catalogs
 
     catalogs, assets = load_catalogs(getattr(options, "catalog", None) or None), getattr(options, "assets", None)
@@ -327,11 +330,7 @@ def _write(document: Mapping[str, Any], options: Namespace) -> None:
 
 
 def _format(options: Namespace) -> str:
-    """Returns the format of what is written: by the option, else by the output's name, else YAML.
-
-    Raises:
-        FieldError: the name ends as that of another format does.
-    """
+    """Returns the format of what is written: by the option, else by the output's name, else YAML; refuses the name of another format."""
     found = options.format or format_of_name(options.output)
     if found is None and _ends_as_file(options.output) and not options.output.endswith(".txt"):
         raise FieldError("--output", f"{options.output} names no format", ".yaml or .json; --format names it, of `export` any other, too")

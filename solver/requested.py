@@ -25,7 +25,7 @@ from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Room, Scene
 
 if TYPE_CHECKING:
-    from solver.relations.asking import Traits
+    from solver.relations.held import Traits
 
 MOST_PIECES: Final = 64
 """Most pieces of one request, copies counted; our choice: a furnished living room holds fifteen."""
@@ -231,7 +231,7 @@ def _weighed(rule: RelationSpec) -> RelationSpec:
 
 
 def _traits(word: str) -> "Traits":
-    from solver.relations.asking import traits  # noqa: PLC0415 - what only reads the types of requests needs no core
+    from solver.relations.held import traits  # noqa: PLC0415 - what only reads the types of requests needs no core
 
     return traits(word)
 

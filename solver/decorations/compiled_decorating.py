@@ -5,7 +5,7 @@ The rows are those of solver/core/decorate/decorating.hpp, in the same order.
 
 import math
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from struct import Struct
 from typing import Final
@@ -16,11 +16,10 @@ from catalogs.entries import Comfort, Side, Surface
 from catalogs.fronts import FrontFloor, floor_before
 from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import UPRIGHT, KindBook
-from catalogs.styles import Leaning
+from catalogs.styles import Leaning, Style
 from solver.body_rows import Look, LooksBySize
 from solver.core.core_tables import CoreTables, TableRange
-from solver.decorations.decoration_settings import DecorationSettings
-from solver.geometry import to_mm
+from solver.geometry import Rect, to_mm
 from solver.records import MadeOnce
 
 SCALE_STEP: Final = 0.1
@@ -48,6 +47,20 @@ _MOST_LOOKS: Final = 20_000
 
 SizeMm = tuple[int, int, int]
 """Width, depth and height, mm."""
+
+
+@dataclass(frozen=True)
+class DecorationSettings:
+    """What the rooms of a storey are decorated with, in which style, m from floor to ceiling, and by room what is `kept` free.
+
+    That is floor on which nothing is to come to stand, beside that at the sides of furniture, mm in the room.
+    """
+
+    catalogs: Catalogs
+    style: Style | None = None
+    style_name: str = ""
+    height: float = 2.8
+    kept: Mapping[str, Sequence[Rect]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,8 +6,7 @@ Comes in: a `scene.Room` with openings, the catalogs, the room's stream, or a li
 
 from solver.furnish.habits import Habits, habits_of
 from solver.furnish.listed_pieces import ListedPieces, Listing, tucks
-from solver.furnish.low_rooms import LowRooms, as_low_as
-from solver.furnish.room_types import unwanted_pieces, wanted_pieces, wanted_rows
+from solver.furnish.room_types import LowRooms, as_low_as, unwanted_pieces, wanted_pieces, wanted_rows
 from solver.furnish.zones import scope_of, space_of
 
 __all__ = [

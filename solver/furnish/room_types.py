@@ -1,10 +1,11 @@
 """From a room type's pieces and their relations to pieces to be placed: which, in which order, and their candidates.
 
-The work is the core's: solver/core/furnish.
+The work is the core's: solver/core/furnish. Of what a type lists, rooms under a ceiling want the kinds that are no higher than they are.
 """
 
-from collections.abc import Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from functools import lru_cache, partial
+from typing import NamedTuple
 
 from catalogs.relation_keys import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RoomType
@@ -108,3 +109,36 @@ def _why_fewer(piece: PieceSpec, area: float, copies: int) -> str:
     least = (most + 1) // 2
     drawn = "" if least == most else f", drawn from {least} to {most}"
     return f"{copies} of at most {piece.count}: one for every {piece.per_area:g} m2{drawn}"
+
+
+class LowRooms(NamedTuple):
+    """Catalogs whose room types list what fits under a ceiling; by room type the pieces of which nothing does, and why."""
+
+    catalogs: Catalogs
+    left_out: Mapping[str, tuple[tuple[str, str], ...]]
+
+
+@lru_cache(maxsize=16)
+def as_low_as(height: float, catalogs: Catalogs) -> LowRooms:
+    """Returns what rooms of a height, m, can hold; the same catalogs where that is all of it."""
+
+    def fits(kind: str) -> bool:
+        return catalogs.furniture[kind].size[2] <= height
+
+    rooms, left_out = dict(catalogs.rooms), dict[str, tuple[tuple[str, str], ...]]()
+    for name, room in catalogs.rooms.items():
+        if room.outdoor or all(fits(one.kind) for piece in room.pieces for one in piece.variants):
+            continue
+        kinds = [(piece, tuple(one for one in piece.variants if fits(one.kind))) for piece in room.pieces]
+        stand = [(piece, own) for piece, own in kinds if any(one.corner is None for one in own)]
+        pieces = tuple(piece if own == piece.variants else piece.model_copy(update={"kinds": own}) for piece, own in stand)
+        rooms[name] = room.model_copy(update={"pieces": pieces})
+        there = {piece.piece for piece in pieces}
+        gone = (piece for piece in room.pieces if piece.piece not in there and not piece.without)
+        left_out[name] = tuple((f"{piece.piece}_1", _why_too_high(piece, height, catalogs)) for piece in gone)
+    return LowRooms(catalogs.model_copy(update={"rooms": rooms}), left_out) if left_out else LowRooms(catalogs, {})
+
+
+def _why_too_high(piece: PieceSpec, height: float, catalogs: Catalogs) -> str:
+    lowest = min((one.kind for one in piece.variants), key=lambda kind: catalogs.furniture[kind].size[2])
+    return f"the lowest, {lowest}, is {catalogs.furniture[lowest].size[2]:.2f} m high, and the room {height:.2f} m"

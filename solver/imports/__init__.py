@@ -9,6 +9,6 @@ One module a format in `formats/` (file -> `DrawnPlan`), one module a step: `uni
 from solver.imports.bounded_files import unpacked
 from solver.imports.drawn import PlanNotes
 from solver.imports.plan_reading import READERS, PlanFile, format_of_plan, imported
-from solver.imports.scene_lengths import in_metres, scene_unit
+from solver.imports.units import in_metres, scene_unit
 
 __all__ = ["READERS", "PlanFile", "PlanNotes", "format_of_plan", "imported", "in_metres", "scene_unit", "unpacked"]

@@ -29,10 +29,9 @@ from solver.imports.straighten import straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import unit_named, unit_of
-from solver.imports.untold_openings import told_apart
+from solver.imports.untold_openings import told_apart, with_glass
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.walls_alone import with_rooms_between
-from solver.imports.wide_doors import with_glass
 from solver.scene import Level, Room, Scene, Size
 
 USUAL_THICKNESS: Final = 100

@@ -1,15 +1,15 @@
-"""Second step: how long the file's unit is, by what the file says or by how wide its doors are."""
+"""Second step: how long the file's unit is, by what the file says or by how wide its doors are; so it is with scenes of ours, too."""
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from solver.errors import FieldError
 from solver.geometry import doubled_area
 from solver.imported import ALLOWED_UNITS, UNITS
-from solver.imports.drawn import DrawnOpening, DrawnPlan, PlanNotes
+from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes
 
 DOOR_WIDTHS: Final = (0.7, 1.0)
 """Between these, m, lies the median width of a home's doors."""
@@ -83,11 +83,7 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
 
 
 def _by_rooms(plan: DrawnPlan) -> tuple[float, str]:
-    """Returns the unit in which rooms are as large as rooms, where there are no doors to tell.
-
-    Raises:
-        FieldError: there is none, or more; or doors tell none.
-    """
+    """Returns the unit in which rooms are as large as rooms, where there are no doors to tell; refuses a plan of none, or of several."""
     doors, sides = _doors(plan.openings), [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
     size, told = (median(doors), DOORS) if doors else (median(sides) if sides else 0.0, "rooms' median side")
     found = [] if doors else _within(size, LIKELY_ROOM)
@@ -155,3 +151,43 @@ def _told(name: str, size: float, told: str) -> str:
 
 def _within(size: float, limits: tuple[float, float]) -> list[str]:
     return [name for name, metres in UNITS.items() if limits[0] <= size * metres <= limits[1]]
+
+
+LENGTHS: Final = frozenset(("x", "y", "z", "width", "depth", "height", "position", "sill", "elevation", "outline", "wallthickness", "slab"))
+"""Keys of lengths, without what parts their words."""
+FARTHEST: Final = 1e9
+LARGEST: Final = 100.0
+"""The median room of a scene without doors is no wider, m."""
+
+
+def scene_unit(document: Mapping[str, Any], asked: str | None, notes: PlanNotes) -> float:
+    """Returns the length of a scene's unit, m; where it is not 1 that is noted.
+
+    Raises:
+        FieldError: it is none that its doors or rooms tell.
+    """
+    rooms = list(_parts(document, "rooms"))
+    sides = [(one["width"], one["depth"]) for one in rooms if _is_number(one.get("width")) and _is_number(one.get("depth"))]
+    widths: list[Any] = [one.get("width") for room in rooms for one in _parts(room, "openings") if one.get("kind", "door") == "door"]
+    doors = tuple(DrawnOpening("door", (0.0, 0.0), (width, 0.0), "") for width in widths if _is_number(width))
+    drawn = tuple(DrawnRoom(((0.0, 0.0), (x, 0.0), (x, z), (0.0, z)), "", "") for x, z in sides)
+    is_told = bool(doors) or all(min(one) <= LARGEST for one in sides)
+    return unit_of(DrawnPlan(drawn, doors, metres=1.0 if is_told else None), asked, notes)
+
+
+def in_metres(value: Any, metres: float, is_length: bool = False) -> Any:
+    """Returns a document whose lengths are in another unit with all of them in m."""
+    if isinstance(value, Mapping):
+        return {key: in_metres(one, metres, "".join(str(key).split("_")).lower() in LENGTHS) for key, one in value.items()}
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return [in_metres(one, metres, is_length) for one in value]
+    return round(value * metres, 6) if is_length and _is_number(value) else value
+
+
+def _parts(document: Mapping[str, Any], key: str) -> Iterator[Mapping[str, Any]]:
+    found = document.get(key)
+    yield from (one for one in found if isinstance(one, Mapping)) if isinstance(found, Sequence) else ()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < FARTHEST

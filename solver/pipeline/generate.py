@@ -12,9 +12,8 @@ from solver.certificate import certificate, room_certificate
 from solver.exchange import checked_request, write_request
 from solver.floorplan import FloorPlan, door_positions, draw, wall_thickness_of, with_door_at
 from solver.furnish import LowRooms, as_low_as, space_of, unwanted_pieces, wanted_pieces, wanted_rows
-from solver.furnished import furnished, names_placed
+from solver.furnished import chosen_style, furnished, names_placed, with_materials
 from solver.geometry import to_m
-from solver.materials import chosen_style, with_materials
 from solver.named_assets import with_assets
 from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
@@ -381,11 +380,7 @@ def _setting_of(
 
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:
-    """Writes the furniture into its rooms, around what stays in them.
-
-    Raises:
-        SceneError: what stays cannot be furnished around.
-    """
+    """Writes the furniture into its rooms, around what stays in them; refuses what cannot be furnished around."""
     stays = {room.id: _around(room, setting)[0] for room in rooms if room.id in setting.staying}
     wrong = {name for name, staying in stays.items() if not staying.are_in(arrangements[name])}
     refuse([room.id for room in rooms], stays, wrong)

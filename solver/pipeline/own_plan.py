@@ -11,10 +11,9 @@ from typing import Any, Final
 from catalogs import Catalogs, load_catalogs
 from solver.errors import RequestError, SceneError
 from solver.floorplan import program_counts, program_of
-from solver.furnished import recoloured
+from solver.furnished import chosen_style, recoloured, with_materials
 from solver.guessed import KEEPS, FurnishedPlan
 from solver.guessing import guessed_types, is_shaft, with_entrance, with_types
-from solver.materials import chosen_style, with_materials
 from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
@@ -100,11 +99,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
 
 
 def _typed(scene: Scene, types: Mapping[str, str], known: Catalogs) -> Scene:
-    """Returns a scene whose rooms have the types they were told.
-
-    Raises:
-        RequestError: the catalogs do not know one.
-    """
+    """Returns a scene whose rooms have the types they were told; refuses one that the catalogs do not know."""
     for name, told in types.items():
         if told not in known.rooms:
             raise RequestError(f"types.{name}", f"unknown room type {told!r:.60}", ", ".join(sorted(known.rooms)))

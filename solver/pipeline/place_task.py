@@ -20,8 +20,7 @@ from solver.named_assets import with_assets
 from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
 from solver.pipeline.staying import obstacles
-from solver.relations.asking import Standing, traits
-from solver.relations.held import FinishedRoom, at_wall, held, standing
+from solver.relations.held import FinishedRoom, Standing, at_wall, held, standing, traits
 from solver.relations.subject import Kind
 from solver.requested import (
     Held,

@@ -5,8 +5,7 @@ from dataclasses import replace
 from catalogs import Catalogs, load_catalogs
 from solver.answers import Generated
 from solver.certificate import certified
-from solver.furnished import recoloured
-from solver.materials import chosen_style, with_materials
+from solver.furnished import chosen_style, recoloured, with_materials
 from solver.named_assets import with_assets
 from solver.people import Household
 from solver.pipeline.accessible import with_fronts

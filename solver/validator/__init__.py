@@ -7,8 +7,7 @@ found, so that a changed scene is checked again only where it changed. Adding a 
 """
 
 from solver.validator.accessibility import access_of
-from solver.validator.alone import RoomAlone, room_alone
-from solver.validator.checking import Checked, check, validate
+from solver.validator.checking import Checked, RoomAlone, check, room_alone, validate
 from solver.validator.floor import floors
 from solver.validator.judging import FINDING_WORK
 from solver.validator.metrics import metrics

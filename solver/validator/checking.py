@@ -23,7 +23,7 @@ from solver.validator.kinds import Kinds, kinds_of
 from solver.validator.rules import CHECKS, homeless, issues_of
 from solver.validator.sent_rooms import NumberedKinds, room_bytes
 from solver.validator.walk import ANY_NUMBER, judged_storey, storeys
-from solver.validator.world import PlacedRoom, World, world_of
+from solver.validator.world import AnyBody, PlacedRoom, World, world_of
 
 _OF_THE_CERTIFICATE = "missing_required"
 """The one rule that reads what is no room: the reasons that the certificate gives."""
@@ -151,3 +151,19 @@ def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
         open_again.add(_OF_THE_CERTIFICATE)
     kept = {rule: found for rule, found in known.issues.items() if rule not in open_again}
     return _Judged(case, {**kept, **issues_of(open_again, case)})
+
+
+@dataclass(frozen=True)
+class RoomAlone:
+    """A room as a storey of its own: its rows as the core reads it, and furniture, small things, people in their order."""
+
+    rows: bytes
+    bodies: tuple[AnyBody, ...]
+
+
+def room_alone(scene: Scene, catalogs: Catalogs) -> RoomAlone:
+    """Returns the one room of a scene."""
+    world, kinds = world_of(scene), NumberedKinds(kinds_of(catalogs))
+    (place,) = world.places
+    walk, _ = judged_storey(world, [(place, room_bytes(world, place, kinds))], kinds)
+    return RoomAlone(walk.rows, place.bodies)

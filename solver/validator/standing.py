@@ -1,9 +1,13 @@
-"""The rules for where bodies stand, in words: one function each, a room at a time; found by solver/core/validate/standing.cpp."""
+"""The rules for where bodies stand and lie, in words: one function each, a room at a time.
+
+They are found in solver/core/validate, by standing.cpp, crossing.cpp and floating.cpp.
+"""
 
 from collections.abc import Iterator
 from typing import Final
 
-from solver.validator.judging import Finding, RuleCase
+from solver.scene import Decoration
+from solver.validator.judging import Finding, RuleCase, Told
 from solver.validator.lattice import exact, words
 from solver.validator.sent_openings import openings_on
 
@@ -67,3 +71,51 @@ def above_ceiling(case: RuleCase) -> Iterator[Finding]:
     for told in case.told["above_ceiling"]:
         name, where = case.name(told.body), f"the ceiling of {case.room.room.id}, which is {words(case.room.ceiling)} high"
         yield Finding((name,), told.amount, f"{name} reaches {words(told.amount)} above {where}")
+
+
+def shapes_cross(case: RuleCase) -> Iterator[Finding]:
+    """A part of a body is more than 2 mm deep in a part of another.
+
+    Where both stand on the floor and neither is under or on the other, `overlap` speaks of them. Bodies of kinds without a shape are passed
+    over: what they are made of is not known.
+    """
+    found: list[Finding] = []
+    for told in case.told["shapes_cross"]:
+        first, second = sorted((case.name(told.body), case.name(told.other)))
+        message = f"{first} and {second} cross: a part of one is {words(told.amount)} deep in a part of the other"
+        found.append(Finding((first, second), told.amount, message))
+    yield from sorted(found)
+
+
+_FLOATS, _IN_A_CIRCLE, _NO_SUCH_WALL = 0, 1, 2
+"""How the core tells what floats."""
+
+
+def floating(case: RuleCase) -> Iterator[Finding]:
+    """A body's middle is not over a surface of what carries it at its height, or a decoration hangs at no wall.
+
+    A parent of a kind and size that the catalogs know carries things on its surfaces, each as far in from its edges as the kind says, and
+    inside, on the boards of its carcass and in its drawers. Any other parent is what its sizes say: it carries on all of its top, and at
+    the heights that the catalogs know for its name. A thing without a parent, or whose parent is not in the room, lies on the floor or on
+    any of the room's bodies. Furniture that says `on` what it stands is judged like a thing with that parent; of other furniture nothing
+    is said: a cupboard may hang.
+    """
+    for told in case.told["floating"]:
+        name = case.name(told.body)
+        yield Finding((name,), told.amount, f"{name} {_what_is_wrong(case, told)}")
+
+
+def _what_is_wrong(case: RuleCase, told: Told) -> str:
+    thing, room = case.room.bodies[told.body], case.room.room.id
+    if told.how == _FLOATS:
+        own = "its parent " if isinstance(thing, Decoration) else ""
+        below = f"{own}{case.name(told.other)}" if told.other >= 0 else "anything"
+        how = f"{words(told.b)} above or below" if told.b >= told.a else f"with its middle {words(told.a)} beside"
+        return f"floats {how} what could carry it on {below}"
+    if told.how == _IN_A_CIRCLE:
+        how = "its own parent" if told.other == told.body else f"on {case.name(told.other)}, and that on {thing.id} in the end"
+        return f"is {how}: nothing carries it"
+    assert isinstance(thing, Decoration)
+    if told.how == _NO_SUCH_WALL:
+        return f"hangs at the {thing.mounted_on_wall} wall, which {room} does not have"
+    return f"floats {words(told.amount)} from the face of the {thing.mounted_on_wall} wall of {room}"

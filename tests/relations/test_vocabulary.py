@@ -14,7 +14,7 @@ from catalogs.relation_keys import EVERY, KEYS
 from catalogs.schema import RelationSpec, RelationWord
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate
-from solver.relations.asking import Standing, holds_in_room, holds_with, traits
+from solver.relations.held import Standing, holds_in_room, holds_with, traits
 from solver.relations.rows import RELATION_WORDS
 from solver.relations.subject import Kind
 from tests.furnish.reference.slots import SIDES

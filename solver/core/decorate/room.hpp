@@ -1,4 +1,4 @@
-// A furnished room as Python sends it (solver/decorations/decorated_rows.py), and a room while it is being decorated. Lengths are mm.
+// A furnished room as Python sends it (solver/decorations/decorating.py), and a room while it is being decorated. Lengths are mm.
 #pragma once
 
 #include "decorate/decorating.hpp"

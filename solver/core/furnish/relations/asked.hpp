@@ -83,7 +83,7 @@ inline Interval about(i64 middle, f64 half) {
   return {whole(-floor(-(static_cast<f64>(middle) - half))), whole(floor(static_cast<f64>(middle) + half))};
 }
 
-// What Python asks (solver/relations/asking.py): whether a relation holds.
+// What Python asks (solver/relations/held.py): whether a relation holds.
 bool relation_holds(Bytes asked, bool in_room);
 // The usual distance, mm, and behind it a bit for each of what a relation is.
 i64 relation_traits(Word word);
