@@ -184,10 +184,6 @@ class Rect(NamedTuple):
         """Returns how far the edge at a wall is from that wall of a room's rectangle; negative beyond it."""
         return (self.line(wall) - room.line(wall)) * INWARDS[wall]
 
-    def distance_to_point(self, point: tuple[float, float]) -> float:
-        """Returns how far a point (x, z) is; 0 inside."""
-        return math.hypot(max(self.x0 - point[0], point[0] - self.x1, 0), max(self.z0 - point[1], point[1] - self.z1, 0))
-
     def distance_to(self, other: Rect) -> float:
         """Returns the free distance to another rectangle; 0 where they touch or overlap."""
         return math.hypot(max(self.x0 - other.x1, other.x0 - self.x1, 0), max(self.z0 - other.z1, other.z0 - self.z1, 0))

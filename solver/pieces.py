@@ -239,6 +239,20 @@ class Piece:
     is_floor: bool = False
     only: NamedKind | None = None
 
+    @property
+    def parents(self) -> set[str | None]:
+        """Labels of the pieces at which it may stand, None where it may stand at none; empty where it has no candidate."""
+        return {way.attach.parent if way.attach else None for way in self.candidates}
+
+
+def with_relying(pieces: Iterable[Piece], labels: Iterable[str]) -> set[str]:
+    """Returns labels with those of all pieces that stand only at one of them, or nowhere."""
+    found = set(labels)
+    for piece in pieces:  # what stands at another comes after it
+        if piece.parents <= found:
+            found.add(piece.label)
+    return found
+
 
 NamedKinds = tuple[NamedKind, ...]
 """Names and sizes of kinds, by their numbers."""

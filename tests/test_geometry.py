@@ -42,8 +42,8 @@ def test_a_strip_lies_at_its_wall_and_is_as_deep_as_asked(wall: str) -> None:
 
 
 def test_distances_of_points_and_rectangles() -> None:
-    assert BODY.distance_to_point((1500, 700)) == 0
-    assert BODY.distance_to_point((997, 496)) == 5
+    assert BODY.distance_to(Rect(1500, 700, 1500, 700)) == 0
+    assert BODY.distance_to(Rect(997, 496, 997, 496)) == 5
     assert BODY.distance_to(Rect(2003, 904, 2100, 1000)) == 5
     assert BODY.distance_to(Rect(2000, 500, 2100, 1000)) == 0, "touching"
 

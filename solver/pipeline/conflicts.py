@@ -121,8 +121,7 @@ def _by_themselves(repair: RoomRepair) -> Iterator[tuple[str, list[Piece]]]:
     placed = [repair.pieces[k] for k in standing]
     for label in repair.unplaced:
         piece = repair.pieces[at[label]]
-        parents = {way.attach.parent if way.attach else None for way in piece.candidates}
-        if not (parents and parents <= missing):
+        if not (piece.candidates and piece.parents <= missing):
             before = bisect(standing, at[label])
             yield label, [*placed[:before], piece, *placed[before:]]
 

@@ -9,7 +9,7 @@ from catalogs import Catalogs, load_catalogs
 from catalogs.schema import RelationSpec
 from solver.answers import Conflict
 from solver.errors import RequestError
-from solver.pieces import Piece
+from solver.pieces import Piece, with_relying
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
 from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, settled
 from solver.pipeline.timing import Clock, Timing
@@ -116,7 +116,7 @@ def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:
 def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Asking) -> tuple[Conflict, ...]:
     """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found."""
     missing = [entry.id for entry in placement.unplaced]
-    given_up = _with_relying(task.pieces, found.given_up)
+    given_up = with_relying((piece for piece in task.pieces if piece.candidates), found.given_up)
     required = [piece for piece in task.pieces if piece.required]
     before = {piece.label: {one.label for one in task.pieces[:k]} & {*missing} for k, piece in enumerate(task.pieces)}
     conflicts, budget = [], Budget(ROOM_WORK)
@@ -138,15 +138,6 @@ def _asked_beside(task: PlaceTask, label: str, missing: set[str]) -> Sequence[st
     rules = [rule for request in task.requests if label in request.labels for rule in request.relations if rule.required]
     others = [[one for name in rule.of if name in labels for one in labels[name] if one != label] for rule in rules]
     return next((names for names in others if names and missing.issuperset(names)), ())
-
-
-def _with_relying(pieces: Sequence[Piece], labels: Sequence[str]) -> set[str]:
-    """Returns pieces with all that stand only at one of them."""
-    found = set(labels)
-    for piece in pieces:  # what stands at another comes after it
-        if piece.candidates and {way.attach.parent if way.attach else None for way in piece.candidates} <= found:
-            found.add(piece.label)
-    return found
 
 
 def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:

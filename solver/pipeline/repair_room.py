@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 
 from solver.answers import Issue
-from solver.pieces import Arrangement, Piece, Space
+from solver.pieces import Arrangement, Piece, Space, with_relying
 from solver.placement import Budget, can_be_used, feasible, finish, in_the_way, is_call_spent, move_least, moved_back, walkable_when_empty
 from solver.placement.lengths import Shortfall, shortfall
 from solver.repair import LastAnswer, RoomProblem, holders, pieces_as_sent, without, written_back
@@ -142,7 +142,7 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
     pieces = tuple(replace(piece, stands=()) if piece.label in misplaced else piece for piece in pieces_as_sent(problem))
     arrangement = least_moved_from_last(problem, pieces)
     if arrangement.left_out and misplaced:
-        gone = [piece for piece in pieces if piece.label in misplaced or _stands_only_with(piece, misplaced)]
+        gone = [piece for piece in pieces if piece.label in misplaced or piece.parents.issubset(misplaced)]
         pieces = tuple(piece for piece in pieces if piece not in gone)
         arrangement = least_moved_from_last(problem, pieces)
     if not is_whole(arrangement) and _is_walked_in(problem):
@@ -161,10 +161,6 @@ def _labels_left_out(arrangement: Arrangement) -> tuple[str, ...]:
 
 def _is_walked_in(problem: RoomProblem) -> bool:
     return problem.settings.walk and walkable_when_empty(problem.space)
-
-
-def _stands_only_with(piece: Piece, parents: Collection[str]) -> bool:
-    return all(way.attach is not None and way.attach.parent in parents for way in piece.candidates)
 
 
 WORK_SHARE = 4
@@ -218,7 +214,7 @@ class _Trials:
         return self._helps[labels]
 
     def _others(self, labels: tuple[str, ...]) -> list[Piece]:
-        gone = _with_carried(self.pieces, labels)
+        gone = with_relying(self.pieces, labels)
         return [piece for piece in self.pieces if piece.label not in gone]
 
     def _placed_without(self, labels: tuple[str, ...]) -> Arrangement | None:
@@ -241,16 +237,6 @@ def _least(low: int, high: int, helps: Callable[[int], bool]) -> int:
 def is_whole(answer: Arrangement) -> bool:
     """Tells whether all stand and can be used."""
     return not answer.left_out and not answer.notes
-
-
-def _with_carried(pieces: Sequence[Piece], gone: Sequence[str]) -> set[str]:
-    """Returns who goes, with all that stands only with one of them."""
-    found = set(gone)
-    for piece in pieces:  # what is carried comes after what carries it
-        parents = {way.attach.parent if way.attach else None for way in piece.candidates}
-        if parents <= found:
-            found.add(piece.label)
-    return found
 
 
 JUMP_COST = 0.2

@@ -105,8 +105,7 @@ def minimal_conflict(
 
 def _carrier(piece: Piece) -> str | None:
     """Returns the one piece without which a piece cannot stand, if there is one."""
-    parents = {a.attach.parent if a.attach else None for a in piece.candidates}
-    return parents.pop() if len(parents) == 1 else None
+    return next(iter(piece.parents)) if len(piece.parents) == 1 else None
 
 
 def _with_carriers(known: Mapping[str, Piece], label: str) -> set[str]:
@@ -124,11 +123,7 @@ def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> 
     gone = {label}
     while True:
         left = members - gone
-        more = {
-            other
-            for other in left
-            if known[other].candidates and not any(a.attach is None or a.attach.parent in left for a in known[other].candidates)
-        }
+        more = {other for other in left if known[other].candidates and known[other].parents.isdisjoint({None, *left})}
         if not more:
             return gone
         gone |= more

@@ -174,7 +174,7 @@ def _off_distance(subject: Subject, spec: RelationSpec, openings: list[Opened], 
     wished = max(distance_mm(spec, default), LEAST_MM) / 1000
 
     def cost_of(candidate: Candidate) -> float:
-        nearest = min(candidate.footprint.distance_to_point(middle_of(opening)) for opening in openings)
+        nearest = min(candidate.footprint.distance_to(Rect(*middle_of(opening), *middle_of(opening))) for opening in openings)
         off = sign * (nearest / 1000 - wished)
         return missed(spec) * min(1.0, off / wished) if off > 0 else 0.0
 
