@@ -71,15 +71,11 @@ def _whole(least: int, most: int) -> Callable[[str], int]:
 _COUNT: Final = _whole(1, 10**9)
 
 
-def _task(*tasks: str) -> Callable[[str], str]:
-    """Returns what reads which task a command is to do: a folder comes behind it."""
-
-    def read(text: str) -> str:
-        if text in tasks:
-            return text
+def _task(tasks: tuple[str, ...], text: str) -> str:
+    """Reads which task a command is to do; a folder comes behind it."""
+    if text not in tasks:
         raise ArgumentTypeError(f"{text!r} is no task: {' or '.join(tasks)}, then a folder")
-
-    return read
+    return text
 
 
 def seeds(text: str) -> tuple[int, int]:
@@ -310,7 +306,7 @@ def _add_assets(commands: Commands) -> None:
     words = "Check a folder of your own .glb files; writes its assets.yaml, what is not said measured or guessed, and marked so."
     command = _command(commands, "assets", words)
     words = "check: measure every file, refuse what cannot be used"
-    command.add_argument("task", type=_task("check"), metavar="{check}", help=words)
+    command.add_argument("task", type=partial(_task, ("check",)), metavar="{check}", help=words)
     command.add_argument("folder", metavar="DIR", help="holds .glb files, and an assets.yaml if there is one already")
     command.add_argument("--surfaces", action="store_true", help="find where things may lie, too: reads all points of the files")
     command.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write assets.yaml (standard output)")
@@ -333,7 +329,7 @@ def _add_dataset(commands: Commands) -> None:
     command = _command(commands, "dataset", words)
     add = command.add_argument
     words = "make: one home of DIR again, by --seed; check: all of DIR (neither: a dataset is made in --out)"
-    add("task", nargs="?", type=_task("make", "check"), metavar="{make,check}", help=words)
+    add("task", nargs="?", type=partial(_task, ("make", "check")), metavar="{make,check}", help=words)
     add("folder", nargs="?", metavar="DIR", help="of the task: a dataset")
     add("--out", metavar="DIR", help="where the dataset is made, or gone on with")
     add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")
