@@ -79,10 +79,12 @@ def _put_back(repair: RoomRepair) -> RoomRepair:
         gone = tuple(other for other in repair.unplaced if other != label)
         if not gone or is_call_spent():
             break
-        trial = replace(repair.problem, room=without(repair.asked, gone))
-        arrangement = least_moved(trial.space, pieces_as_sent(trial), Budget(trial.settings.work))
-        if is_repaired(trial, arrangement):
-            repair = replace(repair, room=written_back(trial, arrangement.placed), unplaced=gone)
+        trial = replace(repair.problem, room=without(repair.asked, gone), settings=replace(repair.problem.settings, remove=False))
+        pieces, arrangement = _placed(trial, ())
+        found = RoomRepair(trial, written_back(trial, arrangement.placed), trial.room, pieces, _labels_left_out(arrangement))
+        found = until_nothing_changes(found) if found.unplaced else found
+        if not found.unplaced and (arrangement.left_out or is_repaired(trial, arrangement)):
+            repair = replace(repair, room=found.room, unplaced=gone)
     return repair
 
 

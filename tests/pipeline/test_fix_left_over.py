@@ -207,3 +207,29 @@ def test_what_is_taken_out_is_no_more_than_must() -> None:
     fixed = fix(scene, on_conflict="remove")
     assert [gone["id"] for gone in fixed.removed] == [bench.id]
     assert errors(fixed.scene) == []
+
+
+def test_what_comes_back_has_its_place_found_step_by_step_as_in_a_repair() -> None:
+    """A dining room made 1.67 m narrow: with the sideboard out, a chair found its way only from where the others had gone."""
+    size = (0.46, 0.5, 0.9)
+    table = replace(body("dining_table_1", 1.48, 1.8, (1.6, 0.9, 0.75)), rotation=90)
+    places = [(2.03, 2.2, 270), (0.93, 2.2, 90), (2.03, 1.4, 270), (0.35, 0.22, 90), (1.48, 0.9, 0), (1.48, 2.7, 180)]
+    chairs = [replace(body(f"dining_chair_{k}", x, z, size, under=table.id), rotation=turn) for k, (x, z, turn) in enumerate(places)]
+    side = body("sideboard_1", 2.21, 0.28, (1.0, 0.4, 0.84), wall="north")
+    shelf = body("bookshelf_1", 0.35, 0.22, (0.6, 0.28, 1.8), wall="north")
+    ways = tuple(Opening(f"way_{wall}", "passage", wall, 3.2, 1.2, connects_to=f"{wall}_room") for wall in ("east", "west"))
+    window = Opening("window", "window", "south", 1.07, 1.2, 1.2, 0.9, "EXTERIOR")
+    scene = replace(room_of(table, *chairs, side, shelf, width=1.77, depth=3.9, openings=(*ways, window)), wall_thickness=0.1)
+    fixed = fix(scene, on_conflict="remove")
+    assert [gone["id"] for gone in fixed.removed] == [side.id]
+    assert errors(fixed.scene) == []
+
+
+@pytest.mark.parametrize("seed", [18, 23, 35, 36, 43, *seeds(range(60, 100), 20)])
+def test_none_of_several_taken_out_has_a_place_beside_those_that_stay(seed: int) -> None:
+    scene = fuzzed(seed, count=6)
+    gone = [removal["id"] for removal in fix(scene, on_conflict="remove").removed]
+    (room,) = scene.rooms
+    for label in gone if len(gone) > 1 else ():
+        there = tuple(piece for piece in room.furniture if piece.id not in gone or piece.id == label)
+        assert fix(replace(scene, rooms=(replace(room, furniture=there),)), repairs=False).conflicts, label
