@@ -217,10 +217,16 @@ def _parents(catalogs: Catalogs, name: str) -> list[Sequence[KindSpec]]:
 
 def _entry_faults(catalogs: Catalogs, name: str, entry: Decorating) -> Iterator[Fault]:
     parents = _parents(catalogs, name)
-    if len(parents) != 1:
+    if not parents:
         words = {*catalogs.kinds_by_name(), *catalogs.decorations, *catalogs.rooms, INDOOR}
-        problem = f"unknown parent {name!r}{near(name, words)}" if not parents else f"{name!r} is a name of several things"
+        problem = f"unknown parent {name!r}{near(name, words)}"
         yield Fault("decorating", (name,), problem, "a name of furniture.yaml, a key of decorations.yaml or of rooms/, or indoor")
+        return
+    if len(parents) > 1:
+        kind = next((kind for kind in catalogs.furniture if catalogs.name_of(kind) == name), None)
+        others = "decoration and no room type" if kind else "room type"
+        problem = f"{name!r} is a name of several things, which are decorated each in its way"
+        yield Fault("furniture" if kind else "decorations", (kind or name,), problem, f"a name that no {others} has")
         return
     (kinds,) = parents
     if entry.holds and not any(kind in catalogs.furniture.values() for kind in kinds):

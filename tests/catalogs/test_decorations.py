@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
 from catalogs import load_catalogs
 from catalogs.decoration_types import INDOOR
+from catalogs.faults import CatalogError
 from tests.every import every
 
 KNOWN = load_catalogs()
@@ -101,6 +106,15 @@ def test_every_kind_has_a_place_somewhere(name: str) -> None:
 @every("name", ASKEW)
 def test_what_lies_askew(name: str) -> None:
     assert KNOWN.decorations[name].jitter
+
+
+@pytest.mark.parametrize("name", ["kitchen", "wall_shelf"])
+def test_a_kind_called_as_a_room_or_a_decoration_is_reported_where_it_is_written(tmp_path: Path, name: str) -> None:
+    file = tmp_path / "furniture.yaml"
+    file.write_text(f"{name}:\n  {{category: storage, size: [1.2, 0.6, 0.9], color: '#c8c8c8', mass: 40, stands: wall}}\n")
+    with pytest.raises(CatalogError, match="is a name of several things") as raised:
+        load_catalogs(tmp_path)
+    assert str(file) in str(raised.value)
 
 
 def test_names_are_not_those_of_furniture() -> None:
