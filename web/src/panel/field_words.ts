@@ -63,9 +63,16 @@ function fileWords({ problem }: FieldProblem): string {
   return `${capital(tellPlainly(problem))}.`;
 }
 
+/** What is wrong with all that was sent; null where a field is wrong, which has a name. */
+function wholeWords(field: FieldProblem): string | null {
+  if (field.field === "file") return fileWords(field);
+  const most = field.field === "body" && /^at most \d+ bytes \((\d+ MB)\)$/.exec(field.allowed)?.[1];
+  return most ? say("It is larger than {most}, the most that is read here.", { most }) : null;
+}
+
 /** What a failure says, and each field that it names in a line. */
 export function refusalWords(reason: unknown): { readonly title: string; readonly lines: readonly string[] } {
   if (!(reason instanceof ServiceProblem)) return { title: say("The page failed"), lines: [String(reason)] };
-  const lines = reason.fields.map((field) => (field.field === "file" ? fileWords(field) : `${tellPlainly(field.field)}: ${fieldWords(field)}`));
+  const lines = reason.fields.map((field) => wholeWords(field) ?? `${tellPlainly(field.field)}: ${fieldWords(field)}`);
   return { title: tellPlainly(reason.title), lines: lines.length > 0 ? lines : [tellPlainly(reason.detail)] };
 }
