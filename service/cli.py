@@ -1,5 +1,6 @@
 """The command line: what there is to say, and no more; `commands` does the work and is not imported before there is any."""
 
+import gc
 import os
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
@@ -7,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any, Final, TypeAlias
 
-from service.effort import EFFORTS, NORMAL
+from service.effort import EFFORTS, NORMAL, YOUNG
 
 Commands: TypeAlias = "_SubParsersAction[ArgumentParser]"
 
@@ -387,6 +388,7 @@ def main(arguments: Sequence[str] | None = None, begin: Callable[[], object] = b
     options = parser("serve" in words).parse_args(words)
     for library in THREADED:
         os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    gc.set_threshold(YOUNG)  # what a command loads stays: to look it through again and again took an eighth of a short one
     try:
         from service.commands import run  # --help needs none of it
 

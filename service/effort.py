@@ -22,6 +22,9 @@ NORMAL_WORK: Final = 1_500_000
 NORMAL_JUDGING: Final = 1_000_000
 """Work of a call beside its searches, in the same unit. Our choice: judging a home of thirty rooms takes a two-hundredth of it."""
 
+YOUNG: Final = 50_000
+"""Objects made, beyond those gone, until a process looks for cycles: a home holds some ten thousand and makes no cycle."""
+
 
 @dataclass(frozen=True)
 class Terms:

@@ -10,15 +10,13 @@ from hashlib import sha256
 from typing import Final, cast
 
 from catalogs import Catalogs
+from service.effort import YOUNG
 
 KNOWN: Final[dict[str, Catalogs]] = {}
 """The last catalogs that this process packed or was sent, by their mark."""
 
 KEPT: Final = 8
 """How many of them."""
-
-YOUNG: Final = 50_000
-"""Objects made, beyond those gone, until cycles are looked for: a home holds some ten thousand and makes no cycle."""
 
 
 def packed(catalogs: Catalogs) -> bytes:
