@@ -33,6 +33,8 @@ WIDE_NAMES = """() => {
         return x < own.x || own.x + own.width < x + width;
     }).map(name => name.textContent);
 }"""
+TOLD = "[...document.querySelectorAll('#stage > [id], #progress, #stage section, #notice')].map(one => one.id)"
+"""What lies over the house, in the page's own order."""
 DRAW = "Draw a plan"
 
 
@@ -357,6 +359,7 @@ def test_the_board_is_accessible_and_gives_the_focus_back(board: DrawingBoard) -
 def test_what_is_under_way_and_what_fails_is_said_over_the_board(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     page = visit.page
+    places = page.evaluate(TOLD)
     DrawingBoard(visit).open("Change this plan")
     waiting = held(page, "furnish", page.get_by_role("button", name="Furnish the rooms").click)
     progress, notice = page.get_by_role("progressbar"), page.get_by_role("alert")
@@ -368,4 +371,4 @@ def test_what_is_under_way_and_what_fails_is_said_over_the_board(visit: Visit) -
     expect(page.locator("#drawing")).to_be_hidden()
     visit.settle()
     assert any(room["furniture"] for room in visit.page.evaluate("compose.scene.rooms"))
-    assert page.locator("#stage :is(#progress, #notice)").count() == 2
+    assert page.evaluate(TOLD) == places

@@ -12,12 +12,13 @@ export class Drawing {
 
   /** What had the focus before. */
   #before: Element | null = null;
-  /** Where what is told has its place while the board is closed. */
-  readonly #places: readonly (HTMLElement | null)[];
+  /** After which what is told has its place while the board is closed. */
+  readonly #places: readonly Comment[];
 
   /** `covered` is what lies under the board, out of reach while it is open, but for what is `told` in it: that lies over the board then. */
   constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly failed: (reason: unknown) => void) {
-    this.#places = told.map((one) => one.parentElement);
+    this.#places = told.map(() => document.createComment(""));
+    told.forEach((one, at) => one.before(this.#places[at]!));
   }
 
   /** Opens the board on a home; null: on an empty sheet. */
@@ -60,7 +61,7 @@ export class Drawing {
 
   #uncover(): void {
     for (const element of this.covered) element.inert = false;
-    this.told.forEach((one, at) => this.#places[at]?.append(one));
+    this.told.forEach((one, at) => this.#places[at]?.after(one));
     const isLeft = this.host.contains(document.activeElement) || document.activeElement === document.body;
     if (isLeft && this.#before instanceof HTMLElement) this.#before.focus();
   }
