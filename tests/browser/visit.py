@@ -37,12 +37,12 @@ COME_TO_REST = f"""async patience => {{
 }}"""
 """Waits for that in the page itself, from its next frame on: until then it has begun what it puts off to a frame."""
 FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
-    localStorage.clear();
+    for (const kept of [localStorage, sessionStorage]) kept.clear();
     const gone = indexedDB.deleteDatabase('compose');
     gone.onsuccess = () => done(true);
     gone.onerror = gone.onblocked = () => fail(new Error('the homes stay'));
 })"""
-"""Forgets the homes that the page keeps, and what a person chose about the page: done once they are gone."""
+"""Forgets the homes that the page keeps, what a person chose about it, and what it keeps of its tab: done once they are gone."""
 CAN_GO_ON = """() => location.protocol === 'http:' && location.pathname === '/' && 'foundNew' in sessionStorage
     && sessionStorage.length === 2"""
 """Whether a page is one that was looked at when it was new, and it keeps nothing but that; it may have been loaded again since."""
@@ -50,7 +50,9 @@ OPEN_ANOTHER = """address => {
     const shuts = ['#palette:not([hidden]) .palette-head button', '#camera_split[aria-pressed=true]', '.fold[aria-expanded=false]',
         '#drawing:not([hidden]) [data-tool=close]'];
     for (const one of document.querySelectorAll('dialog[open]')) one.close();
+    const chosen = Object.keys(localStorage);
     for (const one of document.querySelectorAll(shuts)) one.click();
+    for (const name of Object.keys(localStorage).filter(one => !chosen.includes(one))) localStorage.removeItem(name);
     document.querySelector('#camera_corner').click();
     for (const one of document.querySelectorAll('#view :is(input, #plan_scale), #find')) {
         if (one.type === 'checkbox' && one.checked !== one.defaultChecked) one.click();
