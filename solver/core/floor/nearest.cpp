@@ -31,13 +31,13 @@ constexpr i64 FARTHEST_MM = 1LL << 40;  // farther than anything
 
 }  // namespace
 
-// The coordinates worth trying along x, nearest first: the wish, the bounds, and the ends of what is taken.
-static List<i64> steps_of(const Axis& axis, Span<Taken> taken) {
+// The coordinates worth trying along x beside the wish itself, nearest first: the bounds, and the ends of what is taken. Those whose square
+// of the distance is no less than a limit are not.
+static List<i64> steps_of(const Axis& axis, Span<Taken> taken, i64 limit) {
   List<i64> tried;
   const auto add = [&](i64 at) {
-    if (axis.holds(at)) tried.add(at);
+    if (axis.holds(at) && (at - axis.wish) * (at - axis.wish) < limit) tried.add(at);
   };
-  add(axis.wish);
   add(axis.low);
   add(axis.high);
   for (const Taken& one : taken) {
@@ -53,13 +53,15 @@ struct NearestPoint {
   i64 at;
 };
 
-// The free coordinate along z nearest to the wish, with the corner at an x. What is taken comes by its low ends, and by its high ones.
-static NearestPoint free_beside(const Axis& axis, i64 x, Span<Taken> upwards, Span<Taken> downwards) {
+// The free coordinate along z nearest to the wish, with the corner at an x. What is taken comes by its low ends: what another one moves a
+// place into lies ahead, whichever way that goes.
+static NearestPoint free_beside(const Axis& axis, i64 x, Span<Taken> taken) {
   i64 up = least(most(axis.wish, axis.low), axis.high), down = up;
-  for (const Taken& one : upwards) {
+  for (const Taken& one : taken) {
     if (one.x.low < x && x < one.x.high && one.z.low < up && up < one.z.high) up = one.z.high;
   }
-  for (const Taken& one : downwards) {
+  for (i32 k = taken.size - 1; k >= 0; k--) {
+    const Taken& one = taken[k];
     if (one.x.low < x && x < one.x.high && one.z.low < down && down < one.z.high) down = one.z.low;
   }
   const bool has_up = axis.holds(up), has_down = axis.holds(down);
@@ -69,24 +71,27 @@ static NearestPoint free_beside(const Axis& axis, i64 x, Span<Taken> upwards, Sp
 NearestPlace nearest_place(const Rect& own, const Rect& area, Span<Rect> blocks, i64 reach) {
   const arena::Scope scope;
   const Axis xs{own.x0, area.x0, area.x1 - own.width()}, zs{own.z0, area.z0, area.z1 - own.depth()};
-  List<Taken> upwards, downwards;
+  List<Taken> taken;
   const i64 window = reach == ANYWHERE ? FARTHEST_MM : reach;
   for (const Rect& rect : blocks) {
-    const Taken taken{{rect.x0 - own.width(), rect.x1}, {rect.z0 - own.depth(), rect.z1}};
-    if (xs.is_in_way(taken.x, window) && zs.is_in_way(taken.z, window)) upwards.add(taken);
+    const Taken own_places{{rect.x0 - own.width(), rect.x1}, {rect.z0 - own.depth(), rect.z1}};
+    if (xs.is_in_way(own_places.x, window) && zs.is_in_way(own_places.z, window)) taken.add(own_places);
   }
-  stable_sort(upwards.all(), [](const Taken& a, const Taken& b) { return a.z.low < b.z.low; });
-  downwards.add_all(upwards.all());
-  stable_sort(downwards.all(), [](const Taken& a, const Taken& b) { return a.z.high > b.z.high; });
+  stable_sort(taken.all(), [](const Taken& a, const Taken& b) { return a.z.low < b.z.low; });
   i64 limit = reach == ANYWHERE ? MOST_MM2 : reach * reach + 1;
   NearestPlace best{};
-  for (const i64 x : steps_of(xs, upwards.all())) {
+  const auto look_at = [&](i64 x) {
     const i64 aside = (x - own.x0) * (x - own.x0);
-    if (aside >= limit) break;
-    const NearestPoint z = free_beside(zs, x, upwards.all(), downwards.all());
-    if (!z.found || aside + (z.at - own.z0) * (z.at - own.z0) >= limit) continue;
+    const NearestPoint z = free_beside(zs, x, taken.all());
+    const i64 away = aside + (z.at - own.z0) * (z.at - own.z0);
+    if (!z.found || away >= limit) return;
     best = {true, own.moved(x - own.x0, z.at - own.z0)};
-    limit = aside + (z.at - own.z0) * (z.at - own.z0);
+    limit = away;
+  };
+  if (xs.holds(own.x0)) look_at(own.x0);
+  for (const i64 x : steps_of(xs, taken.all(), limit)) {
+    if ((x - own.x0) * (x - own.x0) >= limit) break;
+    look_at(x);
   }
   return best;
 }
