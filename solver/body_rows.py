@@ -208,12 +208,19 @@ def furniture_names(room: Room) -> Sequence[str]:
     return [piece.name for piece in room.furniture] if rows is None else [look.name for look in rows.looks]
 
 
+def furniture_keys(room: Room) -> Sequence[KindKey]:
+    """Returns what the kind of each piece of a room's furniture is looked up by."""
+    rows = rows_in(room, FurnitureRows)
+    if rows is not None:
+        return rows.looks
+    return [("furniture", one.name, one.width, one.depth, one.height, one.kind) for one in room.furniture]
+
+
 def furniture_turns(room: Room) -> Sequence[BodyTurn]:
     """Returns what each piece of a room's furniture is, and its rotation."""
     rows = rows_in(room, FurnitureRows)
-    if rows is not None:
-        return [*zip(rows.looks, rows.turns, strict=True)]
-    return [(("furniture", one.name, one.width, one.depth, one.height, one.kind), one.rotation) for one in room.furniture]
+    turns = [one.rotation for one in room.furniture] if rows is None else rows.turns
+    return [*zip(furniture_keys(room), turns, strict=True)]
 
 
 def count_furniture(room: Room) -> int:

@@ -112,8 +112,8 @@ def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
     numbers: dict[str | None, int] = {}
     pack, number = _BODY.pack, numbers.setdefault
     told = []
-    for piece, (key, rotation) in zip(room.furniture, place.pieces, strict=True) if pieces is None else ():
-        place_of = piece.x, piece.y, piece.z, piece.width, piece.depth, piece.height, _turn(rotation)
+    for piece, key in zip(room.furniture, place.keys, strict=True) if pieces is None else ():
+        place_of = piece.x, piece.y, piece.z, piece.width, piece.depth, piece.height, _turn(piece.rotation)
         ids = [none if name is None else number(name, len(numbers)) for name in (piece.id, piece.on, piece.under)]
         told.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kinds[key]))
     if pieces is not None and (place.people or things is None):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, NamedTuple, TypeAlias
 
-from solver.body_rows import BodyTurn, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_turns
+from solver.body_rows import KindKey, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_keys
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
@@ -54,9 +54,9 @@ class PlacedRoom:
         return [edge for edge in self.outline.edges if edge is not None]
 
     @cached_property
-    def pieces(self) -> Sequence[BodyTurn]:
-        """What kind of furniture each piece in it is, and its rotation."""
-        return furniture_turns(self.room)
+    def keys(self) -> Sequence[KindKey]:
+        """What the kind of each piece of furniture in it is looked up by."""
+        return furniture_keys(self.room)
 
     @cached_property
     def bodies(self) -> tuple[AnyBody, ...]:
