@@ -105,6 +105,7 @@ static i64 solve_child(const Engine& engine, i64 parent, i64 option, f64 ceiling
   if (dear || solved == Solved::INFEASIBLE) return -1;
   own.node.rows++;
   own.node.version = ++state.versions;
+  own.node.before = before.version;
   nodes.axes.at(slot, 1 - axis) = other;
   nodes.last_pick[slot] = option;  // becomes a pick when the child is kept
   nodes.widened[slot] = nodes.widened[parent];

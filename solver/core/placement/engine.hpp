@@ -114,7 +114,7 @@ constexpr i64 NO_VERSION = -1;
 struct NodeAxis {
   f64 cost;
   i32 active, rows;  // constraints that are active; rows of its path
-  i64 version;
+  i64 version, before;  // and the version that has the rows of its path but the last
 };
 
 struct OptionSlack {

@@ -19,7 +19,8 @@ inline Span<Run> runs_of(const WalkGrid& grid, i32 row) {
 template <class Meet> bool any_met(const WalkGrid& grid, const Cells& cells, Meet meet) {
   for (i32 row = cells.first[0]; row < cells.last[0]; row++) {
     for (const Run& run : runs_of(grid, row)) {
-      if (run.first < cells.last[1] && cells.first[1] < run.last && meet(run.component)) return true;
+      if (run.first >= cells.last[1]) break;
+      if (cells.first[1] < run.last && meet(run.component)) return true;
     }
   }
   return false;

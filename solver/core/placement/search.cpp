@@ -12,14 +12,16 @@ namespace placement {
 constexpr f64 COST_TOLERANCE = 1e-9;
 constexpr i64 WIDENINGS = 4, MOST_WIDENINGS = 12;  // widenings on one path of the tree
 
-// Writes the rows of a node's path along an axis to its programme.
-static void write_path(const Engine& engine, i64 slot, i64 axis) {
+// Writes the rows of a node's path along an axis to its programme, or the last of them.
+static void write_path(const Engine& engine, i64 slot, i64 axis, bool only_last) {
   const Nodes& nodes = engine.nodes;
   const Program& program = engine.programs[axis];
   i32 at = 2 * program.size + program.fixed_rows + nodes.axes.at(slot, axis).rows;
   for (i64 pick = nodes.last_pick[slot]; pick >= 0; pick = nodes.pick_before[pick]) {
     const DifferenceRow& row = row_of(engine.work, nodes.pick_option[pick]);
-    if (row.axis == axis) write_row(program, --at, row);
+    if (row.axis != axis) continue;
+    write_row(program, --at, row);
+    if (only_last) return;
   }
 }
 
@@ -27,11 +29,12 @@ static void write_path(const Engine& engine, i64 slot, i64 axis) {
 static void open_node(const Engine& engine, i64 slot) {
   const Nodes& nodes = engine.nodes;
   for (i64 axis = 0; axis < 2; axis++) {
+    const NodeAxis& own = nodes.axes.at(slot, axis);
     i64& shown = nodes.state->shown[axis];
-    if (shown == nodes.axes.at(slot, axis).version) continue;
-    write_path(engine, slot, axis);
+    if (shown == own.version) continue;
+    write_path(engine, slot, axis, shown == own.before);
     spread(engine.programs[axis], nodes.x.row(slot, axis), nodes.positions.row(axis));
-    shown = nodes.axes.at(slot, axis).version;
+    shown = own.version;
   }
 }
 
@@ -92,7 +95,7 @@ static bool open_root(const Engine& engine) {
     const Program& program = engine.programs[axis];
     const Span<f64> x = nodes.x.row(slot, axis);
     for (i32 v = 0; v < program.width; v++) x[v] = program.start[v];
-    nodes.axes.at(slot, axis) = {program.start_cost, 0, 0, ++nodes.state->versions};
+    nodes.axes.at(slot, axis) = {program.start_cost, 0, 0, ++nodes.state->versions, NO_VERSION};
     nodes.result->solves++;
     Programme own(program, nodes, axis, slot);
     if (continue_dual(own, 2 * program.size + program.fixed_rows, -1, INFINITE) != Solved::YES) return false;

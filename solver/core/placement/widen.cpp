@@ -153,7 +153,7 @@ static Links find_links(const WalkGrid& grid, bool piled) {
 static bool parts(const Links& links, i32 link, const Span<u8>& within) {
   const Span<u8> touched = links.touched.row(pile_of(links.all, link));
   bool inside = false, outside = false;
-  for (i32 c = 1; c < touched.size; c++) {
+  for (i32 c = 1; c < touched.size && !(inside && outside); c++) {
     if (touched[c]) (within[c] ? inside : outside) = true;
   }
   return inside && outside;
