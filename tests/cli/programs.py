@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).parents[2]
-PROGRAM = (sys.executable, "-m", "service")
+PROGRAM = (sys.executable, "-m", "compose_homes")
 SMALL = ("--seed", "42", "--width", "7", "--depth", "5")
 """A house that is made quickly."""
 
