@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from solver.answers import Pose
-from solver.geometry import Rect, rotate
-from solver.pieces import Arrangement, Attach, Candidate, Piece
+from solver.geometry import Rect, rotate, turned
+from solver.pieces import Arrangement, Candidate, Piece
 from solver.repair.bodies import squared
 
 REACH_MM = 200
@@ -58,7 +58,7 @@ class LastAnswer:
                 return None
             x, z = way.anchor_mm
             pose = self.poses.get(piece.label, Pose(piece.label, x / 1000, z / 1000))
-            place = None if way.attach is not None else _rect(way, pose)
+            place = None if _is_carried(way) else _rect(way, pose)
             found.append((replace(piece, candidates=(way,)), place))
         return tuple(found)
 
@@ -66,14 +66,20 @@ class LastAnswer:
         """Returns the ways that hold at a pose: at the parent's side where it was there, else near where it was."""
         ways, pose = piece.candidates, self.poses[piece.label]
         attached = tuple(way for way in ways if way.attach is not None)
-        if attached and (len(attached) == len(ways) or all(_was_there(pose, way.attach, self.poses) for way in attached)):
-            return attached
+        there = attached if len(attached) == len(ways) else tuple(way for way in attached if _was_there(pose, way, self.poses))
+        if there:
+            return there
         free = (_around(way, self.clear, pose) for way in ways if way.attach is None)
         return tuple(way for way in free if way is not None)
 
 
+def _is_carried(way: Candidate) -> bool:
+    """Tells whether a way leaves a piece one place in the frame of another."""
+    return way.attach is not None and all(low == high for low, high in (way.attach.across_mm, way.attach.along_mm))
+
+
 def _rect(way: Candidate, pose: Pose) -> Rect:
-    width, depth = way.extent
+    width, depth = way.extent if way.attach is None else turned(*way.size_mm[:2], squared(pose.rotation))
     x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
     return Rect(x, z, x + width, z + depth)
 
@@ -83,13 +89,15 @@ def _is_elsewhere(own: Rect, rotation: int, pose: Pose) -> bool:
     return max(abs(dx), abs(dz)) > 2 * (REACH_MM + 1) or rotation != squared(pose.rotation)
 
 
-def _was_there(own: Pose, attach: Attach | None, poses: Poses) -> bool:
-    parent = poses.get(attach.parent) if attach else None
-    if parent is None or attach is None:
+def _was_there(own: Pose, way: Candidate, poses: Poses) -> bool:
+    """Tells whether a piece stood in another's frame as a way lets it, turned so."""
+    parent = poses.get(way.attach.parent) if way.attach else None
+    if parent is None or way.attach is None or (squared(parent.rotation) + way.rotation - squared(own.rotation)) % 360:
         return False
     dx, dz = round((own.x - parent.x) * 1000), round((own.z - parent.z) * 1000)
     across, along = rotate(dx, dz, -squared(parent.rotation) % 360)
-    return abs(across - attach.across_mm[0]) <= SAME_MM and abs(along - attach.along_mm[0]) <= SAME_MM
+    ranges = ((across, way.attach.across_mm), (along, way.attach.along_mm))
+    return all(low - SAME_MM <= at <= high + SAME_MM for at, (low, high) in ranges)
 
 
 def _around(way: Candidate, clear: Rect, pose: Pose) -> Candidate | None:
