@@ -24,8 +24,10 @@ from solver.repair.bodies import (
 from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 from solver.scene import Furniture, Room
 
-FREE_COST = 1.0
-"""What leaving its table costs a tucked chair."""
+SEAT_COST = 1.0
+"""What another place at its table costs a chair."""
+FREE_COST = 1.5
+"""What leaving its table costs a tucked chair: more than another place at it, also where the table goes and the chair stays."""
 MOVED_WEIGHT = 20.0
 """Weight of a piece the user has just moved against 1 for the others."""
 SEAT_PULL = (0.02, 0.02)
@@ -144,7 +146,7 @@ def _seats(chair: Furniture, table: Body, settings: RepairSettings) -> tuple[Can
             near, far = (out + deep) // 2 - max(deep - UNTUCKED_MM, 0), (out + deep) // 2
             (x0, z0), (x1, z1) = rotate(-half, -near, turn), rotate(half, -far, turn)
             attach = Attach(table.id, table.name, (min(x0, x1), max(x0, x1)), (min(z0, z1), max(z0, z1)))
-            way = Candidate(chair.name, size, turn, weights=SEAT_PULL, cost=FREE_COST, attach=attach, under=table.id)
+            way = Candidate(chair.name, size, turn, weights=SEAT_PULL, cost=SEAT_COST, attach=attach, under=table.id)
             found.append(way)
     return tuple(found)
 

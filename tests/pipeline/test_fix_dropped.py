@@ -6,7 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from solver import fix
+from solver import Request, fix, generate
+from solver.free_places import footprint
+from solver.repair.bodies import AT_TABLE_MM
 from solver.scene import Furniture
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
@@ -61,3 +63,17 @@ def test_a_chair_taken_from_its_table_is_no_longer_that_tables() -> None:
     for z, under in ((2.06, table.id), (2.9, None)):
         chair = replace(turned("dining_chair_1", 1.5, z, (0.46, 0.5, 0.9), 180), under=table.id)
         assert pieces(fix(room_of(table, chair), moved=[chair.id]).scene)[chair.id].under == under
+
+
+@pytest.mark.parametrize("seed", range(1, 4))
+def test_chairs_do_not_stay_behind_where_their_table_goes(seed: int) -> None:
+    """A sofa is dropped on the dining table of a living room: chairs that find no place as they stood sit elsewhere at it."""
+    home = generate(Request(seed=seed, program="one_bed")).scene
+    room = next(one for one in home.rooms if one.type == "living_room")
+    sofa, table = (next(piece for piece in room.furniture if piece.name == name) for name in ("sofa", "dining_table"))
+    dropped = tuple(replace(piece, x=table.x, z=table.z, wall=None) if piece is sofa else piece for piece in room.furniture)
+    rooms = tuple(replace(one, furniture=dropped) if one is room else one for one in home.rooms)
+    now = pieces(fix(replace(home, rooms=rooms), moved=[sofa.id], repairs=False).scene)
+    chairs = [piece for piece in now.values() if piece.under == table.id]
+    assert chairs
+    assert all(footprint(chair).overlaps(footprint(now[table.id]).shrunk(-AT_TABLE_MM)) for chair in chairs)
