@@ -14,6 +14,7 @@ from solver.answers import Conflict
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
 from solver.pipeline.judged_again import judged_again
+from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length
 from solver.placement import Budget, charge, is_call_spent, minimal_conflict
 from solver.placement.lengths import Shortfall, centimetres, metres, sentence
@@ -152,8 +153,7 @@ class _WhyNot:
         if ids is None and not walk and self.repair.problem.settings.walk:
             return self.why(group, label, walk=True)
         if ids is None:
-            missing = f"a way to {self._names[label]}, which can stand," if walk else f"a place for {self._names[label]}"
-            return _Verdict(label, (label,), f"not found: the search for {missing} in {room} ended at its limit", proven=False)
+            return _Verdict(label, (label,), at_limit(self._names[label], walk, f" in {room}"), proven=False)
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)

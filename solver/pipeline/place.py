@@ -11,6 +11,7 @@ from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
+from solver.pipeline.reasons import at_limit
 from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, settled
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
@@ -151,10 +152,9 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
     if members is None and feasible(space, pieces, budget):
         walk, members = True, minimal_conflict(space, pieces, missing.label, budget, True)
         if members is None:
-            words = f"not found: the search for a way to {_sized(task, missing)}, which can stand with the others, ended at its limit"
-            return Conflict((missing.label,), words, (_leaving_out(missing.label),))
+            return Conflict((missing.label,), at_limit(_sized(task, missing), True), (_leaving_out(missing.label),))
     if members is None:
-        return Conflict((missing.label,), f"not found: the search for a place for {_sized(task, missing)} ended at its limit")
+        return Conflict((missing.label,), at_limit(_sized(task, missing), False))
     by_label = {piece.label: piece for piece in pieces}
     removals = tuple(
         _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)

@@ -1,4 +1,4 @@
-"""Why a generated room lacks a required piece, in lengths.
+"""Why a generated room lacks a required piece, in lengths; and what is said where a search ended at its limit.
 
 Not here: how the lengths are found (placement), conflicts of sent rooms (conflicts).
 """
@@ -35,3 +35,14 @@ def _reason(space: Space, wanted: Sequence[Piece], label: str) -> str | None:
     how = "anywhere" if len(members) == 1 else "together"
     lengths = f": {sentence(short)}" if short else ""
     return f"{' and '.join(members)} cannot stand and be used {how}{lengths}" if short or len(members) > 1 else None
+
+
+AT_LIMIT = "the search ended at its limit; with less in the room, or with it turned or smaller, one may be found"
+"""What may help where no more is known than that nothing was found."""
+
+
+def at_limit(name: str, walk: bool, where: str = "") -> str:
+    """Says of a piece what was looked for in vain: a place or, with `walk`, ways to it."""
+    if walk:
+        return f"not found: ways{where} by which somebody can get to {name}: it can stand there, but {AT_LIMIT}"
+    return f"not found: a place for {name}{where} beside all else: {AT_LIMIT}"

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from solver import Request, Scene, explain, fix, generate, validate
+from solver.pipeline.reasons import at_limit
 from tests.pipeline.test_fix import stirred
 from tests.sweeps import seeds
 from tests.told_forms import has_form
@@ -73,3 +74,26 @@ def test_every_sentence_is_in_a_form(asked: dict[str, object], seed: int) -> Non
     said = {*said_of(scene), *said_of_faults(thrown, seed), *said_of_places(scene, seed)}
     assert said
     assert sorted(one for one in said if not has_form(one)) == []
+
+
+def test_a_search_that_ended_at_its_limit_says_what_was_sought_and_what_may_help() -> None:
+    """A sofa is dragged from the living room into a kitchen where it can stand, but shuts ways."""
+    home = generate(Request(seed=3, program="studio")).scene
+    sofa = next(piece for room in home.rooms for piece in room.furniture if piece.name == "sofa")
+    dropped = replace(sofa, x=0.9, z=1.5, rotation=0, wall=None)
+    rooms = []
+    for room in home.rooms:
+        others = tuple(piece for piece in room.furniture if piece is not sofa)
+        rooms.append(replace(room, furniture=(*others, dropped) if room.type == "kitchen" else others))
+    first = fix(replace(home, rooms=tuple(rooms)), moved=[sofa.id]).conflicts[0]
+    kitchen = next(room.id for room in home.rooms if room.type == "kitchen")
+    name = f"sofa {sofa.width:.2f} x {sofa.depth:.2f} m"
+    assert first.message.startswith(f"not found: ways in {kitchen} by which somebody can get to {name}: it can stand there, but ")
+    assert "with less in the room, or with it turned or smaller" in first.message
+    assert {repair["action"] for repair in first.repairs} >= {"leave_out", "shrink"}
+
+
+@pytest.mark.parametrize("walk", [False, True])
+@pytest.mark.parametrize("where", ["", " in kitchen_2"])
+def test_what_was_sought_is_said_in_german(walk: bool, where: str) -> None:
+    assert has_form(at_limit("sofa 1.80 x 0.88 m", walk, where))
