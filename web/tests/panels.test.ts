@@ -2,7 +2,7 @@
 /** Lists of lines, the legend, the link, the notice, and names that would be markup. */
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { drawing } from "./random_requests";
-import { piece, room, scene } from "./rooms";
+import { opening, piece, room, scene } from "./rooms";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
 import { ImportReport } from "../src/panel/imported";
 import { Legend, roomColors } from "../src/panel/legend";
@@ -210,16 +210,31 @@ describe("a file that was read", () => {
     expect(told(list)).toEqual(["Guessed (1)", "Plan, wall thickness: 0.1; the file does not say how thick walls are", "Left out (1)", "Table 2: cannot stand"]);
   });
 
+  it("names rooms that share floor, and says that no door leads outside, of a file and of a plan that was furnished", () => {
+    const { host, list, report } = reported();
+    const plan = scene([room("kitchen_1", [0, 0, 4, 4], { type: "kitchen" }), room("bedroom_2", [3, 0, 4, 4])]);
+    const message = "kitchen_1 and bedroom_2 are rooms that share floor: 90 cm from west to east, 3.9 m from north to south";
+    const issues = [{ rule: "rooms_overlap", severity: "warning" as const, room: "kitchen_1", ids: [], message, amount: 0.9 }, { rule: "missing_required", severity: "warning" as const, room: "bedroom_2", ids: [], message: "no bed", amount: 0 }];
+    const lines = ["To be checked (2)", "The kitchen and the bedroom are rooms that share floor: 90 cm from west to east, 3.9 m from north to south", "No door leads outside: ways are judged from the largest piece of free floor"];
+    report.show(answer({ scene: plan, issues }));
+    expect(told(list)).toEqual(lines);
+    report.show(null);
+    report.guessed({ guesses: [], entrance: null, issues }, plan);
+    expect([host.hidden, ...told(list)]).toEqual([false, ...lines]);
+    report.show(answer({ scene: scene([room("a", [0, 0, 4, 4], { openings: [opening({ connects_to: "EXTERIOR" })] }), room("b", [4, 0, 4, 4])]) }));
+    expect(host.hidden).toBe(true);
+  });
+
   it("says what a plan's rooms were taken for once they are furnished, before the rest of its file", () => {
     const { host, list, report } = reported();
-    const plan = scene([room("a", [0, 0, 4, 4], { type: "room" }), room("b", [4, 0, 4, 4], { type: "room" })]);
-    const kitchen = { guesses: [{ room: "a", type: "kitchen", by: "form" as const, sent: "room", instead: null, message: "" }], entrance: null };
+    const plan = scene([room("a", [0, 0, 4, 4], { type: "room", openings: [opening({ connects_to: "EXTERIOR" })] }), room("b", [4, 0, 4, 4], { type: "room" })]);
+    const kitchen = { guesses: [{ room: "a", type: "kitchen", by: "form" as const, sent: "room", instead: null, message: "" }], entrance: null, issues: [] };
     const unsaid = { what: "type", taken: "room", message: "the file does not say what it is" };
     report.show(answer({ scene: plan, guesses: [{ of: "a", ...unsaid }, { of: "b", ...unsaid }], unread: [{ place: "objects[2]", reason: "is unknown" }] }));
     report.guessed(kitchen, plan);
     const second = "B, type: room; the file does not say what it is";
     expect(told(list)).toEqual(["Guessed (2)", "Room 1: Kitchen, told by its form", second, "Left out (1)", "objects[2]: is unknown"]);
-    report.guessed({ guesses: [], entrance: null }, plan);
+    report.guessed({ guesses: [], entrance: null, issues: [] }, plan);
     expect(told(list)).toHaveLength(5);
     report.show(null); // another home
     expect(host.hidden).toBe(true);

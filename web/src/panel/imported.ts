@@ -1,4 +1,4 @@
-/** What became of a file that was read: what was changed, guessed and left out, each in the service's words. */
+/** What became of a file that was read: what is to be checked, was guessed, left out and changed, each in the service's words. */
 import type { FurnishAnswer, ImportAnswer, Scene } from "../contract";
 import { inWords } from "./programme";
 import { roomNames } from "./room";
@@ -6,15 +6,26 @@ import { capital, say, sayDecimals } from "../words/language";
 import { tell, tellPlainly, tellSentence } from "../words/telling";
 
 /** What was said of a file; a plan that was drawn has nothing of it. */
-type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread">;
+type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread" | "issues">;
+
+const PLAN_RULES: ReadonlySet<string> = new Set(["rooms_overlap", "opening_wrong"]);
+
+/** What somebody should look at in a plan, furnished or not: what breaks a rule about it, and that a home has no way in. */
+function toCheck(issues: Read["issues"], scene: Pick<Scene, "rooms">): string[] {
+  const wrong = issues.filter(({ rule }) => PLAN_RULES.has(rule)).map(({ message }) => tellSentence(message, scene));
+  const leadsOut = scene.rooms.some(({ openings }) => openings.some(({ kind, connects_to: to }) => kind !== "window" && (to === "EXTERIOR" || to === null)));
+  const isHome = scene.rooms.filter(({ outdoor }) => !outdoor).length > 1;
+  return isHome && !leadsOut ? [...wrong, say("No door leads outside: ways are judged from the largest piece of free floor")] : wrong;
+}
 
 /** The list's parts, those with nothing to say left out; `first` of what was guessed, more than the file did. */
-export function importLines({ scene, changes, guesses, unread }: Read, first: readonly string[] = []): { readonly title: string; readonly lines: readonly string[] }[] {
+export function importLines({ scene, changes, guesses, unread, issues }: Read, first: readonly string[] = []): { readonly title: string; readonly lines: readonly string[] }[] {
   const known = new Set(scene.rooms.flatMap((room) => [room, ...room.furniture, ...room.decorations, ...room.openings].map(({ id }) => id)));
   const isOfScene = (of: string): boolean => known.has(of) || known.has(of.split("/")[0] ?? ""); // what was left out of a room is in none
   const called = (of: string): string => (of === "plan" ? say("Plan") : isOfScene(of) ? tellSentence(of, scene) : tellPlainly(of));
   const told = (words: string): string => tell(words, scene);
   const parts = [
+    { title: say("To be checked"), lines: toCheck(issues, scene) },
     { title: say("Guessed"), lines: [...first, ...guesses.map(({ of, what, taken, message }) => `${called(of)}, ${told(what)}: ${sayDecimals(told(taken))}; ${told(message)}`)] },
     { title: say("Left out"), lines: unread.map(({ place, reason }) => `${called(place)}: ${told(reason)}`) },
     { title: say("Changed"), lines: changes.map(({ of, message }) => (message.split(" ").includes(of) || of === "plan" ? tellSentence(message, scene) : `${called(of)}: ${told(message)}`)) },
@@ -47,12 +58,12 @@ export class ImportReport {
   }
 
   /** Shows what was guessed of a plan that was furnished, before what was said of its file. */
-  guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance">, plan: Scene): void {
+  guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance" | "issues">, plan: Scene): void {
     const lines = guessLines(answer, plan);
-    if (lines.length === 0) return;
+    if (lines.length === 0 && toCheck(answer.issues, plan).length === 0) return;
     const known = new Set(answer.guesses.map(({ room }) => room));
     const { guesses, ...read } = this.#read ?? { scene: plan, changes: [], guesses: [], unread: [] };
-    this.#list(say("What the plan became"), importLines({ ...read, guesses: guesses.filter(({ of, what }) => what !== "type" || !known.has(of)) }, lines));
+    this.#list(say("What the plan became"), importLines({ ...read, issues: answer.issues, guesses: guesses.filter(({ of, what }) => what !== "type" || !known.has(of)) }, lines));
   }
 
   #list(words: string, parts: ReturnType<typeof importLines>): void {
