@@ -105,3 +105,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
         item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
     items.sort(key=lambda item: (groups.get(item.path, "to others"), opens_a_page(item)))
     yield
+
+
+def pytest_unconfigure() -> None:
+    """Look for garbage once more, as what was left open is told of there; pytest would do so five times, and Python thrice as it ends."""
+    gc.collect()
+    gc.freeze()
