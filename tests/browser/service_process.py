@@ -39,7 +39,7 @@ def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
     """
     if not PAGE.exists():
         subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
-    command = [sys.executable, "-m", "service", "serve", "--port", str(port), *more]
+    command = [sys.executable, "-m", "compose_homes", "serve", "--port", str(port), *more]
     environment = {"COMPOSE_HOMES_STORE": "temporary", "COMPOSE_HOMES_REQUEST_SECONDS": str(PATIENCE_S), **os.environ}
     with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
         try:
