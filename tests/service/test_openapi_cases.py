@@ -14,6 +14,7 @@ import pytest
 import schemathesis
 from hypothesis import HealthCheck, settings
 from schemathesis import Case, CheckContext, Response
+from schemathesis.schemas import BaseSchema
 from schemathesis.specs.openapi.checks import positive_data_acceptance
 
 import solver
@@ -86,14 +87,18 @@ def what_fits_is_taken(_: CheckContext, answer: Response, case: Case[Any]) -> No
         assert any(words in f"{entry['problem']} {entry['allowed']}" for words in BEYOND_A_SCHEMA), entry
 
 
-APP = create_app()
-APP.workers = Here()  # type: ignore[assignment]
-SCHEMA = schemathesis.openapi.from_asgi("/openapi.json", APP)
-SCHEMA.config.phases.update(phases=["examples", "fuzzing"])
-SCHEMA.config.update(request_timeout=PATIENCE_S)
+@pytest.fixture(scope="module")
+def schema() -> BaseSchema:
+    """The service's document: read by who makes its calls, not by each process that collects the tests."""
+    app = create_app()
+    app.workers = Here()  # type: ignore[assignment]
+    schema = schemathesis.openapi.from_asgi("/openapi.json", app)
+    schema.config.phases.update(phases=["examples", "fuzzing"])
+    schema.config.update(request_timeout=PATIENCE_S)
+    return schema
 
 
-@SCHEMA.parametrize()
+@schemathesis.pytest.from_fixture("schema").parametrize()
 @settings(max_examples=CASES, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
 def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
     with pytest.MonkeyPatch.context() as patch:
@@ -102,7 +107,7 @@ def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
 
 
 @pytest.mark.parametrize("name", ["json", *(name for name, exporter in EXPORTERS.items() if exporter.media_type == "application/json")])
-def test_every_export_in_json_is_declared(name: str) -> None:
-    body = SCHEMA["/export/{format}"]["POST"].definition.raw["requestBody"]["content"]["application/json"]["example"]
-    case = SCHEMA["/export/{format}"]["POST"].Case(path_parameters={"format": name}, body=body, media_type="application/json")
+def test_every_export_in_json_is_declared(schema: BaseSchema, name: str) -> None:
+    body = schema["/export/{format}"]["POST"].definition.raw["requestBody"]["content"]["application/json"]["example"]
+    case = schema["/export/{format}"]["POST"].Case(path_parameters={"format": name}, body=body, media_type="application/json")
     assert case.call_and_validate().status_code == 200
