@@ -42,6 +42,9 @@ SOURCES_TESTS = Path(__file__).parent / "architecture"
 ONCE = {"client": "service", "native": "native build"}
 """Fixtures that one worker makes for all, and what the group of their tests is called."""
 
+OPENED_ANEW = "page opened anew"
+"""What is told of a test of the browser that could not go on with the page of the one before, or left one that nobody goes on with."""
+
 GARBAGE = (100_000, 20, 5)
 """After how many new objects the youngest, the younger and all are looked through for garbage that holds itself."""
 
@@ -105,6 +108,15 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
         item.add_marker(pytest.mark.xdist_group(groups.get(item.path) or item.nodeid.partition("::")[0]))
     items.sort(key=lambda item: (groups.get(item.path, "to others"), opens_a_page(item)))
     yield
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say which pages of the browser's tests were not handed on, and why: each costs a second, and nothing else tells."""
+    reports = [one for name in ("", "error") for one in terminalreporter.getreports(name) if one.when == "teardown"]
+    anew = {one.nodeid: [why for name, why in one.user_properties if name == OPENED_ANEW] for one in reports}
+    for test, reasons in anew.items():
+        if reasons:
+            terminalreporter.write_line(f"{OPENED_ANEW}: {test}: {'; '.join(reasons[:3])}"[:400])
 
 
 def pytest_unconfigure() -> None:

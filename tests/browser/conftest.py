@@ -10,11 +10,11 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
-from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, Visit
+from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, WINDOW, Visit
 from tests.browser.ways import Touch, Way
 from tests.chromium import FLAGS, executable
+from tests.conftest import OPENED_ANEW
 
-WINDOW: ViewportSize = {"width": 1000, "height": 600}
 DESK: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 390, "height": 800}
 PIXEL_RATIO = 0.5
@@ -108,6 +108,8 @@ def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: lis
     yield page
     is_left = not is_own and request.session.testsfailed == failed and page.evaluate(AT_REST)
     goes_on = is_left and page.evaluate(CAN_GO_ON)
+    if not (is_own or goes_on):
+        request.node.user_properties.append((OPENED_ANEW, f"left at {page.url}, {'at rest' if is_left else 'not at rest'}"))
     page.evaluate(FORGET_CHOICES if goes_on else FORGET)
     left = (context.cookies(), page.evaluate(KEPT_BESIDE_HOMES if goes_on else KEPT))
     if is_left and (left, faults) == (([], 0), []):
@@ -152,9 +154,11 @@ def service() -> Iterator[ServiceProcess]:
 
 
 @pytest.fixture
-def visit(page: Page, service: ServiceProcess) -> Visit:
+def visit(request: pytest.FixtureRequest, page: Page, service: ServiceProcess) -> Iterator[Visit]:
     """A browser page that has not opened anything yet."""
-    return Visit(page, service.address)
+    visit = Visit(page, service.address)
+    yield visit
+    request.node.user_properties += [(OPENED_ANEW, other) for other in visit.found_other]
 
 
 @pytest.fixture(scope="module")

@@ -10,10 +10,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.conftest import WINDOW
 from tests.browser.test_accessible import violations
 from tests.browser.test_in_turn import held
-from tests.browser.visit import SMALL, Document, Visit, sent_by
+from tests.browser.visit import SMALL, WINDOW, Document, Visit, sent_by
 
 IN_WINDOW = """([x, z]) => {
     const sheet = document.querySelector('.sheet');
@@ -77,7 +76,7 @@ class DrawingBoard:
         return shown
 
     def openings(self) -> int:
-        return self.page.locator("[data-opening]").count()
+        return self.page.locator(".sheet [data-opening]").count()
 
     def verdict(self) -> Document:
         """The scene that the service judged last, once it has found nothing wrong."""

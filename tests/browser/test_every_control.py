@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import pytest
 from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from tests.browser.service_process import ROOT
@@ -209,6 +210,7 @@ def test_an_issue_of_a_room_takes_the_room_in_hand(visit: Visit) -> None:
     expect(visit.page.locator("#reroll")).to_be_disabled()
 
 
+@pytest.mark.own_page
 def test_a_narrow_screen_begins_with_the_house_and_unfolds_the_rest(visit: Visit) -> None:
     visit.page.set_viewport_size(PHONE)
     visit.open(SMALL.format(4))

@@ -31,6 +31,7 @@ def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
     visit.settle()
 
 
+@pytest.mark.own_page
 def test_words_of_an_address_that_mean_nothing_are_told_and_the_home_is_shown(visit: Visit) -> None:
     answer = visit.open(SMALL.format(3) + "&preset=foo&colour=red")
     expect(visit.page.get_by_role("alert")).to_contain_text("preset, colour: the home is shown without")
@@ -90,6 +91,7 @@ def test_a_newer_question_withdraws_the_older(visit: Visit) -> None:
     assert "seed 3" in visit.yaml() or "seed: 3" in visit.yaml()
 
 
+@pytest.mark.own_page
 def test_a_key_is_asked_for_kept_and_sent(visit: Visit) -> None:
     keys: list[str | None] = []
 

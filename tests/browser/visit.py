@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from playwright.sync_api import Locator, Page, Request, Response, Route
+from playwright.sync_api import Locator, Page, Request, Response, Route, ViewportSize
 
 from tests.architecture.tree import ROOT
 
@@ -15,6 +15,8 @@ Document: TypeAlias = dict[str, Any]
 ANSWER_MS = 240_000
 """A guard against a page that never answers: far beyond a busy machine, below the time after which pytest shows where a test hangs."""
 POLL_MS = 40
+WINDOW: ViewportSize = {"width": 1000, "height": 600}
+"""In which pages are opened, and handed on."""
 FRAMES = "count => new Promise(done => { const next = () => count-- > 0 ? requestAnimationFrame(next) : done(); next(); })"
 IN_WORK = ".plan-sheet[aria-busy=true]:not([hidden])"
 """What the page shows while the plan is drawn again."""
@@ -52,7 +54,6 @@ OPEN_ANOTHER = """address => {
     for (const one of document.querySelectorAll('dialog[open]')) one.close();
     const chosen = Object.keys(localStorage);
     for (const one of document.querySelectorAll(shuts)) one.click();
-    for (const name of Object.keys(localStorage).filter(one => !chosen.includes(one))) localStorage.removeItem(name);
     document.querySelector('#camera_corner').click();
     for (const one of document.querySelectorAll('#view :is(input, #plan_scale), #find')) {
         if (one.type === 'checkbox' && one.checked !== one.defaultChecked) one.click();
@@ -61,6 +62,7 @@ OPEN_ANOTHER = """address => {
         for (const told of ['input', 'change']) one.dispatchEvent(new Event(told, {bubbles: true}));
     }
     for (const one of document.querySelectorAll('details.group')) one.open = JSON.parse(sessionStorage.unfolded).includes(one.id);
+    for (const name of Object.keys(localStorage).filter(one => !chosen.includes(one))) localStorage.removeItem(name);
     document.activeElement.blur();
     history.pushState(null, '', address);
     dispatchEvent(new PopStateEvent('popstate'));
@@ -98,7 +100,14 @@ FOUND_NEW = f"""() => {{
     sessionStorage.foundNew = ({CONTROLS})();
     sessionStorage.unfolded = JSON.stringify([...document.querySelectorAll('details.group[open]')].map(one => one.id));
 }}"""
-IS_AS_NEW = f"() => sessionStorage.foundNew === ({CONTROLS})()"
+OTHER_THAN_NEW = f"""() => {{
+    const [before, now] = [sessionStorage.foundNew, ({CONTROLS})()].map(text => {{
+        const [ofElements, ...others] = JSON.parse(text);
+        return [ofElements.length, ...ofElements, ...others].map(one => JSON.stringify(one));
+    }});
+    return now.filter((one, at) => one !== before[at]);
+}}"""
+"""What of that is other than it was when the page was new: nothing, where the page is as a new one."""
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
 SAID: dict[str, str] = json.loads((ROOT / "web" / "src" / "words" / "names.en.json").read_text(encoding="utf-8"))
@@ -119,6 +128,7 @@ class Visit:
         page.set_default_timeout(ANSWER_MS)
         self.address = address
         self.handed_on = page.url.startswith(address)
+        self.found_other: list[str] = []
         self.console: list[str] = []
         self.requests: list[str] = []
         self.answers: list[Document] = []
@@ -132,21 +142,31 @@ class Visit:
     def open(self, query: str = "") -> Document:
         """Open the page and wait for its house; returns the answer to /generate.
 
-        A page that another test has handed on goes to the house by itself, and stays if it is as a new page would be.
+        A page that another test has handed on goes to the house by itself, and stays if it is as a new page would be: in the window that
+        both have had, before it is in another.
         """
         if self.handed_on:
             self.handed_on = False
             if self.page.evaluate(CAN_GO_ON):
+                size = self.page.viewport_size
+                assert size
+                self.page.set_viewport_size(WINDOW)
                 answer = self.after(lambda: self.page.evaluate(OPEN_ANOTHER, self.address + query))
                 self.page.evaluate(FORGET_OTHERS)
                 self.settle()
-                if self.page.evaluate(IS_AS_NEW):
+                self.found_other = self.page.evaluate(OTHER_THAN_NEW)
+                self.page.set_viewport_size(size)
+                if self.found_other == []:
+                    if size != WINDOW:
+                        self.page.locator("#camera_corner").dispatch_event("click")
+                        self.settle()
                     return answer
                 self.page.evaluate(FORGET)
                 for heard in (self.console, self.requests, self.answers):
                     heard.clear()
         answer = self.after(lambda: self.page.goto(self.address + query))
-        self.page.evaluate(FOUND_NEW)
+        if self.page.viewport_size == WINDOW:
+            self.page.evaluate(FOUND_NEW)
         return answer
 
     def after(self, act: Callable[[], object]) -> Document:
