@@ -164,10 +164,14 @@ class Visit:
                 self.page.evaluate(FORGET)
                 for heard in (self.console, self.requests, self.answers):
                     heard.clear()
-        answer = self.after(lambda: self.page.goto(self.address + query))
+        answer = self.after(lambda: self._load(query))
         if self.page.viewport_size == WINDOW:
             self.page.evaluate(FOUND_NEW)
         return answer
+
+    def _load(self, query: str) -> None:
+        self.page.goto(self.address + query)
+        assert self.page.evaluate("'compose' in globalThis"), f"the page's script does not run: {self.console}"
 
     def after(self, act: Callable[[], object]) -> Document:
         """Do something that makes a house, wait until it is shown, return the answer to /generate."""
