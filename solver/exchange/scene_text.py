@@ -34,6 +34,8 @@ _HEADER: Final = Struct("<4i")
 _LOOK: Final = Struct("<3q")
 _PIECE: Final = Struct("<2q")
 _BODIES: Final = Struct("<2iq")
+_BEFORE: Final = -1
+"""Instead of a number of carriers: the bodies before."""
 
 
 def dump_scene(scene: Scene, format: str) -> bytes:
@@ -103,10 +105,13 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
     from solver.core import ask  # noqa: PLC0415 - whoever has rows has loaded it
 
     looks, texts = _Numbered[Look](), _Numbered[str | None]()
-    rows = [_as_asked(one, looks, texts) for one in told]
+    worn = [*map(looks.__getitem__, chain.from_iterable([one.looks for one in told]))]
+    worn += map(texts.__getitem__, chain.from_iterable([one.colours for one in told]))
+    rows = [_as_asked(one, before, texts) for before, one in zip([None, *told[:-1]], told, strict=True)]
     contents = [_TEXTS[text].encode() for text in texts]
-    head = _HEADER.pack(len(looks), len(contents), len(rows), 0), pack(f"<{len(contents)}q", *map(len, contents))
-    answer = ask("bodies_text", b"".join([*head, _padded(b"".join(contents)), *map(_LOOKS.__getitem__, looks), *rows]))
+    head = _HEADER.pack(len(looks), len(contents), len(rows), len(worn) // 2), pack(f"<{len(contents)}q", *map(len, contents))
+    alike, each = map(_LOOKS.__getitem__, looks), pack(f"<{len(worn)}q", *worn)
+    answer = ask("bodies_text", b"".join([*head, _padded(b"".join(contents)), *alike, each, *rows]))
     ends = accumulate(unpack_from(f"<{len(rows)}q", answer), initial=8 * len(rows))
     return [answer[start:end] for start, end in pairwise(ends)]
 
@@ -119,12 +124,12 @@ class _Numbered(dict[Key, int]):
         return number
 
 
-def _as_asked(told: BodyRows, looks: _Numbered[Look], texts: _Numbered[str | None]) -> bytes:
-    """Returns bodies as the core reads them; looks and texts are numbered as they come."""
-    carriers = furniture_ids(told.room) if isinstance(told, DecorationRows) else ()
-    worn = chain.from_iterable(zip(map(looks.__getitem__, told.looks), map(texts.__getitem__, told.colours), strict=True))
-    counts, ids = _BODIES.pack(len(told), len(carriers), texts[told.room.id]), map(texts.__getitem__, carriers)
-    return b"".join([counts, told.content, pack(f"<{2 * len(told)}i", *worn), pack(f"<{len(carriers)}q", *ids)])
+def _as_asked(told: BodyRows, before: BodyRows | None, texts: _Numbered[str | None]) -> bytes:
+    """Returns bodies as the core reads them, `before` are those that it reads before them; texts are numbered as they come."""
+    carried_by_those = before is not None and rows_in(told.room, FurnitureRows) is before
+    carriers = () if carried_by_those or isinstance(told, FurnitureRows) else furniture_ids(told.room)
+    counts = _BODIES.pack(len(told), _BEFORE if carried_by_those else len(carriers), texts[told.room.id])
+    return b"".join([counts, told.content, pack(f"<{len(carriers)}q", *map(texts.__getitem__, carriers))])
 
 
 def _look_text(look: Look) -> bytes:

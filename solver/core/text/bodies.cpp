@@ -17,8 +17,7 @@ struct Look {
 struct Told {
   Bytes room;  // its id without the closing quote
   Span<ToldBody> bodies;
-  Span<Worn> worn;
-  Span<i64> carriers;
+  Span<i64> looks, colours;
 };
 
 class Writing {
@@ -30,13 +29,17 @@ class Writing {
     u8* at = bytes(all);
     for (const i64 size : sizes) texts_.add({at, size}), at += size;
     for (i32 i = 0; i < header_.looks; i++) read_look();
+    worn_looks_ = reader_.take<i64>(header_.bodies), colours_ = reader_.take<i64>(header_.bodies);
+    for (const i64 look : worn_looks_) {
+      if (look < 0 || look >= looks_.size()) fail(Failure::bad_request);
+    }
   }
 
   Bytes answer() {
     const Span<i64> sizes = reserved<i64>(header_.sorts);
     for (i64& size : sizes) {
       const i64 before = written_.all().size;
-      write(read_bodies());
+      write_sort();
       size = written_.all().size - before;
     }
     const Bytes text = written_.all();
@@ -67,23 +70,24 @@ class Writing {
     looks_.add({pieces, text, {bytes(row.name_size), row.name_size}});
   }
 
-  Told read_bodies() {
+  void write_sort() {
     const BodiesRow& row = reader_.take<BodiesRow>(1)[0];
     const Bytes room = text(row.room);
     if (room.size < 1) fail(Failure::bad_request);
-    const Bytes begins{room.data, room.size - 1};
-    Told told{begins, reader_.take<ToldBody>(row.bodies), reader_.take<Worn>(row.bodies), reader_.take<i64>(row.carriers)};
-    for (const Worn& worn : told.worn) {
-      if (worn.look < 0 || worn.look >= looks_.size()) fail(Failure::bad_request);
-    }
-    return told;
+    const Range worn{begun_, row.bodies};
+    begun_ += row.bodies;
+    const Told told{{room.data, room.size - 1}, reader_.take<ToldBody>(row.bodies), part_of(worn_looks_, worn), part_of(colours_, worn)};
+    is_before_ = row.carriers < 0;
+    carriers_ = reader_.take<i64>(is_before_ ? 0 : row.carriers);
+    write(told);
+    before_ = told;
   }
 
   void write(const Told& told) {
     written_.put('[');
     for (i32 i = 0; i < told.bodies.size; i++) {
       if (i > 0) written_.put(',');
-      const Look& look = looks_[told.worn[i].look];
+      const Look& look = looks_[told.looks[i]];
       u8* at = look.text;
       for (const Piece& piece : look.pieces) {
         written_.put({at, piece.size});
@@ -105,7 +109,7 @@ class Writing {
       case Gap::y: return written_.metres(2 * body.low);
       case Gap::z: return written_.metres(body.rect.z0 + body.rect.z1);
       case Gap::rotation: return written_.whole(body.rotation);
-      case Gap::colour: return written_.put(text(told.worn[number].colour));
+      case Gap::colour: return written_.put(text(told.colours[number]));
       case Gap::none: return;
     }
     fail(Failure::bad_request);
@@ -114,17 +118,18 @@ class Writing {
   void own_id(const Told& told, i32 number) {
     written_.put(told.room);
     written_.put('/');
-    written_.put(looks_[told.worn[number].look].name);
+    written_.put(looks_[told.looks[number]].name);
     written_.put('_');
     written_.whole(told.bodies[number].number);
     written_.put('"');
   }
 
   void id(const Told& told, i32 number) {
+    const i32 carriers = is_before_ ? before_.bodies.size : carriers_.size, own = number - carriers;
     if (number < 0) return written_.put(word("null"));
-    if (number < told.carriers.size) return written_.put(text(told.carriers[number]));
-    if (number - told.carriers.size >= told.bodies.size) fail(Failure::bad_request);
-    own_id(told, number - told.carriers.size);
+    if (own >= told.bodies.size) fail(Failure::bad_request);
+    if (own >= 0) return own_id(told, own);
+    return is_before_ ? own_id(before_, number) : written_.put(text(carriers_[number]));
   }
 
   void wall(i32 number) {
@@ -136,6 +141,11 @@ class Writing {
   const TextsRow& header_;
   List<Bytes> texts_;
   List<Look> looks_;
+  Span<i64> worn_looks_ = {}, colours_ = {};  // of the bodies of all sorts
+  i32 begun_ = 0;                             // the first body of the sort that is read
+  Told before_ = {};                          // the sort before
+  bool is_before_ = false;                    // that carries what is written
+  Span<i64> carriers_ = {};                   // the ids of what carries it otherwise
   Text written_;
 };
 

@@ -10,11 +10,6 @@ namespace text {
 // What fills a gap: ids as texts, null where there is none; metres; degrees; a wall's name or null; a text of the request.
 enum class Gap : i64 { id = 0, on = 1, under = 2, wall = 3, x = 4, y = 5, z = 6, rotation = 7, colour = 8, none = 9 };
 
-// The look of a body, and its colour, a text.
-struct Worn {
-  i32 look, colour;
-};
-
 // Text up to a gap, and what fills that.
 struct Piece {
   i64 size;
@@ -26,17 +21,19 @@ struct LookRow {
   i64 pieces, size, name_size;
 };
 
+// `carriers` of -1: they are carried by the bodies of the sort before.
 struct BodiesRow {
   i32 bodies, carriers;
   i64 room;  // a text: the room's id, with which the ids of all of them begin
 };
 
 struct TextsRow {
-  i32 looks, texts, sorts, unused;
+  i32 looks, texts, sorts, bodies;
 };
 
-// TextsRow; the sizes of texts, and all of them as one; of each look LookRow, pieces, text, name; of each sort BodiesRow, rows, Worn, the
-// texts that are the ids of carriers -> the length of each sort's text, 8 bytes each; then the texts, lists of records.
+// TextsRow; the sizes of texts, and all of them as one; of each look LookRow, pieces, text, name; the look of every body, then the colour, a
+// text, of each; of each sort BodiesRow, rows, the texts that are the ids of carriers -> the length of each sort's text, 8 bytes each; then
+// the texts, lists of records.
 Bytes bodies_text(Bytes rows);
 
 }  // namespace text
