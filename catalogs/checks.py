@@ -24,7 +24,7 @@ TO_SOMETHING = ("facing", "near", "far_from")
 def faults(catalogs: Catalogs, shapes: Shapes) -> Iterator[Fault]:
     """Yields everything that does not fit together."""
     known = _vocabulary(catalogs, shapes)
-    for section in (name for name in Catalogs.model_fields if name not in ("shapes", "profile", "fingerprint")):
+    for section in (name for name in Catalogs.model_fields if name not in ("shapes", "profile", "home", "fingerprint")):
         for name, entry in getattr(catalogs, section).items():
             file, at = (f"rooms/{name}", ()) if section == "rooms" else (section, (name,))
             yield from unknown_words(entry, file, at, known)

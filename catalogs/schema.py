@@ -247,12 +247,13 @@ class Catalogs(Entry):
     access: dict[str, AccessProfile] = Field(default_factory=dict)
     assets: dict[str, Asset] = Field(default_factory=dict)
     profile: SkipJsonSchema[AccessProfile | None] = Field(default=None, exclude=True)
-    """What standard homes are made for: never written in a file, but asked for by `for_access`."""
+    home: SkipJsonSchema[str] = Field(default="", exclude=True)
+    """Never written in a file: what standard homes are made for (`for_access`), and whose room types these are (`of_home`, `holding`)."""
     fingerprint: str
 
     def __hash__(self) -> int:
-        """Equal catalogs have equal fingerprints, so that what is worked out from them can be kept by them."""
-        return hash(self.fingerprint)
+        """Equal catalogs have equal fingerprints, so that what is worked out is kept by them; those of other homes need no comparing."""
+        return hash((self.fingerprint, self.home))
 
     def for_access(self, name: str | None) -> "Catalogs":
         """Returns the catalogs for homes that are made for a profile, by its name; the same ones where there is none of it."""
@@ -351,7 +352,7 @@ def _holding(catalogs: Catalogs, there: frozenset[str]) -> Catalogs:
     for name, room in catalogs.rooms.items():
         pieces = tuple(piece for piece in room.pieces if there.isdisjoint(piece.unless_elsewhere))
         rooms[name] = room if len(pieces) == len(room.pieces) else room.model_copy(update={"pieces": pieces})
-    return catalogs.model_copy(update={"rooms": rooms})
+    return catalogs.model_copy(update={"rooms": rooms, "home": f"{catalogs.home} holding {sorted(there)}"})
 
 
 @lru_cache(maxsize=16)
@@ -376,7 +377,7 @@ def _deciding_types(catalogs: Catalogs) -> frozenset[str]:
 def _of_home(catalogs: Catalogs, there: frozenset[str], planned: bool) -> Catalogs:
     """Returns the catalogs of a home, of whose rooms' types only those count that decide; the same object each time."""
     rooms = {name: _room_at_home(catalogs, name, there & asked, planned) for name, asked in _asked_types(catalogs).items()}
-    return catalogs.model_copy(update={"rooms": {**catalogs.rooms, **rooms}})
+    return catalogs.model_copy(update={"rooms": {**catalogs.rooms, **rooms}, "home": f"{sorted(there)}, planned: {planned}"})
 
 
 @lru_cache(maxsize=256)

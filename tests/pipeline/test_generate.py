@@ -8,13 +8,14 @@ import json
 from dataclasses import asdict, replace
 from functools import cache
 from typing import Any
+from unittest import mock
 from weakref import ref
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from catalogs import load_catalogs
+from catalogs import Catalogs, load_catalogs
 from solver import Request, generate, reroll, validate
 from solver.answers import Generated
 from solver.exchange import dump_scene, dump_text, load_text, read_scene, write_scene
@@ -234,3 +235,11 @@ def test_a_home_goes_with_its_last_name() -> None:
         assert [room for room in rooms if room() is not None] == []
     finally:
         gc.enable()
+
+
+def test_catalogs_of_different_homes_are_told_apart_without_comparing_them() -> None:
+    known = load_catalogs().model_copy(update={"fingerprint": "of this test"})
+    with mock.patch.object(Catalogs, "__eq__", side_effect=AssertionError("catalogs were compared")):
+        for program in (None, "studio", "family", "large"):
+            for seed in range(3):
+                generate(Request(seed=seed, program=program), catalogs=known)
