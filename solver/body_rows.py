@@ -88,7 +88,7 @@ class BodyRows:
         """The look of each."""
         return [*map(self._looks.__getitem__, _KIND_AND_SIZE.iter_unpack(self.content))]
 
-    @cached_property
+    @property
     def turns(self) -> Sequence[int]:
         """The rotation of each, degrees."""
         return [*chain.from_iterable(_TURN.iter_unpack(self.content))]
@@ -168,7 +168,7 @@ class DecorationRows(BodyRows):
         ids = [*furniture_ids(self.room), *self.ids]
         return [None if row[1] < 0 else ids[row[1]] for row in self.rows]
 
-    @cached_property
+    @property
     def colours(self) -> Sequence[str | None]:
         """The colour of each: one of its kind's; or the room's: of the style's for that kind, alike in one room, or its accent."""
         drawn = self._drawn_from

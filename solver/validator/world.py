@@ -48,7 +48,7 @@ class PlacedRoom:
     holes: tuple[Hole, ...]
     people: tuple[Dynamic, ...]
 
-    @cached_property
+    @property
     def edges(self) -> Sequence[WallEdge]:
         """The pieces of its wall line."""
         return [edge for edge in self.outline.edges if edge is not None]
