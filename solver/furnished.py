@@ -43,7 +43,7 @@ class _Colourings(dict[str, _Colouring]):
         return found
 
 
-_colourings: Final = lru_cache(maxsize=4)(_Colourings)
+_colourings: Final = lru_cache(maxsize=64)(_Colourings)
 """Those of catalogs."""
 
 

@@ -118,7 +118,7 @@ class LowRooms(NamedTuple):
     left_out: Mapping[str, tuple[tuple[str, str], ...]]
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def as_low_as(height: float, catalogs: Catalogs) -> LowRooms:
     """Returns what rooms of a height, m, can hold; the same catalogs where that is all of it."""
 

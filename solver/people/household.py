@@ -15,7 +15,7 @@ from solver.records import changed
 from solver.scene import Dynamic, Room
 from solver.streams import Stream
 
-_use_sides: Final = lru_cache(maxsize=4)(Catalogs.use_sides)
+_use_sides: Final = lru_cache(maxsize=64)(Catalogs.use_sides)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ FULLY: Final = math.cos(math.radians(40))
 for, the rest is for whoever measures to another point of it."""
 OPENINGS: Final = ("door", "garage_door", "window")
 SCREEN: Final = "tv"
-_kinds_by_name: Final = lru_cache(maxsize=4)(Catalogs.kinds_by_name)
+_kinds_by_name: Final = lru_cache(maxsize=64)(Catalogs.kinds_by_name)
 
 
 @dataclass(frozen=True)
