@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import statistics
 from functools import cache
+from itertools import permutations
 
 import pytest
 
@@ -25,6 +26,8 @@ COVER = {
     "living_room": (0.18, 0.35),
 }
 """Floor cover medians of homes (issue: 9-16, 4-8, 8-16 m2, living rooms of any size)."""
+
+RUN = ("counter", "sink", "stove", "dishwasher", "refrigerator")
 
 
 @cache
@@ -108,6 +111,19 @@ def test_tidying_leaves_a_third_of_the_slivers(monkeypatch: pytest.MonkeyPatch) 
     assert sum(untidy.values()) > SEEDS
     assert sum(tidy.values()) <= sum(untidy.values()) / 3
     assert all(tidy[name] <= 0.6 * untidy[name] for name in KINDS)
+
+
+def slits(room: Room) -> list[float]:
+    """Returns the gaps that look like contact and are none between what stands in a row in a kitchen."""
+    run = [box for box in ruler.boxes(room) if box.piece.name in RUN]
+    rows = [(one, two) for one, two in permutations(run, 2) if one.piece.rotation == two.piece.rotation]
+    along_x = [two.x0 - one.x1 for one, two in rows if min(one.z1, two.z1) - max(one.z0, two.z0) > 0.2]
+    along_z = [two.z0 - one.z1 for one, two in rows if min(one.x1, two.x1) - max(one.x0, two.x0) > 0.2]
+    return [gap for gap in along_x + along_z if 0.0005 < gap < ruler.TOUCHING]
+
+
+def test_a_kitchens_run_stands_edge_to_edge() -> None:
+    assert sum(bool(slits(room)) for room in rooms("kitchen")) <= 0.1 * SEEDS
 
 
 def test_tidied_rooms_are_valid_and_within_reach() -> None:

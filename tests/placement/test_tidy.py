@@ -67,6 +67,16 @@ def test_a_sliver_that_cannot_be_closed_is_opened_for_a_hand() -> None:
     assert start - end >= 300
 
 
+def test_what_is_wished_together_touches_however_little_parts_it() -> None:
+    deep = Candidate("deep", (800, 700, 900), 0, wall="north", anchor_mm=(2200, 430), weights=(WEIGHT, WEIGHT))
+    room = replace(ROOM, zones=(Zone(Rect(1700, 500, 1820, 600), 0, "pipe"),))
+    before, after = both(at_north("a", 1000), Piece("b", True, (deep,)), room=room)
+    assert edges(before) == [(1000, 1800), (1820, 2620)]
+    assert edges(after) == [(1020, 1820), (1820, 2620)]
+    before, after = both(at_north("a", 980), Piece("b", True, (deep,)), room=room)
+    assert edges(before) == edges(after) == [(980, 1780), (1820, 2620)]
+
+
 def test_nothing_moves_where_that_costs_too_much() -> None:
     within = [Rect(x - 10, 50, x + 810, 3050) for x in (1000, 1900)]
     pieces = [at_north("a", 1000), at_north("b", 1900)]

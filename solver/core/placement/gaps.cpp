@@ -25,7 +25,7 @@ static void add_gap(List<Gap>& found, const Span<Box>& boxes, i64 axis, i64 one,
       if (overlap(box, between)) return;
     }
   }
-  found.add({axis, one, two, wide});
+  found.add({axis, one, two, wide, TOUCHING_MM});
 }
 
 List<Gap> gaps_between(const Span<Box>& boxes, i32 bodies) {

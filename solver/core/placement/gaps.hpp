@@ -12,11 +12,11 @@ struct Box {
   i64 low[2], high[2];
 };
 
-// Free floor between two boxes along an axis; `low` and `high` are numbers of the boxes at its ends.
+// Free floor between two boxes along an axis; `low` and `high` are numbers of the boxes at its ends, `contact` what is no gap yet.
 struct Gap {
-  i64 axis, low, high, wide;
+  i64 axis, low, high, wide, contact;
 
-  bool is_sliver() const { return TOUCHING_MM <= wide && wide < SLIVER_MM; }
+  bool is_sliver() const { return contact <= wide && wide < SLIVER_MM; }
 };
 
 // The gaps narrower than REACH_MM beside the first `bodies` boxes, those in which nothing else stands.

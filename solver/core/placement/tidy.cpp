@@ -76,6 +76,8 @@ class Tidier {
   void find_terms();
   bool is_person_alone(i64 axis, i64 variable) const;
   Span<Box> boxes(const Table<i64>& p) const;
+  bool are_wished_together(const Gap& gap) const;
+  List<Gap> gaps_at(const Table<i64>& p) const;
   bool holds_alone(const Table<i64>& p);
   Span<i64> moving_with(const Span<u8>& moved, i64 axis) const;
   bool is_within(const Table<i64>& p, const Slide& slide) const;
@@ -158,6 +160,30 @@ Span<Box> Tidier::boxes(const Table<i64>& p) const {
   return found;
 }
 
+// Tells whether the bodies at the ends of a gap are wished where they touch, as those of a run are.
+bool Tidier::are_wished_together(const Gap& gap) const {
+  if (gap.low >= bodies_.size() || gap.high >= bodies_.size()) return false;
+  f64 apart = 0.0;
+  const i64 ends[] = {gap.low, gap.high};
+  for (const i64 end : ends) {
+    const Part& body = work_.parts[bodies_[end]];
+    const i64 v = body.variable[gap.axis];
+    if (!(work_.anchor_weight.at(gap.axis, v) > 0)) return false;
+    const i64 edge = body.offset[gap.axis] + (end == gap.low ? body.extent[gap.axis] : 0);
+    apart += (end == gap.low ? -1 : 1) * (work_.anchor_at.at(gap.axis, v) * 1000 + static_cast<f64>(edge));
+  }
+  return -1 < apart && apart < 1;
+}
+
+// The gaps beside bodies; those between bodies that are wished together have to be closed however narrow they are.
+List<Gap> Tidier::gaps_at(const Table<i64>& p) const {
+  List<Gap> found = gaps_between(boxes(p), bodies_.size());
+  for (Gap& gap : found) {
+    if (are_wished_together(gap)) gap.contact = 1;
+  }
+  return found;
+}
+
 // Tells whether the rules hold without persons' squares: whether all can be used is the walk's to say.
 bool Tidier::holds_alone(const Table<i64>& p) {
   if (!alone_.rows.data) alone_ = without_persons(work_);
@@ -214,7 +240,7 @@ f64 Tidier::cost(const Table<i64>& p, const Slide& slide) const {
 
 // Adds the ways to close or open a gap by moving variables at one of its ends, those within all bounds.
 void Tidier::add_slides(List<Slide>& slides, const Table<i64>& p, const Gap& gap, bool ahead, const Span<i64>& moving) const {
-  const i64 ways[] = {gap.wide - BESIDE_MM, gap.wide, gap.wide - REACH_MM};
+  const i64 ways[] = {gap.wide - (gap.contact < BESIDE_MM ? 0 : BESIDE_MM), gap.wide, gap.wide - REACH_MM};
   for (const i64 way : ways) {
     Slide slide = {0.0, gap.axis, ahead ? way : -way, moving};
     if (!is_within(p, slide)) continue;
@@ -257,7 +283,7 @@ Better Tidier::better(const Table<i64>& p, const List<Gap>& gaps, i64 before, f6
     if (tries_ < 0 || slide.cost > most) continue;
     const Table<i64> trial = slid(p, slide);
     if (!holds_alone(trial)) continue;
-    const List<Gap> left = gaps_between(boxes(trial), bodies_.size());
+    const List<Gap> left = gaps_at(trial);
     const i64 count = count_slivers(left);
     if (count < before) {
       if (walkable(desk_.engine.room, work_, desk_.engine.grid, trial)) return {trial, slide.cost};
@@ -276,7 +302,7 @@ f64 Tidier::run(const Table<i64>& positions) {
   Table<i64> p = copied(positions);
   f64 spent = 0.0;
   for (i64 round = 0; round < MOST_SLIDES; round++) {
-    const List<Gap> gaps = gaps_between(boxes(p), bodies_.size());
+    const List<Gap> gaps = gaps_at(p);
     const Better found = better(p, gaps, count_slivers(gaps), MOST_COST - spent, TOGETHER);
     if (!found.positions.data) break;
     p = found.positions;
