@@ -1,4 +1,4 @@
-"""What floats -> on what carries it, at its wall or on the floor, by the shortest way.
+"""What floats or is too high -> on what carries it, at its wall or on the floor, by the shortest way.
 
 Furniture comes back over what it says it stands on where that is near (it is over part of it still), where it was moved away from
 under the piece, and where its kind stands on other pieces alone, as room types' rules tell. Else it is set down where it is. One
@@ -54,7 +54,7 @@ class _Known:
 
 
 def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
-    """Returns the room with all that floats where something carries it; locked bodies stay.
+    """Returns the room with all that floats, or reaches above the ceiling, where something carries it; locked bodies stay.
 
     What stands on something already goes where on it there is room. Furniture on others that the user just moved goes there too where it is
     in the way. A ring of things that carry each other is opened: the first of them stands on the floor.
@@ -62,8 +62,10 @@ def put_to_rest(problem: RoomProblem, moved: Container[str]) -> Room:
     room, settings = problem.room, problem.settings
     wrong = {label for issue in problem.errors for label in issue.ids}
     floating = {label for issue in problem.errors if issue.rule == "floating" for label in issue.ids}
-    going = floating | {piece.id for piece in room.furniture if piece.id in wrong & settings.moved}
-    going -= {body.id for body in all_bodies(room) if settings.is_locked(body) or (isinstance(body, Furniture) and body.on is None)}
+    going = floating | {piece.id for piece in room.furniture if piece.id in wrong & settings.moved and piece.on is not None}
+    high = {label for issue in problem.errors if issue.rule == "above_ceiling" for label in issue.ids}
+    going |= {body.id for body in all_bodies(room) if body.id in high and body.height <= problem.ceiling}
+    going -= {body.id for body in all_bodies(room) if settings.is_locked(body)}
     if not going:
         return room
     room, gone_after, hung = _gone_after(problem, floating)
@@ -301,13 +303,15 @@ def _up(metres: float) -> int:
 
 
 def _laid(thing: Decoration, now: Mapping[str, Body], problem: RoomProblem) -> Decoration:
-    """Returns a floating decoration at its wall, on or in what carries it where the ceiling lets it, or on the floor."""
+    """Returns a floating decoration at its wall under the ceiling, on or in what carries it where the ceiling lets it, or on the floor."""
     if thing.mounted_on_wall is not None:
         own, half = footprint(thing), problem.walls.half_mm
         deep = own.depth if thing.mounted_on_wall in ALONG_X else own.width
         edges = [(wall, line, start + half, end - half) for wall, line, start, end in problem.walls.edges]
         faces = [problem.walls.before(edge, deep) for edge in edges if edge[0] == thing.mounted_on_wall]
-        hung = [_moved_into(thing, face, to_mm(thing.y)) for face in faces]
+        top = max(problem.ceiling - thing.height, 0.0)
+        level = to_mm(thing.y) if thing.y <= top else math.floor(top * 1000 + 1e-6)
+        hung = [_moved_into(thing, face, level) for face in faces]
         return min(hung, key=lambda place: abs(place.x - thing.x) + abs(place.z - thing.z), default=thing)
     carrier = now.get(thing.parent or "")
     if carrier is None:

@@ -8,7 +8,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver import Request, Scene, fix, generate
-from solver.scene import Decoration, Furniture, Room
+from solver.scene import Decoration, Furniture, Level, Room
 from solver.streams import Stream
 from solver.validator import validate
 
@@ -178,3 +178,40 @@ def test_what_lay_on_a_moved_piece_goes_after_it_as_it_lay(dx: float, dz: float,
     assert all(shift == pytest.approx(shifts[0], abs=0.001) for shift in shifts)
     assert all(abs(part) < 0.35 for shift in shifts for part in shift)
     assert floating(fix(sent, moved=[SOFA.id]).scene) == []
+
+
+PANTRY = Furniture("r/pantry_1", "pantry", "storage", x=1.5, y=1.34, z=4.0, width=0.8, depth=0.6, height=2.0)
+COUNTER = Furniture("r/counter_1", "counter", "storage", x=1.5, z=4.6, width=1.2, depth=0.6, height=0.9, rotation=180, wall="south")
+OVEN = Furniture("r/microwave_1", "microwave", "appliance", x=1.5, y=2.5, z=4.6, width=0.5, depth=0.38, height=0.3)
+LOW = (Level(0, 0.0, 2.7),)
+
+
+@pytest.mark.parametrize(
+    ("furniture", "things", "heights"),
+    [
+        ((PANTRY,), (), {"r/pantry_1": 0.0}),
+        ((replace(PANTRY, y=0.7),), (), {"r/pantry_1": 0.7}),
+        ((PANTRY,), (replace(BOOK, parent=PANTRY.id, x=1.5, y=3.34, z=4.0),), {"r/pantry_1": 0.0, "r/book_1": 2.0}),
+        ((replace(COUNTER, y=2.2), replace(OVEN, y=3.1, on=COUNTER.id)), (), {"r/counter_1": 0.0, "r/microwave_1": 0.9}),
+        ((COUNTER, OVEN), (), {"r/counter_1": 0.0, "r/microwave_1": 0.9}),
+        ((), (replace(SHELF, y=2.68),), {"r/wall_shelf_1": 2.66}),
+        ((), (replace(ART, parent=None, y=2.2005),), {"r/wall_art_1": 2.1}),
+    ],
+)
+def test_what_reaches_above_the_ceiling_comes_down(
+    furniture: tuple[Furniture, ...], things: tuple[Decoration, ...], heights: dict[str, float]
+) -> None:
+    sent = Scene(wall_thickness=0.1, levels=LOW, rooms=(Room("r", width=4.0, depth=5.0, furniture=furniture, decorations=things),))
+    fixed = fix(sent)
+    (room,) = fixed.scene.rooms
+    found = {piece.id: piece.y for piece in room.furniture} | {thing.id: thing.y for thing in room.decorations}
+    assert {label: found[label] for label in heights} == pytest.approx(heights)
+    assert fixed.conflicts == ()
+    assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_what_is_locked_above_the_ceiling_or_higher_than_the_room_stays_and_is_named() -> None:
+    for piece in (replace(PANTRY, locked=True), replace(PANTRY, height=2.9)):
+        fixed = fix(Scene(levels=LOW, rooms=(Room("r", width=4.0, depth=5.0, furniture=(piece,)),)))
+        assert fixed.scene.rooms[0].furniture == (piece,)
+        assert [conflict.ids for conflict in fixed.conflicts] == [(PANTRY.id,)]
