@@ -11,7 +11,7 @@ from solver.errors import RequestError
 from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of
 from solver.pipeline.left_over import cleaned, unexplained
-from solver.pipeline.repair_room import RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
+from solver.pipeline.repair_room import ROUNDS, RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
 from solver.pipeline.room_spaces import as_walked_in, room_problem
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
@@ -85,16 +85,16 @@ def fix(  # noqa: PLR0913 - keyword-only options of a public function
     house = _all_at_rest(house, house.errors, settings, settings.moved)
     house, repaired = _rooms_repaired(house, settings)
     conflicts = [conflict for repair in repaired for conflict in conflicts_of(house, repair)]
-    house, stuck = _people_repaired(house, settings)
-    conflicts += stuck
-    timing.lap("placement")
     house = _walls_told(house, settings)
     floating = [issue for issue in house.errors if issue.rule == "floating"]
     house = _all_at_rest(house, floating, settings, set(body_ids(house.scene)).difference(*(issue.ids for issue in floating)))
-    timing.lap("validate_again")
+    house, stuck = _people_repaired(house, settings)
+    conflicts += stuck
+    timing.lap("placement")
     if settings.remove:
         house, reasons = cleaned(house, settings)
         conflicts += reasons
+    timing.lap("validate_again")
     more = unexplained(house, conflicts, settings)
     conflicts = [*(one for one in more if not one.ids), *conflicts, *(one for one in more if one.ids)]
     removed = _removed(scene, house.scene, conflicts)
@@ -137,13 +137,17 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     alone = house.after(replace(house.scene, dynamic=()))
     broken = _rooms_to_look_at(alone.scene, alone.errors)
     settings = replace(settings, explaining_work=_share(len(broken)) / (1 if settings.offering else WHY_SHARE))
-    here = _by_room(alone.errors)
+    here, closed = _by_room(alone.errors), _closed_rooms(alone.errors)
+    leading = broken - here.keys()
     walked = as_walked_in(alone.scene)
     problems = {room.id: walked(room_problem(alone.scene, room, here[room.id], settings)) for room in alone.scene.rooms}
     repairs = {
         name: repair_room(problem) if name in broken and not is_call_spent() else unchanged(problem) for name, problem in problems.items()
     }
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
+    if closed and closed <= _closed_rooms(alone.errors):  # nothing was gained in the rooms that lead there
+        repairs |= {name: unchanged(problem) for name, problem in problems.items() if name in leading}
+        alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
     open_rooms = {issue.room for issue in alone.errors if issue.rule != "floating"}  # what floats is put to rest without moving any piece
     again = {name: until_nothing_changes(repair) for name, repair in repairs.items() if repair.whole and name in open_rooms}
     alone = _with_rooms(alone, {name: repair.answer for name, repair in again.items()})
@@ -157,29 +161,44 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
 
 def _rooms_to_look_at(scene: Scene, issues: Sequence[Issue]) -> set[str | None]:
     """Returns the rooms that break a rule, and those next to rooms that nobody can enter: the way there may end in them."""
-    closed = {issue.room for issue in issues if issue.rule == "unreachable" and not issue.ids}
+    closed = _closed_rooms(issues)
     doors = [(room.id, opening.connects_to) for room in scene.rooms for opening in room.openings if opening.kind != "window"]
     leading = {room for door in doors for room, other in (door, door[::-1]) if other in closed}
     return {issue.room for issue in issues} | leading
 
 
+def _closed_rooms(issues: Iterable[Issue]) -> set[str | None]:
+    """Returns the rooms that nobody can enter."""
+    return {issue.room for issue in issues if issue.rule == "unreachable" and not issue.ids}
+
+
 def _people_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
-    """Moves people and pets who break a rule, or keep others from something, to the nearest free place in their room."""
+    """Moves people out of the way; while there is no place for some, again from where they came to, until nothing changes."""
+    for _ in range(ROUNDS):
+        sent, (house, stuck) = house.scene, _people_moved(house, settings)
+        if not stuck or house.scene == sent:
+            break
+    words = {label: f"not found: no free place for {label} in {room} is in nobody's way" for label, room in stuck.items()}
+    conflicts = [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]
+    staying = tuple(person for person in house.scene.dynamic if not (settings.remove and person.id in stuck))
+    return house.after(replace(house.scene, dynamic=staying)), conflicts
+
+
+def _people_moved(house: Checked, settings: RepairSettings) -> tuple[Checked, dict[str, str]]:
+    """Moves people and pets who break a rule, or keep others from something, to the nearest free place; tells who found none, and where."""
     scene = house.scene
     wrong = _rooms_to_look_at(scene, house.errors)
     closed = _rooms_to_look_at(scene, [issue for issue in house.errors if issue.rule == "unreachable"])
     people = {person.id: person for person in scene.dynamic}
     errors, walked = _by_room(house.errors), as_walked_in(scene)
-    conflicts: list[Conflict] = []
+    stuck: dict[str, str] = {}
     for room in scene.rooms:
         here = people_in(scene, room)
         if here and room.id in wrong:
             crowd = people_out_of_the_way(walked(room_problem(scene, room, errors[room.id], settings)), here, room.id in closed)
             people |= {person.id: person for person in crowd.people}
-            words = {label: f"not found: no free place for {label} in {room.id} is in nobody's way" for label in crowd.stuck}
-            conflicts += [Conflict((label,), why, ({"action": "leave_out", "id": label},)) for label, why in words.items()]
-    gone = {label for conflict in conflicts for label in conflict.ids if settings.remove}
-    return house.after(replace(scene, dynamic=tuple(person for person in people.values() if person.id not in gone))), conflicts
+            stuck |= dict.fromkeys(crowd.stuck, room.id)
+    return house.after(replace(scene, dynamic=tuple(people.values()))), stuck
 
 
 def _walls_told(house: Checked, settings: RepairSettings) -> Checked:

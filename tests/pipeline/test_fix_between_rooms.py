@@ -34,6 +34,15 @@ def test_a_piece_that_shuts_the_way_to_another_room_gives_way() -> None:
     assert errors(fix(sent).scene) == []
 
 
+def test_a_sound_room_before_one_that_stays_shut_comes_back_as_sent() -> None:
+    basket = replace(body("basket_1", 2.9425, 1.7, (0.36, 0.3, 0.3)), rotation=185)
+    hall, back = house(basket).rooms
+    chest = replace(body("chest_1", 1.0, 1.0, (0.8, 1.9, 0.8), locked=True), id="back_1/chest_1")
+    sent = Scene(rooms=(hall, replace(back, furniture=(chest,))))
+    assert [issue.room for issue in fix(sent).issues if issue.rule == "unreachable" and not issue.ids] == ["back_1"]
+    assert fix(sent).scene.rooms[0] == hall
+
+
 @pytest.mark.parametrize("kind", ["person", "dog"])
 def test_somebody_who_shuts_the_way_to_another_room_steps_aside(kind: str) -> None:
     crates = (body("crate_1", 3.0, 0.5, (0.6, 0.95, 0.8)), body("crate_2", 4.6, 1.5, (0.6, 0.9, 0.8)))
