@@ -16,7 +16,7 @@ from service.openapi import DescribedCalls, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
-from service.store.saved_homes import ANY_REVISION, SavedHomes
+from service.store.saved_homes import ANY_REVISION, Revisions, SavedHomes
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, write
@@ -26,23 +26,35 @@ MOST_PICTURE: Final = 512 * 1024
 PICTURES: Final = {"image/png": b"\x89PNG\r\n\x1a\n", "image/jpeg": b"\xff\xd8\xff", "image/webp": b"RIFF"}
 """The pictures that are kept, and how each begins."""
 PICTURE_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
-TAG: Final = re.compile(r'(?:W/)?"(\d{1,9})(?:-yaml)?"')
+TAG: Final = re.compile(r'"[^"]*"')
+"""What is opaque of an entity tag (RFC 9110, 8.8.3)."""
+REVISION: Final = re.compile(r'"(\d{1,9})(?:-yaml)?"')
 
 
 _asked = partial(ask, ServiceStore.open)
 
 
-def _revision(request: Request) -> int | None:
-    """Returns the revision that If-Match names, ANY_REVISION for a star; None where there is none."""
-    said = request.headers.get("if-match")
-    if said is None or said.strip() == "*":
-        return None if said is None else ANY_REVISION
-    found = TAG.fullmatch(said.strip())
-    return int(found.group(1)) if found else 0
+def _tags(request: Request, header: str) -> set[str] | None:
+    """Returns the entity tags that If-Match or If-None-Match lists, weak ones as strong ones, or a star; None without it."""
+    said = ", ".join(request.headers.getlist(header)).strip()
+    found = {said} if said == "*" else set(TAG.findall(said))
+    return found if header in request.headers else None
+
+
+def _revisions(request: Request) -> Revisions:
+    """Returns the revisions that If-Match names; None where there is none."""
+    tags = _tags(request, "if-match")
+    if tags is None or "*" in tags:
+        return None if tags is None else ANY_REVISION
+    return {int(one.group(1)) for tag in tags if (one := REVISION.fullmatch(tag))}
+
+
+def _etag(home: HomeHead, wanted: str) -> str:
+    return f'"{home.revision}"' if wanted == "json" else f'"{home.revision}-{wanted}"'
 
 
 def _tagged(answer: Response, home: HomeHead, wanted: str) -> Response:
-    answer.headers["ETag"] = f'"{home.revision}"' if wanted == "json" else f'"{home.revision}-{wanted}"'
+    answer.headers["ETag"] = _etag(home, wanted)
     answer.headers["Cache-Control"] = "private, no-cache"
     return answer
 
@@ -105,7 +117,7 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
     home, scene = await _asked(request, SavedHomes.get, id_of, version)
     wanted = format_wanted(request)
     shown = home if version is None else None
-    if shown and f'"{home.revision}{"" if wanted == "json" else "-yaml"}"' in request.headers.get("if-none-match", ""):
+    if shown and not {"*", _etag(home, wanted)}.isdisjoint(_tags(request, "if-none-match") or ()):
         return _tagged(Response(status_code=304, headers={"Vary": "Accept"}), home, wanted)
     text = await to_thread.run_sync(home_text, home, scene, limiter=request.app.store_threads)
     if wanted != "json":
@@ -117,18 +129,18 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
 @homes.call("PATCH", "/{home}", HomeHead, takes={"body": HomeChange, **OF_REVISION}, responses=WITH_BODY | refusals(404, 412, 428))
 async def change_home(request: Request) -> Response:
     """Changes a home; a scene becomes its next version."""
-    id_of, revision = id_in(request, "home"), _revision(request)
+    id_of, revisions = id_in(request, "home"), _revisions(request)
     sent, wanted = await _sent(request, True), format_wanted(request)
     if isinstance(sent, Response):
         return sent
-    home = await _asked(request, SavedHomes.change, id_of, revision, sent.texts, sent.scene)
+    home = await _asked(request, SavedHomes.change, id_of, revisions, sent.texts, sent.scene)
     return _tagged(written(write(home), wanted), home, wanted)
 
 
 @homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
 async def remove_home(request: Request) -> Response:
     """Removes a home with all its versions."""
-    await _asked(request, SavedHomes.remove, id_in(request, "home"), _revision(request))
+    await _asked(request, SavedHomes.remove, id_in(request, "home"), _revisions(request))
     return Response(status_code=204)
 
 

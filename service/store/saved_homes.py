@@ -1,8 +1,9 @@
 """Homes in a store: every question names an owner, and finds that one's homes alone."""
 
 import secrets
+import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Final
 
@@ -15,8 +16,9 @@ from service.store.database import HOMES, OWNERS, VERSIONS, Database, moment
 
 KEPT_VERSIONS: Final = 50
 """Versions of a home; the oldest go when there are more. Our choice."""
-ANY_REVISION: Final = -1
-"""In place of a revision: whichever there is."""
+Revisions = Container[int] | None
+"""Those that a change may be made to; None where none was named."""
+ANY_REVISION: Final = range(1, sys.maxsize)
 SHOWN: Final = tuple(HOMES.c[part.name] for part in fields(HomeHead) if part.name != "link")
 
 
@@ -88,10 +90,8 @@ class SavedHomes:
                 raise NoSuchThing("version", f"{number} of this home is not kept", f"one of GET /homes/{home}/versions")
             return _read(found), scene
 
-    def change(self, owner: str, home: str, revision: int | None, texts: Mapping[str, Any], scene: PackedScene | None) -> HomeHead:
+    def change(self, owner: str, home: str, revisions: Revisions, texts: Mapping[str, Any], scene: PackedScene | None) -> HomeHead:
         """Changes those texts of an owner's home that are given, and adds a version if there is a scene.
-
-        `revision` is the one that the change was made from; or ANY_REVISION.
 
         Raises:
             NoSuchThing: this owner has no such home.
@@ -101,7 +101,7 @@ class SavedHomes:
         """
         now = self._clock() // 1000
         with self._database.writing() as connection:
-            before = _held(connection, owner, home, revision)
+            before = _held(connection, owner, home, revisions)
             kept = {"name": before.name, "notes": before.notes, "tags": _tags(before), **texts}
             new: dict[str, Any] = {**_written(kept), "changed": max(now, before.changed + 1), "revision": before.revision + 1}
             if scene is not None:
@@ -118,14 +118,14 @@ class SavedHomes:
         row = {"home": before.id, "number": before.version + 1, "made": now, "scene": scene.content}
         connection.execute(insert(VERSIONS), row)
 
-    def remove(self, owner: str, home: str, revision: int | None) -> None:
+    def remove(self, owner: str, home: str, revisions: Revisions) -> None:
         """Removes a home with all its versions.
 
         Raises:
             NoSuchThing, UnnamedRevision, ChangedMeanwhile: as `change`.
         """
         with self._database.writing() as connection:
-            _held(connection, owner, home, revision)
+            _held(connection, owner, home, revisions)
             sizes = connection.scalar(select(func.sum(func.length(VERSIONS.c.scene))).where(VERSIONS.c.home == home)) or 0
             picture = connection.scalar(select(func.length(HOMES.c.picture)).where(HOMES.c.id == home)) or 0
             connection.execute(delete(VERSIONS).where(VERSIONS.c.home == home))
@@ -221,12 +221,12 @@ def _found(connection: Connection, owner: str, home: str, for_change: bool = Fal
     return row
 
 
-def _held(connection: Connection, owner: str, home: str, revision: int | None) -> Row[Any]:
-    """Returns a home that nobody else changes until the transaction ends, if it is of that revision."""
+def _held(connection: Connection, owner: str, home: str, revisions: Revisions) -> Row[Any]:
+    """Returns a home that nobody else changes until the transaction ends, if it is of one of those revisions."""
     found = _found(connection, owner, home, for_change=True)
-    if revision is None:
+    if revisions is None:
         raise UnnamedRevision("If-Match", "is missing", "the ETag that the home was read with, or * for whichever there is")
-    if revision not in (ANY_REVISION, found.revision):
+    if found.revision not in revisions:
         raise ChangedMeanwhile("If-Match", "is of another revision: somebody has changed the home since", f'"{found.revision}"')
     return found
 

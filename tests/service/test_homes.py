@@ -20,7 +20,7 @@ from service.kept_contract import HomeQuery
 from service.problems import StoreAway
 from service.service_settings import Settings
 from service.store.database import TABLES, Database
-from service.store.saved_homes import KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
+from service.store.saved_homes import ANY_REVISION, KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
 from tests.service.heavy import PATIENCE_S
@@ -82,6 +82,19 @@ def test_two_editors_do_not_overwrite_each_other_unseen(ann: TestClient) -> None
         assert ann.patch(path, json={"name": name}, headers={"If-Match": said}).json()["name"] == name
     assert ann.get(path, headers={"If-None-Match": '"5"'}).status_code == 304
     assert ann.get(path, headers={"If-None-Match": '"4"'}).status_code == 200
+
+
+def test_conditions_list_tags_as_the_standard_says(ann: TestClient) -> None:
+    path = f"/homes/{saved(ann)['id']}"
+    for said, status in (('"99", "1"', 304), ("*", 304), ('W/"1"', 304), ('"99","11"', 200), ('"1-yaml"', 200), ("1*", 200), ("", 200)):
+        assert ann.get(path, headers={"If-None-Match": said}).status_code == status, said
+    assert ann.get(path, headers=[("If-None-Match", '"99"'), ("If-None-Match", '"1"')]).status_code == 304
+    for said in ('"99", "11"', "1", "1*", '"', ""):
+        assert entry_of(ann.patch(path, json={"name": "No"}, headers={"If-Match": said}), 412)["allowed"] == '"1"', said
+    listed: list[str | list[tuple[str, str]]] = ['"99", "1"', [("If-Match", '"7"'), ("If-Match", '"2-yaml" , "9"')], '"0",W/"3"']
+    for tags in listed:
+        headers = {"If-Match": tags} if isinstance(tags, str) else tags
+        assert ann.patch(path, json={"name": "Yes"}, headers=headers).status_code == 200, tags
 
 
 def test_of_many_changes_at_once_each_revision_has_one(app: ComposeApp, ann: TestClient) -> None:
@@ -244,16 +257,16 @@ def test_an_owner_keeps_so_many_and_so_much(place: str) -> None:
         kept = [homes.add("carla", texts, PackedScene(b"1" * 40, 1)) for _ in range(2)]
         for refused in (
             lambda: homes.add("carla", texts, PackedScene(b"", 1)),
-            lambda: homes.change("carla", kept[0].id, 1, {}, PackedScene(b"1" * 30, 1)),
+            lambda: homes.change("carla", kept[0].id, {1}, {}, PackedScene(b"1" * 30, 1)),
         ):
             with pytest.raises(FieldError, match="2 homes, of 0 MB"):
                 refused()
         homes.add("dora", texts, PackedScene(b"1" * 40, 1))
         homes.put_picture("carla", kept[0].id, b"1" * 20, "image/png")
         homes.put_picture("carla", kept[0].id, b"1" * 10, "image/png")
-        homes.remove("carla", kept[0].id, 1)
-        homes.change("carla", kept[1].id, 1, {}, PackedScene(b"1" * 60, 1))
-        homes.remove("carla", kept[1].id, 2)
+        homes.remove("carla", kept[0].id, {1})
+        homes.change("carla", kept[1].id, {1}, {}, PackedScene(b"1" * 60, 1))
+        homes.remove("carla", kept[1].id, {2})
         assert [homes.list("carla", HomeQuery()).total for _ in range(2)] == [0, 0]
         with database.reading() as connection:
             assert connection.execute(text("SELECT homes, bytes FROM owners WHERE name = 'carla'")).one() == (0, 0)
@@ -275,7 +288,7 @@ def test_a_clock_that_jumps_hides_no_home_and_no_change(place: str) -> None:
         first = homes.list("finn", HomeQuery(limit=1)).homes[0]
         now[0] -= 86_400 * 10**9
         before = kept_time(database, first.id)
-        changed = homes.change("finn", first.id, first.revision, {"name": "b"}, PackedScene(b"2", 1))
+        changed = homes.change("finn", first.id, {first.revision}, {"name": "b"}, PackedScene(b"2", 1))
         assert kept_time(database, first.id) > before and homes.list("finn", HomeQuery()).homes[0] == changed
         found, after = list[str](), ""
         while True:
@@ -286,7 +299,7 @@ def test_a_clock_that_jumps_hides_no_home_and_no_change(place: str) -> None:
             after = page.after
         assert len(found) == len(kept) and set(found) == kept
         for home in found:
-            homes.remove("finn", home, -1)
+            homes.remove("finn", home, ANY_REVISION)
 
 
 class Line(list[Any]):
@@ -362,10 +375,10 @@ def test_the_oldest_versions_go(place: str) -> None:
         homes = SavedHomes(database, Keeping(bytes=KEPT_VERSIONS + 1))
         home = homes.add("emil", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id
         for revision in range(1, KEPT_VERSIONS + 10):
-            homes.change("emil", home, revision, {}, PackedScene(b"1", 1))
+            homes.change("emil", home, {revision}, {}, PackedScene(b"1", 1))
         numbers = [number for number, _ in homes.versions("emil", home)]
         assert numbers == list(range(KEPT_VERSIONS + 10, 10, -1))
-        homes.remove("emil", home, -1)
+        homes.remove("emil", home, ANY_REVISION)
 
 
 def test_the_migrations_make_the_tables_that_are_used(place: str) -> None:
