@@ -87,11 +87,14 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
 
 
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
-    """Refuses ids, by the name of the field that lists them, that a scene does not have.
+    """Refuses ids, by the name of the field that lists them, that a scene does not have; and one alone, which Python takes for a list.
 
     Raises:
         SceneError: names the entries and some ids that would do.
     """
+    for field, ids in wanted.items():
+        if isinstance(ids, str):
+            raise SceneError(field, f"is {ids!r}", "a list")
     have = set(known)
     named = ((f"{field}[{k}]", one) for field, ids in wanted.items() for k, one in enumerate(ids) if one not in have)
     all_of(partial(check_id, field, one, known) for field, one in islice(named, MOST_TOLD))

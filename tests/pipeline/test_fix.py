@@ -174,6 +174,8 @@ def test_a_piece_is_taken_out_of_a_doorway_and_from_a_window() -> None:
 def test_an_unknown_id_is_refused_by_name(field: str) -> None:
     with pytest.raises(SceneError, match=rf"{field}\[0\].*nothing in the scene has the id 'ghost'"):
         fix(room_of(), **{field: ["ghost"]})  # type: ignore[arg-type]
+    with pytest.raises(SceneError, match=rf"^{field}: is 'ghost' \(allowed: a list\)"):
+        fix(room_of(), **{field: "ghost"})  # type: ignore[arg-type]
 
 
 def test_an_unknown_id_is_told_the_likeliest_first() -> None:
