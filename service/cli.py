@@ -306,8 +306,7 @@ def _add_tellers(commands: Commands) -> None:
 def _add_assets(commands: Commands) -> None:
     words = "Check a folder of your own .glb files; writes its assets.yaml, what is not said measured or guessed, and marked so."
     command = _command(commands, "assets", words)
-    words = "check: measure every file, refuse what cannot be used"
-    command.add_argument("task", type=partial(_task, ("check",)), metavar="{check}", help=words)
+    command.add_argument("task", type=partial(_task, ("check",)), metavar="TASK", help="check: measure all, refuse what cannot be used")
     command.add_argument("folder", metavar="DIR", help="holds .glb files, and an assets.yaml if there is one already")
     command.add_argument("--surfaces", action="store_true", help="find where things may lie, too: reads all points of the files")
     command.add_argument("-o", "--output", metavar="FILE", default="-", help="where to write assets.yaml (standard output)")
@@ -329,8 +328,7 @@ def _add_dataset(commands: Commands) -> None:
     words = "Make homes by the thousand in files that training reads; make one of them again; check that all is as it was made."
     command = _command(commands, "dataset", words)
     add = command.add_argument
-    words = "make: one home of DIR again, by --seed; check: all of DIR (neither: a dataset is made in --out)"
-    add("task", nargs="?", type=partial(_task, ("make", "check")), metavar="{make,check}", help=words)
+    add("task", nargs="?", type=partial(_task, ("make", "check")), metavar="TASK", help="make: its home of --seed anew; check: all of it")
     add("folder", nargs="?", metavar="DIR", help="of the task: a dataset")
     add("--out", metavar="DIR", help="where the dataset is made, or gone on with")
     add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")
