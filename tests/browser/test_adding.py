@@ -82,6 +82,7 @@ def test_with_no_room_chosen_a_kind_goes_to_a_room_of_a_type_that_has_it(visit: 
         page.locator("#stage").focus()
         while visit.state()["selected"] is not None:
             page.keyboard.press("Escape")
+    visit.settle()
     assert visit.console == []
 
 
