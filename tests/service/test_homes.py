@@ -75,26 +75,17 @@ def test_two_editors_do_not_overwrite_each_other_unseen(ann: TestClient) -> None
     assert (first.status_code, first.headers["etag"]) == (200, '"2"')
     for method, body in (("PATCH", {"name": "Second"}), ("DELETE", None)):
         assert entry_of(ann.request(method, path, json=body, headers={"If-Match": read}), 412)["allowed"] == '"2"'
-        assert entry_of(ann.request(method, path, json=body, headers={"If-Match": "nonsense"}), 412)
         assert entry_of(ann.request(method, path, json=body), 428)["field"] == "If-Match"
     assert ann.get(path).json()["name"] == "First"
     for said, name in (('W/"2"', "Third"), ('"3-yaml"', "Fourth"), ("*", "Fifth")):
         assert ann.patch(path, json={"name": name}, headers={"If-Match": said}).json()["name"] == name
-    assert ann.get(path, headers={"If-None-Match": '"5"'}).status_code == 304
-    assert ann.get(path, headers={"If-None-Match": '"4"'}).status_code == 200
-
-
-def test_conditions_list_tags_as_the_standard_says(ann: TestClient) -> None:
-    path = f"/homes/{saved(ann)['id']}"
-    for said, status in (('"99", "1"', 304), ("*", 304), ('W/"1"', 304), ('"99","11"', 200), ('"1-yaml"', 200), ("1*", 200), ("", 200)):
+    for said, status in (('"99", "5"', 304), ("*", 304), ('W/"5"', 304), ('"4","55"', 200), ('"5-yaml"', 200), ("5*", 200), ("", 200)):
         assert ann.get(path, headers={"If-None-Match": said}).status_code == status, said
-    assert ann.get(path, headers=[("If-None-Match", '"99"'), ("If-None-Match", '"1"')]).status_code == 304
-    for said in ('"99", "11"', "1", "1*", '"', ""):
-        assert entry_of(ann.patch(path, json={"name": "No"}, headers={"If-Match": said}), 412)["allowed"] == '"1"', said
-    listed: list[str | list[tuple[str, str]]] = ['"99", "1"', [("If-Match", '"7"'), ("If-Match", '"2-yaml" , "9"')], '"0",W/"3"']
-    for tags in listed:
-        headers = {"If-Match": tags} if isinstance(tags, str) else tags
-        assert ann.patch(path, json={"name": "Yes"}, headers=headers).status_code == 200, tags
+    assert ann.get(path, headers=[("If-None-Match", '"99"'), ("If-None-Match", '"5"')]).status_code == 304
+    for said in ('"99", "55"', "5", "5*", '"', "", "nonsense"):
+        assert entry_of(ann.patch(path, json={"name": "No"}, headers={"If-Match": said}), 412)["allowed"] == '"5"', said
+    for tags in (['"99", "5"'], ['"7"', '"6-yaml" , "9"'], ['"0",W/"7"']):
+        assert ann.patch(path, json={"name": "Yes"}, headers=[("If-Match", tag) for tag in tags]).status_code == 200, tags
 
 
 def test_of_many_changes_at_once_each_revision_has_one(app: ComposeApp, ann: TestClient) -> None:
