@@ -32,7 +32,7 @@ from tests.cli.programs import GUARD_S, started, until
 from tests.dataset.pool_jobs import ends_always, ends_as_a_thing_goes, ends_once, nothing
 
 ENDED = "compose: ended\n"
-SMALL = ("dataset", "--width", "7", "--depth", "6", "--seeds", "3-13", "--shard-size", "4")
+SMALL = ("dataset", "--width", "7", "--depth", "6", "--seeds", "3-19", "--shard-size", "6")
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -67,7 +67,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_each_seed_has_one_row_whose_scene_is_what_generate_makes(folder: Path, tmp_path: Path) -> None:
     houses = rows(folder, "houses")
-    assert [row["seed"] for row in houses] == list(range(3, 14))
+    assert [row["seed"] for row in houses] == list(range(3, 20))
     assert main(["generate", "--width", "7", "--depth", "6", "--decorate", "--seed", "11", "-o", str(tmp_path / "home.json")]) == 0
     assert str(houses[8]["scene"]).encode() == (tmp_path / "home.json").read_bytes()
     assert {row["digest"] for row in houses} == {sha256(str(row["scene"]).encode()).hexdigest() for row in houses}
@@ -147,8 +147,8 @@ def test_archives_hold_each_home_once(folder: Path) -> None:
         with tarfile.open(path) as archive:
             names += archive.getnames()
     assert len(names) == len(set(names))
-    assert sorted(name for name in names if re.fullmatch(r"\d+\.csv", name)) == sorted(f"{seed}.csv" for seed in range(3, 14))
-    assert {name.partition(".")[0] for name in names if ".boxes." in name} == {str(seed) for seed in range(3, 14)}
+    assert sorted(name for name in names if re.fullmatch(r"\d+\.csv", name)) == sorted(f"{seed}.csv" for seed in range(3, 20))
+    assert {name.partition(".")[0] for name in names if ".boxes." in name} == {str(seed) for seed in range(3, 20)}
 
 
 def test_the_number_of_processes_changes_no_byte(folder: Path, tmp_path: Path) -> None:
@@ -188,7 +188,7 @@ def test_a_file_that_is_gone_is_made_again(whole: Path, tmp_path: Path) -> None:
 
 def test_a_set_that_grows_keeps_its_splits_and_its_homes(whole: Path, tmp_path: Path) -> None:
     made(tmp_path / "grown", "--workers", "1", "--seeds", "3-9")
-    assert made(tmp_path / "grown", "--workers", "1", "--seeds", "8-13") == contents(whole)
+    assert made(tmp_path / "grown", "--workers", "1", "--seeds", "8-19") == contents(whole)
 
 
 def test_splits_are_of_the_seed_alone() -> None:
