@@ -31,9 +31,9 @@ struct TextsRow {
   i32 looks, texts, sorts, bodies;
 };
 
-// TextsRow; the sizes of texts, and all of them as one; of each look LookRow, pieces, text, name; the look of every body, then the colour, a
-// text, of each; of each sort BodiesRow, rows, the texts that are the ids of carriers -> the length of each sort's text, 8 bytes each; then
-// the texts, lists of records.
+// TextsRow; the sizes of texts, and all of them as one; of each look LookRow, pieces, text, name; the look of every body, then the colour,
+// a text, of each; of each sort BodiesRow, rows, the texts that are the ids of carriers -> the length of each sort's text, 8 bytes each;
+// then the texts, lists of records.
 Bytes bodies_text(Bytes rows);
 
 }  // namespace text
