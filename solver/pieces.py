@@ -311,7 +311,7 @@ class Arrangement:
 
     `cost` counts terms and preferences where the pieces stand at last; `proven` tells that the search for these candidates
     closed below its limit; `best` that no other candidates of the required pieces are cheaper, within the widenings tried:
-    both of the placement before slivers were tidied away, which costs at most 0.2 (core/placement/tidy.hpp). `left_out` pairs a label
+    both of the placement before slivers were tidied away, which costs at most 0.8 (core/placement/tidy.hpp). `left_out` pairs a label
     with the reason, for a person. `insisted` is the label of the piece that was asked for as if it were required.
     """
 

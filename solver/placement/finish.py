@@ -32,7 +32,7 @@ def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", 
         rooms: each room's space and pieces, in order of importance.
         engine: of the final solve: "osqp", "reference" for the cvxpy model, or "search" for the search's own positions, which
             are optimal already: for trials.
-        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.2 a room.
+        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.8 a room.
 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.

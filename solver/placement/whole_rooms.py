@@ -66,7 +66,7 @@ def place_wanted(rooms: Sequence[WantedRows], tidy: bool = False) -> list[Arrang
 
     Args:
         rooms: what each is made of.
-        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.2 a room.
+        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.8 a room.
 
     Returns:
         One arrangement a room, in the same order, exactly valid on the millimetre lattice.

@@ -100,14 +100,19 @@ def test_the_group_of_a_living_room_looks_at_itself_and_at_the_screen() -> None:
 
 def slivers_of(name: str) -> int:
     """Returns how many slivers the rooms of a type have in all."""
-    return sum(ruler.slivers(room)[0] for room in rooms(name))
+    return sum(count_slivers(room) for room in rooms(name))
+
+
+def count_slivers(room: Room) -> int:
+    """Returns how many slivers a room has, those in a kitchen's run too, where none is so narrow that it passes for contact."""
+    return ruler.slivers(room)[0] + len(slits(room))
 
 
 def test_tidying_leaves_a_third_of_the_slivers(monkeypatch: pytest.MonkeyPatch) -> None:
     tidy = {name: slivers_of(name) for name in KINDS}
     pipeline = importlib.import_module("solver.pipeline.generate")
     monkeypatch.setattr(pipeline, "place_wanted", lambda rooms, tidy: place_wanted(rooms))
-    untidy = {name: sum(ruler.slivers(drawn(name, seed))[0] for seed in range(SEEDS)) for name in KINDS}
+    untidy = {name: sum(count_slivers(drawn(name, seed)) for seed in range(SEEDS)) for name in KINDS}
     assert sum(untidy.values()) > SEEDS
     assert sum(tidy.values()) <= sum(untidy.values()) / 3
     assert all(tidy[name] <= 0.6 * untidy[name] for name in KINDS)

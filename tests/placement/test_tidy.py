@@ -86,7 +86,7 @@ def test_nothing_moves_where_that_costs_too_much() -> None:
     ]
     before, after = both(*fixed)
     assert before == after
-    dear = both(at_north("a", 1000, 20.0), at_north("b", 1940, 20.0))
+    dear = both(at_north("a", 1000, 80.0), at_north("b", 1940, 80.0))
     assert dear[0] == dear[1]
 
 
@@ -104,7 +104,7 @@ def test_tidying_costs_what_the_terms_of_the_bodies_say() -> None:
             costs.append(sum(term.cost(metres[term.axis]) for term in problem.terms if (term.axis, term.j) in moved))
             assert walkable == solved.walkable
         assert added == pytest.approx(costs[1] - costs[0], abs=1e-8)
-        assert added <= 0.2
+        assert added <= 0.8
         slid += costs[1] != costs[0]
     assert slid > 5
 

@@ -12,12 +12,9 @@ constexpr f64 MISSED_COST = 6.0, MISSED_CHANCE = 0.3;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // Pull of a piece to its place in the run, m^-2.
-constexpr f64 FIRM = 8.0;
+constexpr f64 FIRM = 20.0;
 // Of a leg: it begins at the end of its wall, whatever stretches that has.
 constexpr f64 AT_END = -1.0;
-// A gap between a run's end and a wall that is too wide to be contact and too narrow for a hand and a broom, and what it costs.
-constexpr i64 SLIVER_MM[] = {50, 150};
-constexpr f64 SLIVER_COST = 2.0;
 // Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook).
 constexpr i64 AISLE_MM = 1067;
 
@@ -41,7 +38,6 @@ class RunPlanner {
   Leg new_leg(Wall wall, bool high, i64 beyond, f64 stretch) const;
   Interval spot(const Leg& leg, const Item& item) const;
   bool has_aisle(const Drawn& drawn) const;
-  f64 sliver_cost(const Drawn& drawn) const;
   void place(const Drawn& drawn, Span<Candidate> places) const;
   void add_member(i32 word);
   List<Interval> stretches(Wall wall, i32 number) const;
@@ -286,18 +282,6 @@ bool RunPlanner::has_aisle(const Drawn& drawn) const {
   return across >= AISLE_MM;
 }
 
-// What the slivers between a run's ends and the walls cost.
-f64 RunPlanner::sliver_cost(const Drawn& drawn) const {
-  f64 cost = 0.0;
-  for (const Leg& leg : drawn.legs) {
-    if (leg.deepest == 0) continue;
-    const Interval ends = scope_.clear.along(leg.wall), over = leg.over();
-    const i64 gaps[] = {over.low - ends.low, ends.high - over.high};
-    for (const i64 gap : gaps) cost += SLIVER_MM[0] <= gap && gap < SLIVER_MM[1] ? SLIVER_COST : 0.0;
-  }
-  return cost;
-}
-
 // Fills in the places of a run's pieces.
 void RunPlanner::place(const Drawn& drawn, Span<Candidate> places) const {
   for (Candidate& place : places) place = free_candidate(-1, 0.0);
@@ -324,7 +308,7 @@ f64 RunPlanner::cost_of(const u64* numbers, f64 lowest) {
   arena::Scope scope;
   Drawn drawn;
   if (!read(numbers, lowest, drawn)) return INFINITE;
-  f64 cost = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn) + sliver_cost(drawn);
+  f64 cost = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn);
   if (cost >= lowest) return cost;
   place(drawn, places_);
   cost = cost + triangle_cost(type_, places_) + room_cost(drawn, places_);

@@ -48,9 +48,7 @@ WORKTOP, WORKTOP_COST = 4.0, 4.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
 BEFORE_MM, ASIDE_MM = 700, 600
 """Floor before a run, where a cook works, and beside its ends, that is not left to others."""
-SLIVER_MM, SLIVER_COST = range(50, 150), 2.0
-"""Gaps between a run's ends and the walls that are too wide to be contact and too narrow for a hand, and what one costs."""
-FIRM = 8.0
+FIRM = 20.0
 """Pull of a piece to its place in the run, m^-2."""
 OFF_PLAN_COST = 8.0
 """What standing elsewhere than planned costs."""
@@ -267,14 +265,6 @@ class _Planner:
         hidden = drawn.laid[drawn.first][0][1].size[1] if drawn.form == "corner" else 0
         return WORKTOP_COST * max(WORKTOP - (length - hidden) / 1000.0, 0.0) if self.run.worktop else 0.0
 
-    def sliver_cost(self, drawn: Drawn) -> float:
-        """Returns what the slivers between a run's ends and the walls cost."""
-        cost = 0.0
-        for leg in drawn.legs:
-            (low, high), ends = leg.over, self.scope.clear.along(leg.wall)
-            cost += SLIVER_COST * ((low - ends[0] in SLIVER_MM) + (ends[1] - high in SLIVER_MM))
-        return cost
-
     def left_to(self, wish: Leaving, legs: Sequence[Leg]) -> Candidate | None:
         """Returns the place nearest to the room's middle that a run leaves to a piece; None where there is none."""
         kind, clear = self.pieces[wish.to].variants[0][0], self.scope.clear
@@ -299,7 +289,7 @@ class _Planner:
         drawn = self.drawn(numbers)
         if drawn is None or (drawn.form == "opposite" and not self.has_aisle(drawn.legs)):
             return {}, math.inf
-        cost = drawn.cost + self.row_cost(drawn) + self.worktop_cost(drawn) + self.sliver_cost(drawn)
+        cost = drawn.cost + self.row_cost(drawn) + self.worktop_cost(drawn)
         if cost >= least:
             return {}, math.inf
         places = self.places(drawn)
