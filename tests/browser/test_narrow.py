@@ -10,6 +10,8 @@ from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
 from tests.browser.visit import SMALL, Document, Visit
 
 PHONE: ViewportSize = {"width": 390, "height": 844}
+ZOOMED: ViewportSize = {"width": 720, "height": 450}
+"""A laptop at 200 %."""
 OF_LINES = """id => {
     const [region, line] = ['#yaml', `#yaml [data-id="${id}"]`].map(one => document.querySelector(one).getBoundingClientRect());
     return {above: line.top - region.top, below: region.bottom - line.bottom};
@@ -155,5 +157,7 @@ def test_nothing_shines_through_the_tour(visit: Visit) -> None:
     expect(visit.page.locator("#tour")).to_be_visible()
     ground = visit.page.locator("#tour").evaluate("one => getComputedStyle(one).backgroundColor")
     assert float(re.split(r"[,/ ]+", ground.rstrip(")"))[-1]) > 0.99, ground
+    visit.page.set_viewport_size(ZOOMED)
+    expect(visit.page.locator("#tour button:visible").last).to_be_in_viewport(ratio=1)
     visit.page.locator("#tour button:visible").first.click()
     expect(visit.page.locator("#tour")).to_be_hidden()
