@@ -104,6 +104,17 @@ describe("the form", () => {
     expect(controls.read().program).toEqual({ bedrooms: 3, office: 1 });
   });
 
+  it("keeps the line of plain words while the home shown is what they ask for", () => {
+    controls.offer(CATALOG);
+    const asked = document.querySelector("#asked") as HTMLInputElement;
+    asked.value = "a garage, an office, 80 m²";
+    asked.dispatchEvent(new Event("change", { bubbles: true }));
+    controls.show({ seed: 1, program: { office: 1, garage: 1 }, area: 80 });
+    expect(asked.value).toBe("a garage, an office, 80 m²");
+    controls.show({ seed: 1, program: "family" });
+    expect(asked.value).toBe("");
+  });
+
   it("says what a style's walls are of", () => {
     controls.offer(CATALOG);
     choose("style", "scandi");

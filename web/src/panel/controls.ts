@@ -19,8 +19,9 @@ export class Controls {
   /** What only an address can ask for. */
   #forced: HouseRequest["force_types"];
   #catalog: Catalog | null = null;
-  /** The line of plain words that the form shows already. */
+  /** The line of plain words that the form shows already, and what it said then of the programme. */
   #asked = "";
+  #askedFor = "";
 
   constructor(readonly form: HTMLFormElement) {
     this.#programme = new Programme(form);
@@ -62,7 +63,7 @@ export class Controls {
 
   show(request: HouseRequest): void {
     this.#programme.show(request);
-    this.#find<HTMLInputElement>("#asked").value = this.#asked = "";
+    if (this.#plan() !== this.#askedFor) this.#find<HTMLInputElement>("#asked").value = this.#asked = "";
     const shown = { ...DEFAULTS, width: undefined, depth: undefined, ...request };
     for (const name of NUMBERS) this.#write(name, String(shown[name] ?? ""));
     for (const name of SWITCHES) this.#input(name).checked = (shown[name] ?? name === "people") === true;
@@ -116,9 +117,15 @@ export class Controls {
     if (!read || "unread" in read) return unread === null;
     this.#asked = text;
     this.#programme.show(read.wish);
+    this.#askedFor = this.#plan();
     if (read.wish.area === undefined) this.#fitOutline(true);
     else for (const name of ["width", "depth"] as const) this.#write(name, ""); // what stood there says another area
     return true;
+  }
+
+  /** What the form says of the programme, to compare. */
+  #plan(): string {
+    return JSON.stringify(this.#programme.read());
   }
 
   #find<Found extends HTMLElement>(selector: string): Found {
