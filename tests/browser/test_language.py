@@ -83,6 +83,8 @@ TOWN = plans.collection(
 def test_what_is_read_and_what_is_refused_is_said_in_german(german: Visit) -> None:
     page = german.page
     german.open(HOME)
+    page.locator("#room_choice").select_option(index=1)
+    expect(page.locator("#room_facts")).to_contain_text(re.compile("BodenHolz|BodenFliesen"))
     chooser, notice = page.locator("#file"), page.get_by_role("alert")
     chooser.set_input_files({"name": "town.json", "mimeType": "application/json", "buffer": json.dumps({**TOWN, "unit": None}).encode()})
     expect(page.locator("#imported")).to_be_visible()

@@ -33,18 +33,18 @@ export function factsOf(room: Room, scene: Scene): [string, string][] {
   const clear = clearFloorOf(room, runsOf(scene.rooms, scene.wall_thickness), scene.wall_thickness);
   const windows = room.openings.filter(({ kind }) => kind === "window").length;
   const doors = room.openings.filter(({ kind }) => kind !== "window").map((door) => leadsTo(door, names));
-  const people = scene.dynamic.filter((body) => body.room === room.id).map((body) => body.kind);
+  const people = scene.dynamic.filter((body) => body.room === room.id).map((body) => sayName(body.kind));
   const facts: [string, string][] = [
     [say("Type"), inWords(room.type)],
     [say("Size"), `${metres(clear.width)} × ${metres(clear.depth)}`],
     [say("Area"), sayArea(clear.area)],
-    [say("Floor"), room.flooring?.type ?? say("not said")],
+    [say("Floor"), room.flooring ? sayName(room.flooring.type) : say("not said")],
     [say("Doors"), doors.length > 0 ? say("to {rooms}", { rooms: doors.join(", ") }) : say("none")],
     [say("Windows"), String(windows)],
     [say("Furniture"), String(room.furniture.length)],
     [say("Decorations"), String(room.decorations.length)],
   ];
-  if (room.walls) facts.splice(4, 0, [say("Walls"), room.walls.type]);
+  if (room.walls) facts.splice(4, 0, [say("Walls"), sayName(room.walls.type)]);
   if (people.length > 0) facts.push([say("At home"), people.join(", ")]);
   return facts;
 }
