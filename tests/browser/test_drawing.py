@@ -180,6 +180,7 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     visit.page.set_viewport_size({"width": 390, "height": 844})
     assert board.page.locator(".sheet .room-name").count() == 13
     assert board.page.evaluate(WIDE_NAMES) == []
+    assert board.page.locator(".room-name", has_text="Dining").locator("tspan").all_text_contents()[:2] == ["Dining", "room"]
     box = board.page.locator("#drawing").bounding_box()
     assert box == {"x": 0, "y": 0, "width": 390, "height": 844}
     for tool in ("choose", "furnish", "close"):
@@ -220,7 +221,7 @@ def test_a_named_room_is_told_by_its_name_and_guesses_are_said(board: DrawingBoa
     field = board.page.get_by_label("Name", exact=True)
     field.fill("Aunt May's bedroom")
     field.press("Enter")
-    expect(board.page.locator(".room-name").first).to_contain_text("Aunt May's bedroom")
+    expect(board.page.locator(".room-name").first).to_have_accessible_name(re.compile("^Aunt May's bedroom, "))
     assert board.verdict()["rooms"][0]["name"] == "Aunt May's bedroom"
     answer = board.furnish()
     assert [(guess["room"], guess["by"]) for guess in answer["guesses"]] == [("room_1", "name"), ("room_2", "form")]
@@ -230,7 +231,7 @@ def test_a_named_room_is_told_by_its_name_and_guesses_are_said(board: DrawingBoa
     expect(said.locator("li").nth(1)).to_contain_text("told by its form")
     expect(board.page.locator("#said")).to_contain_text("No link holds this home")
     board.open("Change this plan")
-    expect(board.page.locator(".room-name").first).to_contain_text("Aunt May's bedroom")
+    expect(board.page.locator(".room-name").first).to_have_accessible_name(re.compile("^Aunt May's bedroom, "))
 
 
 def test_a_door_is_moved_and_all_is_undone(board: DrawingBoard) -> None:

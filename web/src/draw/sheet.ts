@@ -13,10 +13,12 @@ const METRE = 1000;
 const NEAREST = 1;
 const FARTHEST = 120;
 const MARGIN = 1.25;
-/** How large names of rooms are written [pixels], the least and the most, and how wide a letter is for its size. */
+/** How large names of rooms are written [pixels], the least and the most; how wide a letter and how high a line is for its size; how many lines at most. */
 const SMALLEST = 7;
 const LARGEST = 13;
 const LETTER = 0.77;
+const LINE = 1.2;
+const MOST_LINES = 3;
 /** What is seen of a sheet on which nothing is drawn [mm]. */
 const EMPTY_SHEET: Corners = [{ x: 0, z: 0 }, { x: 10 * METRE, z: 7 * METRE }];
 
@@ -64,14 +66,26 @@ function pathOf(corners: Corners): string {
 }
 
 /** Where a room's name stands, and how much room it has there: in the middle below the longest wall in the north. */
-function nameAt(corners: Corners): Point & { readonly width: number } {
+function nameAt(corners: Corners): Point & { readonly width: number; readonly depth: number } {
   const { x0, z0, x1, z1 } = boxOf(corners);
-  const middle = { x: (x0 + x1) / 2, z: (z0 + z1) / 2, width: x1 - x0 };
+  const middle = { x: (x0 + x1) / 2, z: (z0 + z1) / 2, width: x1 - x0, depth: z1 - z0 };
   if (corners.length === 4) return middle;
   const [north] = wallsOf(corners).filter(({ axis, inward }) => axis === "x" && inward === 1).sort((a, b) => b.to - b.from - (a.to - a.from));
   if (!north) return middle;
   const below = wallsOf(corners).filter(({ axis, inward, line, from, to }) => axis === "x" && inward === -1 && line > north.line && from < north.to && north.from < to);
-  return { x: (north.from + north.to) / 2, z: (north.line + Math.min(...below.map(({ line }) => line))) / 2, width: north.to - north.from };
+  const south = Math.min(...below.map(({ line }) => line));
+  return { x: (north.from + north.to) / 2, z: (north.line + south) / 2, width: north.to - north.from, depth: south - north.line };
+}
+
+function longest(lines: readonly string[]): number {
+  return Math.max(...lines.map((line) => line.length));
+}
+
+/** Words in so many lines at most, the longest as short as can be. */
+function inLines(words: readonly string[], most: number): string[] {
+  const ways = [[words.join(" ")]];
+  if (most > 1) for (let count = 1; count < words.length; count += 1) ways.push([words.slice(0, count).join(" "), ...inLines(words.slice(count), most - 1)]);
+  return ways.reduce((best, way) => (longest(way) < longest(best) ? way : best));
 }
 
 export class Sheet {
@@ -235,13 +249,17 @@ export class Sheet {
   }
 
   #name(room: DraftRoom, { names, areas }: Marks): SVGElement {
-    const { x, z, width } = nameAt(room.corners);
-    const fitting = width / (LETTER * names(room).length);
+    const { x, z, width, depth } = nameAt(room.corners);
+    const words = names(room).split(" ");
+    const ways = [...Array(MOST_LINES).keys()].map((more) => inLines(words, more + 1));
     const [smallest, largest] = [SMALLEST * this.#perPixel, LARGEST * this.#perPixel];
+    const fitting = (lines: readonly string[]): number => Math.min(largest, width / (LETTER * longest(lines)), depth / (LINE * (lines.length + 1)));
+    const best = ways.reduce((one, other) => (fitting(other) > fitting(one) ? other : one));
+    const lines = fitting(best) >= smallest ? best : []; // else it is read beside the sheet, where each room is listed
+    const down = (line: number): string => `${line === 0 ? (-LINE * lines.length) / 2 : LINE}em`;
     const area = sayArea(areas.get(room.id) ?? 0);
-    const isNamed = fitting >= smallest; // else it is read beside the sheet, where each room is listed
-    return make("text", { class: "room-name", x, y: z, "font-size": isNamed ? Math.min(largest, fitting) : smallest },
-      ...(isNamed ? [make("tspan", { x, dy: "-0.1em" }, names(room))] : []), make("tspan", { class: "area", x, dy: isNamed ? "1.2em" : 0 }, area));
+    return make("text", { class: "room-name", role: "img", "aria-label": `${names(room)}, ${area}`, x, y: z, "font-size": Math.max(smallest, fitting(best)) },
+      ...lines.map((line, at) => make("tspan", { x, dy: down(at) }, line)), make("tspan", { class: "area", x, dy: down(lines.length) }, area));
   }
 
   /** The walls of the room that is chosen, to take hold of, with their lengths. */
