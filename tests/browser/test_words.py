@@ -60,7 +60,7 @@ def test_a_scene_without_rooms_is_ground_seen_from_above_and_says_so(visit: Visi
 def test_colours_that_tell_apart_are_kept_in_forced_colours(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     visit.page.locator("#legend summary").click()
-    shown = visit.page.locator("#legend .swatch, .room-label .dot")
+    shown = visit.page.locator("#legend .swatch, .room-label .dot, .plan-sheet, #drawing .sheet")
     before = shown.evaluate_all(COLORS)
     assert len(set(before)) > 6
     visit.page.emulate_media(forced_colors="active")
