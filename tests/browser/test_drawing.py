@@ -200,6 +200,8 @@ def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:
         page.keyboard.press(key)
     west, _, east, _ = board.rooms()[1]
     assert west == board.rooms()[0][2]
+    page.keyboard.press("ArrowLeft")
+    expect(page.locator(".drawing-said")).to_have_text("There it would meet another room.")
     for label in ("Add a door to the west wall", "Add a window to the south wall", "Add a door to the north wall"):
         page.get_by_role("button", name=re.compile("^Room 2,")).press("Enter")
         page.get_by_role("button", name=label).press("Enter")

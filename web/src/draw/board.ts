@@ -314,7 +314,12 @@ export class Board {
     if (one) {
       const middle = (one.from + one.to) / 2;
       const at: Point = one.axis === "x" ? { x: middle + across * step, z: one.line } : { x: one.line, z: middle + along * step };
-      this.#plan.step(openingMoved(draft, one.id, at, GRID));
-    } else if (room !== null) this.#plan.step(roomMoved(draft, room, across * step, along * step));
+      this.#move(openingMoved(draft, one.id, at, GRID), say("It would leave its wall, or meet another opening."));
+    } else if (room !== null) this.#move(roomMoved(draft, room, across * step, along * step), say("There it would meet another room."));
+  }
+
+  #move(draft: Draft | null, refusal: string): void {
+    if (draft) this.#plan.step(draft);
+    else this.#say(refusal);
   }
 }
