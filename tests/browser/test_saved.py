@@ -29,7 +29,7 @@ def panel(visit: Visit) -> Any:
 def save(panel: Any, name: str, tags: str = "") -> None:
     panel.get_by_label("Name to save as").fill(name)
     panel.get_by_label("Tags, with commas").fill(tags)
-    panel.get_by_role("button", name="Save this home").click()
+    panel.get_by_label("Tags, with commas").press("Enter")
     expect(panel.get_by_role("status")).to_have_text(f"Saved “{name}”.")
 
 
@@ -67,6 +67,8 @@ def test_a_home_is_saved_changed_renamed_found_and_opened_by_its_link(visit: Vis
     panel.get_by_label("Tags of By the sea").fill("large, sunny")
     panel.get_by_label("Tags of By the sea").press("Enter")
     expect(items.first.locator("small")).to_contain_text("large, sunny")
+    panel.get_by_label("Search saved homes").fill("rainy")
+    expect(panel.get_by_role("status")).to_have_text("No saved home is called or tagged so.")
     panel.get_by_label("Search saved homes").fill("SUNNY")
     expect(items).to_have_count(1)
     home = items.first.get_attribute("data-saved")
@@ -88,12 +90,17 @@ def test_what_somebody_else_changed_is_not_overwritten(visit: Visit, panel: Any)
     panel.get_by_role("button", name="Save changes").click()
     expect(panel.get_by_role("status")).to_contain_text("Somebody has changed this home")
     assert visit.page.request.get(path).json()["name"] == "Theirs"
+    visit.page.route(f"**/homes/{home}", lambda route: route.fulfill(status=404), times=1)
+    panel.get_by_role("button", name="Save changes").click()
+    expect(panel.get_by_role("status")).to_contain_text("Somebody has removed this home")
     panel.get_by_label("Search saved homes").fill("t")
     panel.get_by_role("button", name="Remove Theirs").click()
     assert visit.page.request.get(path).ok, "it is asked once more"
     panel.get_by_role("button", name="Really remove? Theirs").click()
     expect(panel.get_by_role("status")).to_have_text("Removed “Theirs”.")
     assert visit.page.request.get(path).status == 404
+    panel.get_by_label("Search saved homes").fill("")
+    expect(panel.get_by_role("status")).to_have_text("No home is saved here yet.")
 
 
 def test_the_home_that_was_asked_for_last_is_shown_and_its_changes_are_its_own(visit: Visit, panel: Any) -> None:

@@ -88,7 +88,7 @@ class Page {
     }, this.#asking.beside);
     this.#saved.onOpen = (id) => this.#openSaved(id);
     this.#home.on("shown", (how) => { if (how === "new") this.#saved.holds(null); });
-    this.#saved.onFailure = (reason) => this.#asking.notice.show(reason);
+    this.#saved.onFailure = (reason, again) => this.#asking.notice.show(reason, () => { this.#asking.notice.hide(); again(); });
     this.#controls.onRestyle = (wish) => this.#remaking.restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#controls.onBegin = (request) => this.#submit(request);

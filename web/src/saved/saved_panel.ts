@@ -13,6 +13,12 @@ export interface SavedSource {
   picture(): Promise<string | null>;
 }
 
+/** What others did meanwhile, by the status of the refusal. */
+const OF_OTHERS: Readonly<Record<number, string>> = {
+  404: say("Somebody has removed this home since: yours can be saved as another."),
+  412: say("Somebody has changed this home since you opened it: open it again, or save yours as another."),
+};
+
 function button(words: string, act: () => void): HTMLButtonElement {
   const made = Object.assign(document.createElement("button"), { type: "button", textContent: words });
   made.addEventListener("click", act);
@@ -41,8 +47,8 @@ export function tagsIn(text: string): string[] {
 export class SavedPanel {
   /** Called with the id of a home that is to be shown. */
   onOpen: (id: string) => void = () => undefined;
-  /** Called with why homes are not listed. */
-  onFailure: (reason: unknown) => void = () => undefined;
+  /** Called with why homes are not listed, and with what tries again. */
+  onFailure: (reason: unknown, again: () => void) => void = () => undefined;
   readonly #name = field(say("Name to save as"));
   readonly #tags = field(say("Tags, with commas"));
   readonly #search = field(say("Search saved homes"));
@@ -60,6 +66,7 @@ export class SavedPanel {
   constructor(readonly host: HTMLDetailsElement, readonly source: SavedSource, readonly beside: Beside) {
     this.#name.id = "saved_name";
     const save = button(say("Save this home"), () => this.#try(say("Saving the home"), () => this.#save()));
+    for (const one of [this.#name, this.#tags]) one.addEventListener("keydown", ({ key }) => { if (key === "Enter") (this.#opened?.name === this.#name.value.trim() ? this.#update : save).click(); });
     for (const one of [save, this.#update, this.#more]) one.classList.add("wide");
     const buttons = document.createElement("div");
     buttons.className = "buttons";
@@ -106,15 +113,16 @@ export class SavedPanel {
     this.#said.textContent = say(did, { home: head.name });
   }
 
-  /** Does something; a home that somebody else has changed is said here, all else where refusals are shown. */
+  /** Does something; what somebody else has done to the home is said here, all else where refusals are shown. */
   #try(what: string, act: () => Promise<void>): void {
     void this.beside(what, async () => {
       this.#said.textContent = "";
       try {
         await act();
       } catch (reason) {
-        if (!(reason instanceof ServiceProblem && reason.status === 412)) throw reason;
-        this.#said.textContent = say("Somebody has changed this home since you opened it: open it again, or save yours as another.");
+        const words = reason instanceof ServiceProblem && reason.status ? OF_OTHERS[reason.status] : undefined;
+        if (!words) throw reason;
+        this.#said.textContent = words;
       }
     });
   }
@@ -122,7 +130,7 @@ export class SavedPanel {
   /** Lists the homes as they are now; each time anew, so that the last search is the one that is shown. */
   #look(isMore: boolean): void {
     this.#said.textContent = "";
-    this.#show(isMore).catch((reason: unknown) => { if (!isAbort(reason)) this.onFailure(reason); });
+    this.#show(isMore).catch((reason: unknown) => { if (!isAbort(reason)) this.onFailure(reason, () => this.#look(isMore)); });
   }
 
   async #show(isMore: boolean): Promise<void> {
@@ -134,7 +142,7 @@ export class SavedPanel {
     this.#more.hidden = found.after === null;
     for (const url of this.#pictures.splice(0)) URL.revokeObjectURL(url);
     this.#list.replaceChildren(...this.#heads.map((head) => this.#item(head)));
-    if (this.#heads.length === 0) this.#said.textContent = say("No home is saved here yet.");
+    if (this.#heads.length === 0) this.#said.textContent = say(this.#search.value.trim() ? "No saved home is called or tagged so." : "No home is saved here yet.");
   }
 
   #item(head: SavedHead): HTMLElement {
