@@ -49,6 +49,13 @@ function heads(): SVGElement {
   return all;
 }
 
+/** Does what a click asks for that was pressed here, too: a tap is a click on what has come under the finger since. */
+function clickedFromPress(element: HTMLElement, act: () => void): void {
+  let isPressed = false;
+  element.addEventListener("pointerdown", () => { isPressed = true; });
+  element.addEventListener("click", () => { if (isPressed) act(); });
+}
+
 export class Rulers {
   readonly #layer = document.createElement("div");
   readonly #strokes = svg("svg", { "aria-hidden": "true" });
@@ -82,7 +89,7 @@ export class Rulers {
     label.className = `ruler-words ruler-words-${line.look}`;
     label.textContent = line.words;
     if (label instanceof HTMLButtonElement) [label.type, label.tabIndex] = ["button", -1];
-    if (line.act) label.addEventListener("click", line.act);
+    if (line.act) clickedFromPress(label, line.act);
     this.#layer.append(label);
     return { line, stroke, label };
   }
