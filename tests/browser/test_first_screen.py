@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import visiting
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import violations
-from tests.browser.visit import Visit
+from tests.browser.visit import SMALL, Visit
 
 GROUND = "() => getComputedStyle(document.documentElement).backgroundColor"
 SCROLLBAR = 16
@@ -101,6 +101,17 @@ def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:
     assert (studio["program"], studio["seed"]) == ("studio", 3)
     assert "program=studio" in page.url
     assert fresh.console == []
+
+
+def test_a_board_that_does_not_come_is_asked_for_once_more(fresh: Visit) -> None:
+    page, notice = fresh.page, fresh.page.get_by_role("alert")
+    fresh.open(SMALL.format(4))
+    page.route("**/board-*.js", lambda route: route.abort(), times=1)
+    page.locator("#draw_new").click()
+    expect(notice).to_contain_text("The service does not answer")
+    notice.get_by_role("button", name="Try again").click()
+    expect(page.locator("#drawing .sheet")).to_be_focused()
+    expect(notice).to_be_hidden()
 
 
 @pytest.mark.parametrize("width", [1280, 1600])

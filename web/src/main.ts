@@ -107,7 +107,7 @@ class Page {
     this.#rooms.onOthers = (id) => { if (this.#home.settled) void this.#others.show(this.#home.settled.scene, id); };
     this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
-    this.#files.onPicture = (file) => this.#drawing.openPicture(file);
+    this.#files.onPicture = (file) => void this.#drawing.openPicture(file);
     this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
     this.#asking.notice.inWords = (problem) => this.#controls.inWords(problem.fields);
     this.#shortfalls.onChooseRoom = (id) => this.#home.selectRoom(id);
@@ -125,13 +125,13 @@ class Page {
     });
     new Menu(element("tools"), element("said"));
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
-    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], (reason) => this.#asking.notice.show(reason));
+    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], this.#asking.beside, (reason) => this.#asking.notice.show(reason));
     this.#asking.onBegin = () => this.#drawing.close();
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
     for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#remaking.furnish());
-    element("draw_new").addEventListener("click", () => this.#drawing.open(null));
-    element("draw_this").addEventListener("click", () => this.#drawing.open(this.#home.settled?.scene ?? null));
+    element("draw_new").addEventListener("click", () => void this.#drawing.open(null));
+    element("draw_this").addEventListener("click", () => void this.#drawing.open(this.#home.settled?.scene ?? null));
     element("random").addEventListener("click", () => this.#random());
     element("decorate_now").addEventListener("click", () => this.#remaking.restyle({ decorate: true }));
     element("reset").addEventListener("click", () => this.#submit(FIRST));

@@ -28,7 +28,7 @@ export class ServiceProblem extends Error {
   }
 }
 
-const LOST = new ServiceProblem(
+export const LOST = new ServiceProblem(
   "The service does not answer",
   "It may have been stopped, or the connection is gone. What is shown stays; try again when it is back.",
   { status: 0 },

@@ -1,6 +1,8 @@
 /** Drawing a plan: the board is loaded when it is first opened. */
+import type { Beside } from "../asking";
 import type { Scene } from "../contract";
-import { catalog, fix, furnish, report } from "../service";
+import { catalog, fix, furnish, LOST, report } from "../service";
+import { say } from "../words/language";
 import type { Board } from "./board";
 
 export class Drawing {
@@ -16,25 +18,26 @@ export class Drawing {
   readonly #places: readonly Comment[];
 
   /** `covered` is what lies under the board, out of reach while it is open, but for what is `told` in it: that lies over the board then. */
-  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly failed: (reason: unknown) => void) {
+  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly beside: Beside, readonly failed: (reason: unknown) => void) {
     this.#places = told.map(() => document.createComment(""));
     told.forEach((one, at) => one.before(this.#places[at]!));
   }
 
   /** Opens the board on a home; null: on an empty sheet. */
-  open(scene: Scene | null): void {
+  open(scene: Scene | null): Promise<void> {
     this.#before = document.activeElement;
-    this.#load().then((board) => {
+    return this.beside(say("Opening the drawing board"), async () => {
+      const board = await this.#load();
       for (const element of this.covered) element.inert = true;
       this.host.append(...this.told);
       board.open(scene);
-    }, this.failed);
+    });
   }
 
   /** Lays a picture beneath what is drawn: on an empty sheet, where the board is not open. */
-  openPicture(file: File): void {
-    if (this.#board?.isOpen !== true) this.open(null);
-    void this.#load().then((board) => board.lay(file), () => undefined); // that it cannot be loaded is said already
+  async openPicture(file: File): Promise<void> {
+    if (this.#board?.isOpen !== true) await this.open(null);
+    await this.#board?.lay(file);
   }
 
   /** Closes the board, where it is open, before another home. */
@@ -49,7 +52,7 @@ export class Drawing {
 
   async #load(): Promise<Board> {
     if (this.#board) return this.#board;
-    const { Board: Made } = await import("./board");
+    const { Board: Made } = await import("./board").catch(() => { throw LOST; });
     const calls = { catalog, fix, furnish, validate: (scene: Scene, signal: AbortSignal) => report(scene, [], signal) };
     return (this.#board ??= new Made(this.host, calls, {
       furnish: (scene) => this.onFurnish(scene),
