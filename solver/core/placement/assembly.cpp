@@ -139,7 +139,7 @@ static void note(const Work& work, i64 piece, i64 decision) {
 // Brings back the problem of as many pieces as are decided as they were last; returns how many.
 static i64 go_back(const Work& work, const Decisions& decisions) {
   Counts& counts = *work.counts.data;
-  const i64 known = least<i64>(counts.assembled, decisions.size);
+  const i64 known = counts.assembled;
   i64 first = 0;
   while (first < known && work.marks[first].decision == decisions[first]) first++;
   const Mark mark = first > 0 ? work.marks[first - 1] : Mark{};
@@ -165,8 +165,11 @@ static void reach_bounds(const Work& work, const i64 (&known)[2]) {
 }
 
 bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
-  for (i64 piece = go_back(work, decisions); piece < decisions.size; piece++) {
-    work.taken_candidate[piece] = ABSENT;
+  i64& last = work.counts->assembled;
+  i64 piece = go_back(work, decisions);
+  for (i64 k = piece; k < last; k++) work.taken_candidate[k] = ABSENT;
+  for (last = decisions.size; last > piece && decisions[last - 1] == ABSENT;) last--;  // what is left out behind all others adds nothing
+  for (; piece < last; piece++) {
     if (decisions[piece] != ABSENT) {
       const Counts known = *work.counts.data;
       const i64 sizes[] = {work.sizes[0], work.sizes[1]};
@@ -182,7 +185,6 @@ bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
     }
     note(work, piece, decisions[piece]);
   }
-  work.counts->assembled = decisions.size;
   return bounds_hold(work);
 }
 

@@ -36,7 +36,7 @@ struct ChoiceParts {
 
 struct Counts {
   i64 rows, parts, choices, pulls, wide;
-  i64 assembled;  // pieces that the problem was laid out for
+  i64 assembled;  // pieces that the problem was laid out for, the last of them decided: all behind are left out
   i64 placed;     // choices whose options are in `placed_options`
   i64 unused;
 };

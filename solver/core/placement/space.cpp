@@ -108,6 +108,7 @@ static Work new_work(const Sizes& sizes) {
   work.body_part = new_span<i64>(p);
   work.rotation = new_span<i64>(p);
   work.taken_candidate = new_span<i64>(p);
+  for (i64& candidate : work.taken_candidate) candidate = ABSENT;
   work.taken_side = new_span<i64>(p);
   work.marks = reserved_rows<Mark>(p);
   work.marked_bounds = new_cube<i64>(p, 8, v);
