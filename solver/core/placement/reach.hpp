@@ -8,7 +8,7 @@
 namespace placement {
 
 // Writes to `least` and `most` the positions of an axis's free variables that its first `count` rows behind the bounds leave.
-void propagate(const Program& program, i32 count);
+void propagate(Program& program, i32 count);
 
 // Tells whether a row over all variables is within reach.
 bool possible(const Engine& engine, const DifferenceRow& row);
