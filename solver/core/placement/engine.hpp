@@ -214,7 +214,8 @@ struct Counters {
   i64 refused;
   i64 doubted;  // whether a placement was turned down for the walk alone
   i64 incumbent, lapsed, solved_qps, moves_left;
-  i64 unused[2];
+  u64 refused_bits;  // one for each refused fingerprint: by its upper bits
+  i64 unused;
 };
 
 struct HeapEntry {

@@ -72,10 +72,11 @@ static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f
   return found;
 }
 
-// A number for what decides feasibility: decisions that agree in it differ only in their anchors.
-static u64 fingerprint(const Room& room, const Decisions& decisions) {
+// A number for what decides feasibility while no other piece changes: ways of a group that agree in it differ only in their anchors.
+static u64 fingerprint(const Room& room, const Decisions& decisions, const Group& group) {
   u64 hash = 0;
-  for (const i64 decision : decisions) {
+  for (i64 piece = group.first; piece < group.last; piece++) {
+    const i64 decision = decisions[piece];
     hash = mixed(hash, decision == ABSENT ? ABSENT : 8 * room.candidates[candidate_of(decision)].kin + sides_of(decision));
   }
   return hash;
@@ -83,6 +84,8 @@ static u64 fingerprint(const Room& room, const Decisions& decisions) {
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
 static bool refused(const Tree& tree, u64 number, bool add) {
+  const u64 bit = 1ULL << (number >> 58);
+  if (!add && !(tree.counters->refused_bits & bit)) return false;  // nearly always
   const i32 mask = tree.refused_table.size - 1;
   i64& count = tree.counters->refused;
   i32 at = static_cast<i32>(number >> 32) & mask;
@@ -95,6 +98,7 @@ static bool refused(const Tree& tree, u64 number, bool add) {
     tree.refused_table[at] = static_cast<i32>(count);
     tree.refused_at[count] = at;
     tree.refused[count++] = number;
+    tree.counters->refused_bits |= bit;
   }
   return false;
 }
@@ -148,7 +152,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const Decisions trial = tree.trial;
   for (i64 k = 0; k < trial.size; k++) trial[k] = tree.decisions.at(state, k);
   trial[group.first + depth] = tree.heap[entry].decision;
-  const u64 number = fingerprint(engine.room, trial);
+  const u64 number = fingerprint(engine.room, trial, group);
   if (refused(tree, number, false)) return true;
   counters.evaluated++;
   const f64 chosen = tree.preferences[state] + tree.heap_cost[entry];
