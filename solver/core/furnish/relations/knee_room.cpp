@@ -23,9 +23,13 @@ List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
   stable_sort(all.all(), goes_before);
   List<Rect> found;
   for (i32 i = 0; i < all.size(); i++) {
-    bool goes = i > 0 && all[i] == all[i - 1];
-    for (i32 k = 0; k < all.size() && !goes && all[k].x0 <= all[i].x0; k++) goes = all[k] != all[i] && all[k].contains(all[i]);
-    if (!goes) found.add(all[i]);
+    const Rect& own = all[i];
+    bool covered = false;  // by one of those kept, or of those behind it that begin in the same corner
+    for (i32 k = 0; k < found.size() && !covered; k++) covered = found[k].contains(own);
+    for (i32 k = i + 1; k < all.size() && !covered && all[k].x0 == own.x0 && all[k].z0 == own.z0; k++) {
+      covered = all[k] != own && all[k].contains(own);
+    }
+    if (!covered) found.add(own);
   }
   return found;
 }
