@@ -25,41 +25,44 @@ static bool is_within_reach(const Work& work, const DifferenceRow& row) {
   return last - first >= row.s;
 }
 
-// Adds those of the options to a choice that are within reach.
-static void offer(const Work& work, i64 choice, const DifferenceRow (&rows)[OPTIONS]) {
-  i64& size = work.choice_size[choice] = 0;
-  for (const DifferenceRow& row : rows) {
-    if (is_within_reach(work, row)) work.options[OPTIONS * choice + size++] = row;
-  }
+// Adds an option to the `size` ones that a choice has where it is within reach.
+static inline void offer(const Work& work, i64 choice, i64& size, const DifferenceRow& row) {
+  if (is_within_reach(work, row)) work.options[OPTIONS * choice + size++] = row;
 }
 
 // Writes the options that keep two parts apart, a left of, right of, north of, south of b; false where the bounds do.
 static bool keep_apart(const Work& work, i64 choice, const Part& a, const Part& b) {
-  DifferenceRow rows[OPTIONS];
+  i64 a_first[2], b_first[2];
   for (i64 axis = 0; axis < 2; axis++) {
-    const i64 u = a.variable[axis], v = b.variable[axis];
-    const i64 shift = a.offset[axis] - b.offset[axis], a_first = a.extent[axis] + shift, b_first = b.extent[axis] - shift;
+    const i64 u = a.variable[axis], v = b.variable[axis], shift = a.offset[axis] - b.offset[axis];
+    a_first[axis] = a.extent[axis] + shift, b_first[axis] = b.extent[axis] - shift;
     const i64 after = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
     const i64 before = u == v ? 0 : work.low.at(axis, u) - work.high.at(axis, v);
-    if (after >= a_first || before >= b_first) return false;
-    rows[2 * axis] = {axis, u, v, a_first};
-    rows[2 * axis + 1] = {axis, v, u, b_first};
+    if (after >= a_first[axis] || before >= b_first[axis]) return false;
   }
-  offer(work, choice, rows);
+  i64 size = 0;
+  for (i64 axis = 0; axis < 2; axis++) {
+    offer(work, choice, size, {axis, a.variable[axis], b.variable[axis], a_first[axis]});
+    offer(work, choice, size, {axis, b.variable[axis], a.variable[axis], b_first[axis]});
+  }
+  work.choice_size[choice] = size;
   return true;
 }
 
 // Writes the options that keep a part out of a zone; false where the bounds do.
 static bool keep_clear(const Work& work, i64 choice, const Part& part, const Zone& zone) {
-  DifferenceRow rows[OPTIONS];
+  i64 before[2], behind[2];
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 v = part.variable[axis], offset = part.offset[axis];
-    const i64 before = part.extent[axis] + offset - zone.low[axis], behind = zone.high[axis] - offset;
-    if (-work.high.at(axis, v) >= before || work.low.at(axis, v) >= behind) return false;
-    rows[2 * axis] = {axis, v, ORIGIN, before};
-    rows[2 * axis + 1] = {axis, ORIGIN, v, behind};
+    before[axis] = part.extent[axis] + offset - zone.low[axis], behind[axis] = zone.high[axis] - offset;
+    if (-work.high.at(axis, v) >= before[axis] || work.low.at(axis, v) >= behind[axis]) return false;
   }
-  offer(work, choice, rows);
+  i64 size = 0;
+  for (i64 axis = 0; axis < 2; axis++) {
+    offer(work, choice, size, {axis, part.variable[axis], ORIGIN, before[axis]});
+    offer(work, choice, size, {axis, ORIGIN, part.variable[axis], behind[axis]});
+  }
+  work.choice_size[choice] = size;
   return true;
 }
 
