@@ -27,6 +27,8 @@ WASM = Path(__file__).with_name("core.wasm")
 FAILURES = {1: "its memory is full", 2: "the request is none", 3: "an index is out of range", 4: "it does not come to an end"}
 """What the core says of why it ended a call: `enum class Failure` of plain/memory.hpp."""
 MEMORY_FULL = 1
+MOST_BYTES = 1 << 30
+"""What a memory may grow to (scripts/core.py)."""
 _PLACE = Struct("<2q")
 """Where bytes begin, and how many they are: `SentBytes` of plain/tables.hpp."""
 MOST_IDLE = {False: 32, True: 2}
@@ -127,6 +129,7 @@ class CoreInstance:
         memory = self._found["memory"]
         assert isinstance(memory, wasmtime.Memory)
         self._base = ctypes.addressof(memory.data_ptr(self._store).contents)
+        self._bytes = memoryview((ctypes.c_uint8 * MOST_BYTES).from_address(self._base)).cast("B")  # as far as it may ever grow
         self._context = self._store._context()
         self._functions: dict[str, _Function] = {}
         self._prepare_trap()
@@ -251,8 +254,8 @@ class CoreInstance:
 
     def write(self, content: bytes) -> int:
         """Takes memory for bytes and copies them there; returns their address."""
-        address = self.reserve(len(content))
-        ctypes.memmove(self._base + address, content, len(content))
+        address, size = self.reserve(len(content)), len(content)
+        self._bytes[address : address + size] = content
         return address
 
     def send(self, contents: Sequence[bytes]) -> int:
@@ -273,7 +276,7 @@ class CoreInstance:
         """
         if address < 0 or size < 0 or address + size > self._size.value:
             raise ValueError(f"{size} bytes at {address} are not within the core's memory")
-        return ctypes.string_at(self._base + address, size)
+        return self._bytes[address : address + size].tobytes()
 
 
 _idle: dict[bool, deque[CoreInstance]] = {False: deque(), True: deque()}
