@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from struct import Struct, pack
 from typing import Final, NamedTuple, TypeAlias
@@ -15,12 +15,13 @@ from catalogs.shapes import Axis, Solid
 from catalogs.synonyms import KindSize
 from solver.body_parts import is_round
 from solver.body_rows import KindKey, key_of
+from solver.records import MadeOnce
 from solver.validator.lattice import exact
 from solver.validator.world import FLAT, TURNS_TO
 
 SEATED: Final = "seated"
 _MOST_KNOWN: Final = 20_000
-"""Keys whose rows are kept."""
+"""Kinds of which it is kept."""
 
 
 KindFront: TypeAlias = tuple[str, bool, float, bool]
@@ -56,43 +57,30 @@ def kinds_of(catalogs: Catalogs) -> Kinds:
 
 
 class Kinds:
-    """Looks up names of furniture, decorations and room types."""
+    """Looks up names of furniture, decorations and room types.
+
+    Of a body's kind `uses` says which sides of a piece are used; None where none is, it is unknown, or as flat as a rug. `fronts` are
+    those of a piece, `rows` is the kind as the core reads it (`KindRow` of solver/core/validate/room.hpp), in lattice steps and shares of
+    its box.
+    """
 
     def __init__(self, catalogs: Catalogs) -> None:
         self.rooms = catalogs.rooms
         self._book = KindBook(catalogs)
-        self._rows: dict[KindKey, bytes] = {}
-        self._fronts: dict[KindKey, KindFronts] = {}
-        self._uses: dict[KindKey, Use | None] = {}
+        self.uses: Mapping[KindKey, Use | None] = MadeOnce(self._use_of, _MOST_KNOWN)
+        self.fronts: Mapping[KindKey, KindFronts] = MadeOnce(self._fronts_of, _MOST_KNOWN)
+        self.rows: Mapping[KindKey, bytes] = MadeOnce(self._row_of, _MOST_KNOWN)
         self._named = catalogs.kinds_by_name()
         self._carrying = Carrying(catalogs, self._book)
 
-    def use_of(self, key: KindKey) -> Use | None:
-        """Returns which sides of a piece of a kind are used; None where none is, it is unknown, or as flat as a rug."""
-        if key not in self._uses:
-            _, name, _, _, height, _ = key_of(key)
-            self._uses[key] = self._named[name].use if name in self._named and exact(height) > FLAT else None
-        return self._uses[key]
+    def _use_of(self, key: KindKey) -> Use | None:
+        _, name, _, _, height, _ = key_of(key)
+        return self._named[name].use if name in self._named and exact(height) > FLAT else None
 
-    def row(self, key: KindKey) -> bytes:
-        """Returns a kind as the core reads it (`KindRow` of solver/core/validate/room.hpp), in lattice steps and shares of its box."""
-        known = self._rows.get(key)
-        if known is None:
-            if len(self._rows) >= _MOST_KNOWN:
-                self._rows.clear()
-                self._fronts.clear()
-                self._uses.clear()
-            known = self._rows[key] = self._row_of(key)
-        return known
-
-    def fronts(self, key: KindKey) -> KindFronts:
-        """Returns the fronts of a piece's kind."""
-        found = self._fronts.get(key)
-        if found is None:
-            sort, name, width, depth, height, said = key_of(key)
-            shape = self._book.kind_of(sort, name, (width, depth, height), said)
-            found = self._fronts[key] = _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
-        return found
+    def _fronts_of(self, key: KindKey) -> KindFronts:
+        sort, name, width, depth, height, said = key_of(key)
+        shape = self._book.kind_of(sort, name, (width, depth, height), said)
+        return _fronts_as_told(fronts_of(self._book.solids(shape)), depth)
 
     def _row_of(self, key: KindKey) -> bytes:
         sort, name, width, depth, height, said = key_of(key)
@@ -102,13 +90,13 @@ class Kinds:
         solids = self._book.solids(shape)
         heights = [exact(length) for one in surfaces for length in (one.height, one.left, one.right, one.back, one.front)]
         parts = b"".join([_PART.pack(*solid.x, *solid.y, *solid.z, _filled(solid, size)) for solid in solids])
-        fronts, uses = (self.fronts(key), self._uses_of(key)) if sort == "furniture" else (_NO_FRONTS, (0, 0))
+        fronts, uses = (self.fronts[key], self._sides_of(key)) if sort == "furniture" else (_NO_FRONTS, (0, 0))
         head = _KIND.pack(len(surfaces), len(solids), len(fronts.each), fronts.parts, *uses)
         return b"".join([head, pack(f"<{len(heights)}q", *heights), parts, fronts.rows, fronts.numbers])
 
-    def _uses_of(self, key: KindKey) -> tuple[int, int]:
+    def _sides_of(self, key: KindKey) -> tuple[int, int]:
         """Returns the sides that a kind is used from, as bits by their turns: of which one must be come to, and which all must."""
-        use = self.use_of(key)
+        use = self.uses[key]
         bits = sum({1 << TURNS_TO[side] for side in use.sides}) if use else 0
         return (0, bits) if use and use.need == "all" else (bits, 0)
 

@@ -69,7 +69,7 @@ def _use_sides(walked: tuple[Walk, ...], kinds: Kinds) -> dict[str, int]:
     wanted = reached = 0
     for walk in walked:
         for place in walk.places:
-            used = sum(kinds.use_of(key) is not None for key in place.keys)
+            used = sum(kinds.uses[key] is not None for key in place.keys)
             wanted += used
             if walk.floor(place) >= LEAST_FLOOR:
                 reached += used - sum(map(bool, walk.missed[place.room.id]))

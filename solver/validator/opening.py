@@ -62,7 +62,7 @@ def _opened(case: RuleCase) -> Iterator[_Opened]:
 
 
 def _fronts(case: RuleCase, body: int) -> tuple[KindFront, ...]:
-    return case.kinds.fronts(case.room.keys[body]).each
+    return case.kinds.fronts[case.room.keys[body]].each
 
 
 def _travel(case: RuleCase, told: _Opened) -> FrontTravel:

@@ -23,7 +23,7 @@ def unreachable(case: RuleCase) -> Iterator[Finding]:
         return
     missed = walk.missed[place.room.id]
     for number in (number for number, touched in enumerate(missed) if touched) if any(missed) else ():
-        piece, use = place.room.furniture[number], case.kinds.use_of(place.keys[number])
+        piece, use = place.room.furniture[number], case.kinds.uses[place.keys[number]]
         assert use is not None, "what is not used misses nothing"
         yield Finding((piece.id,), world.robot, _side_message(world, piece, use, missed[number]))
 

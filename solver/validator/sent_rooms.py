@@ -8,7 +8,7 @@ from struct import Struct, pack
 from typing import Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, KindKey, rows_in
-from solver.scene import WALL_NUMBERS
+from solver.scene import WALL_NUMBERS, Room
 from solver.validator.kinds import NO_KIND, SEATED, Kinds
 from solver.validator.lattice import ExactBox
 from solver.validator.sent_openings import sent_openings
@@ -50,7 +50,6 @@ class NumberedKinds(dict[KindKey, int]):
     def __init__(self, kinds: Kinds | None) -> None:
         super().__init__()
         self._kinds = kinds
-        self._rows: list[bytes] = []
 
     @property
     def kinds(self) -> Kinds:
@@ -59,13 +58,12 @@ class NumberedKinds(dict[KindKey, int]):
         return self._kinds
 
     def __missing__(self, key: KindKey) -> int:
-        at = self[key] = len(self._rows)
-        self._rows.append(self._kinds.row(key) if self._kinds else NO_KIND)
+        at = self[key] = len(self)
         return at
 
     def sent(self) -> bytes:
         """Returns the kinds."""
-        return b"".join(self._rows)
+        return b"".join(map(self._kinds.rows.__getitem__, self)) if self._kinds else NO_KIND * len(self)
 
 
 def room_bytes(world: World, place: PlacedRoom, kinds: NumberedKinds) -> bytes:
@@ -106,35 +104,54 @@ class _SentBodies(NamedTuple):
 
 
 def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
-    """Returns furniture, small things and people; ids are numbered as they come, equal ones alike."""
-    room, none = place.room, -1
+    """Returns furniture, small things and people."""
+    room, none, pack = place.room, -1, _BODY.pack
     pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
-    numbers: dict[str | None, int] = {}
-    pack, number = _BODY.pack, numbers.setdefault
+    names = _NumberedIds(room)
     told = []
     for piece, key in zip(room.furniture, place.keys, strict=True) if pieces is None else ():
         place_of = piece.x, piece.y, piece.z, piece.width, piece.depth, piece.height, _turn(piece.rotation)
-        ids = [none if name is None else number(name, len(numbers)) for name in (piece.id, piece.on, piece.under)]
+        ids = names[piece.id], names[piece.on], names[piece.under]
         told.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kinds[key]))
-    if pieces is not None and (place.people or things is None):
-        numbers.update(zip(pieces.ids, count()))
-    first = len(numbers) if pieces is None else len(pieces)
-    if things is not None and place.people:
-        numbers.update(zip(things.ids, count(first)))
+    names.add(pieces)
+    first = names.count
+    names.add(things)
     for thing in room.decorations if things is None else ():
         width, depth, height = thing.width, thing.depth, thing.height
         kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
         place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
-        ids = [none if name is None else number(name, len(numbers)) for name in (thing.id, thing.parent)]
-        told.append(pack(*place_of, _DECORATION, *ids, none, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
+        ids = names[thing.id], names[thing.parent], none
+        told.append(pack(*place_of, _DECORATION, *ids, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
     for person in place.people:
         kind = kinds["person", person.kind, 0.0, 0.0, 0.0, None if person.on is None else SEATED]
         place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)
-        ids = [none if name is None else number(name, len(numbers)) for name in (person.id, person.on)]
-        told.append(pack(*place_of, _PERSON, *ids, none, none, kind))
+        told.append(pack(*place_of, _PERSON, names[person.id], names[person.on], none, none, kind))
     as_rows = [rows for rows in (pieces, things) if rows is not None]
     counts = 0 if pieces is None else len(pieces), 0 if things is None else len(things), first
-    return _SentBodies(told, max(len(numbers), first + counts[1]), b"".join([_as_told(rows, kinds) for rows in as_rows]), counts)
+    return _SentBodies(told, names.count, b"".join([_as_told(rows, kinds) for rows in as_rows]), counts)
+
+
+class _NumberedIds(dict[str | None, int]):
+    """The ids of a room's bodies as numbers, equal ones alike, nobody's -1. Those of rows are made where one comes that may be of them."""
+
+    def __init__(self, room: Room) -> None:
+        super().__init__({None: -1})
+        self.count, self._before, self._as_rows = 0, f"{room.id}/", list[tuple[int, BodyRows]]()
+
+    def add(self, rows: BodyRows | None) -> None:
+        """Numbers the ids of bodies that are told as rows, if any."""
+        if rows is not None:
+            self._as_rows.append((self.count, rows))
+            self.count += len(rows)
+
+    def __missing__(self, name: str | None) -> int:
+        while self._as_rows and str(name).startswith(self._before):
+            first, rows = self._as_rows.pop(0)
+            self.update(zip(rows.ids, count(first)))
+        if name not in self:
+            self[name] = self.count
+            self.count += 1
+        return self[name]
 
 
 def _as_told(bodies: BodyRows, kinds: NumberedKinds) -> bytes:
