@@ -70,16 +70,15 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
 def _type_of(room: Room, catalogs: Catalogs) -> RoomType | None:
     """Returns a room's type; one that nobody enters the home by goes without what is wanted only there."""
     kind = catalogs.rooms.get(room.type)
-    if kind is None or not any(spec.entered for spec in kind.pieces) or any(opening.main_entrance for opening in room.openings):
-        return kind
-    return _not_entered(catalogs, room.type)
+    return kind if kind is None or any(opening.main_entrance for opening in room.openings) else _not_entered(catalogs, room.type)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=1024)
 def _not_entered(catalogs: Catalogs, name: str) -> RoomType:
     """Returns a room type without what is wanted only where one enters; the same object each time, as what is compiled is kept by it."""
     kind = catalogs.rooms[name]
-    return kind.model_copy(update={"pieces": tuple(spec for spec in kind.pieces if not spec.entered)})
+    pieces = tuple(spec for spec in kind.pieces if not spec.entered)
+    return kind if len(pieces) == len(kind.pieces) else kind.model_copy(update={"pieces": pieces})
 
 
 def _asked(known: CompiledType, room: bytes) -> Answer:

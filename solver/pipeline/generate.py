@@ -155,7 +155,7 @@ def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tupl
     space, wanted = _wished(room, setting)
     if label := insisted_in(scene.certificate, room.id):
         wanted = demanded(wanted, label)
-    return space, wanted, unwanted_pieces(room, space, _low(room, setting).catalogs, _furnishing(room, setting), wanted)
+    return space, wanted, unwanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting), wanted)
 
 
 def _furnishing(room: Room, setting: _Setting) -> Stream:
@@ -170,7 +170,7 @@ def _around(room: Room, setting: _Setting) -> _Asked:
     if room.id in setting.asked:
         return setting.asked[room.id]
     space = _space(room, setting)
-    wanted = wanted_pieces(room, space, _low(room, setting).catalogs, _furnishing(room, setting))
+    wanted = wanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting))
     staying = setting.staying.get(room.id)
     if not staying:
         return Staying(room), space, wanted
@@ -187,20 +187,21 @@ def _space(room: Room, setting: _Setting) -> Space:
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
     """Furnishes rooms: by the core in one go, or from pieces, where some stay or another engine is asked."""
+    low = {level: _low(level, setting) for level in {room.level for room in rooms}}
     if _is_in_one_go(setting):
-        each = [(room, _space(room, setting), _low(room, setting).catalogs, _furnishing(room, setting)) for room in rooms]
+        each = [(room, _space(room, setting), low[room.level].catalogs, _furnishing(room, setting)) for room in rooms]
         made = place_wanted([wanted_rows(*one) for one in each], tidy=True)
     else:
         made = place([_wished(room, setting) for room in rooms], setting.engine, tidy=True)
-    return {room.id: _with_too_high(done, _low(room, setting).left_out.get(room.type)) for room, done in zip(rooms, made, strict=True)}
+    return {room.id: _with_too_high(done, low[room.level].left_out.get(room.type)) for room, done in zip(rooms, made, strict=True)}
 
 
 def _with_too_high(done: Arrangement, too_high: Sequence[tuple[str, str]] | None) -> Arrangement:
     return replace(done, left_out=(*done.left_out, *too_high)) if too_high else done
 
 
-def _low(room: Room, setting: _Setting) -> LowRooms:
-    return as_low_as(setting.heights.get(room.level, STOREY_HEIGHT), setting.catalogs)
+def _low(level: int, setting: _Setting) -> LowRooms:
+    return as_low_as(setting.heights.get(level, STOREY_HEIGHT), setting.catalogs)
 
 
 def _is_in_one_go(setting: _Setting) -> bool:

@@ -20,11 +20,6 @@ from solver.scene_bodies import counted, storey_height
 from solver.streams import Stream
 
 
-def asks(room: Room, catalogs: Catalogs) -> bool:
-    """Tells whether what a room wants depends on what others hold."""
-    return room.type in catalogs.asking_types()
-
-
 def needed(room: Room, catalogs: Catalogs) -> set[str]:
     """Returns the labels of what a room wants where no other room has such: the table that stands nowhere else, not each chair at it."""
     kind = catalogs.rooms.get(room.type)
@@ -33,7 +28,7 @@ def needed(room: Room, catalogs: Catalogs) -> set[str]:
 
 def held(rooms: Iterable[Room], catalogs: Catalogs) -> set[str]:
     """Returns the names of all pieces in rooms that do not ask themselves."""
-    return {piece.name for room in rooms if not asks(room, catalogs) for piece in room.furniture}
+    return {piece.name for room in parted(rooms, catalogs)[0] for piece in room.furniture}
 
 
 def arranged(arrangements: Mapping[str, Arrangement], catalogs: Catalogs) -> set[str]:
@@ -41,9 +36,12 @@ def arranged(arrangements: Mapping[str, Arrangement], catalogs: Catalogs) -> set
     return {name for one in arrangements.values() for name in names_placed(one, catalogs)}
 
 
-def parted(rooms: Sequence[Room], catalogs: Catalogs) -> tuple[list[Room], list[Room]]:
+def parted(rooms: Iterable[Room], catalogs: Catalogs) -> tuple[list[Room], list[Room]]:
     """Returns the rooms that are furnished first, and those that ask what stands in them."""
-    return [room for room in rooms if not asks(room, catalogs)], [room for room in rooms if asks(room, catalogs)]
+    asking, parts = catalogs.asking_types(), (list[Room](), list[Room]())
+    for room in rooms:
+        parts[room.type in asking].append(room)
+    return parts
 
 
 def home_catalogs(scene: Scene, known: Catalogs, but: Collection[str] = ()) -> Catalogs:
