@@ -4,7 +4,7 @@ A home has some five hundred bodies, and whoever judges, counts or writes it nee
 """
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import chain
 from struct import Struct
 from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeAlias, TypeVar
@@ -60,7 +60,11 @@ def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: "Catalogs
     """Returns how furniture of a kind looks in some size."""
     spec, (width, depth, height) = catalogs.furniture.get(kind), size_mm
     size = width / 1000, depth / 1000, height / 1000
-    return Look("furniture", catalogs.name_of(kind), kind if spec else None, size, spec.category if spec else "misc")
+    return _furniture_look("furniture", catalogs.name_of(kind), kind if spec else None, size, spec.category if spec else "misc")
+
+
+_furniture_look: Final = lru_cache(maxsize=20_000)(Look)
+"""One look is one object, whatever room type lists it: what is worked out of looks is kept by them."""
 
 
 class BodyRows:

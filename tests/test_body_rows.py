@@ -159,3 +159,12 @@ def test_rooms_are_copied_pickled_and_changed_like_any_other() -> None:
         assert replace(done, type=told.type) == told
         assert hash((done.id, done.decorations[0].id)) == hash((told.id, told.decorations[0].id))
     assert replace(told, decorations=()).decorations == Room("empty").decorations == ()
+
+
+def test_furniture_of_one_kind_has_one_look_whatever_room_lists_it() -> None:
+    scene = generate(Request(seed=1, program="family")).scene
+    by_room = [rows.looks for room in scene.rooms if (rows := rows_in(room, FurnitureRows))]
+    keys = [{look.key for look in looks} for looks in by_room]
+    assert any(one & other for k, one in enumerate(keys) for other in keys[:k])  # rooms of different types hold the same
+    looks = {look.key: look for looks in by_room for look in looks}
+    assert all(look is looks[look.key] for own in by_room for look in own)

@@ -108,7 +108,7 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
     worn = [*map(looks.__getitem__, chain.from_iterable([one.looks for one in told]))]
     worn += map(texts.__getitem__, chain.from_iterable([one.colours for one in told]))
     rows = [_as_asked(one, before, texts) for before, one in zip([None, *told[:-1]], told, strict=True)]
-    contents = [_TEXTS[text].encode() for text in texts]
+    contents = [*map(_ENCODED.__getitem__, texts)]
     head = _HEADER.pack(len(looks), len(contents), len(rows), len(worn) // 2), pack(f"<{len(contents)}q", *map(len, contents))
     alike, each = map(_LOOKS.__getitem__, looks), pack(f"<{len(worn)}q", *worn)
     answer = ask("bodies_text", b"".join([*head, _padded(b"".join(contents)), *alike, each, *rows]))
@@ -193,6 +193,7 @@ class _Texts(dict[Any, str]):
 
 
 _TEXTS: Final = _Texts()
+_ENCODED: Final = MadeOnce[str | None, bytes](lambda text: _TEXTS[text].encode(), MOST_TEXTS)
 _NUMBERS: Final = MadeOnce[Any, str](_number, MOST_TEXTS)
 """Numbers as JSON. Zero is zero, whatever its sign, and has a point."""
 _LOOKS: Final = MadeOnce(_look_text, MOST_TEXTS)
