@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from solver.records import MadeOnce, changed, made_later, maker_in
+from solver.records import MadeOnce, changed, kept, made_later, maker_in
 from solver.scene import Flooring, Furniture, Room
 
 
@@ -52,3 +52,19 @@ def test_what_is_made_once_is_made_anew_when_there_are_many() -> None:
     assert [kept[3], kept[3], kept[2], kept[3]] == [9, 9, 4, 9] and made == [3, 2]
     assert [kept[4], dict(kept)] == [16, {4: 16}]
     assert kept[3] == 9 and made == [3, 2, 4, 3]
+
+
+def test_what_is_kept_is_worked_out_once_by_each_record() -> None:
+    class Square:
+        def __init__(self, side: int) -> None:
+            self.side, self.asked = side, 0
+
+        @kept
+        def area(self) -> int:
+            """The area."""
+            self.asked += 1
+            return self.side**2
+
+    small, large = Square(2), Square(3)
+    assert (small.area, large.area, small.area, large.area) == (4, 9, 4, 9)
+    assert (small.asked, large.asked) == (1, 1)

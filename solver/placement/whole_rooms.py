@@ -5,7 +5,6 @@ Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 from math import inf
 from struct import Struct, pack
@@ -20,7 +19,7 @@ from solver.placement.budget import ROOM_WORK, Budget, charge
 from solver.placement.layout import COVERED, NO_WAY, SPENT
 from solver.placement.left_out import WALLS, clear_size, named_parent, room_needed
 from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
-from solver.records import made_later
+from solver.records import kept, made_later
 from solver.scene import WALLS as NUMBERED_WALLS
 
 _MADE: Final = Struct("<11q2d")
@@ -127,7 +126,7 @@ class _Placing:
             for piece, rotation, wall, x0, z0, x1, z1, way in _PLACED.iter_unpack(self.ways)
         )
 
-    @cached_property
+    @kept
     def named(self) -> list[tuple[int, int, int]]:
         """The rows of the wanted pieces' labels."""
         return [*_NAME.iter_unpack(self.names)]

@@ -3,10 +3,10 @@
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Final, NamedTuple, TypeAlias
 
 from solver.body_rows import KindKey, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_keys
+from solver.records import kept
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
@@ -53,17 +53,17 @@ class PlacedRoom:
         """The pieces of its wall line."""
         return [edge for edge in self.outline.edges if edge is not None]
 
-    @cached_property
+    @kept
     def keys(self) -> Sequence[KindKey]:
         """What the kind of each piece of furniture in it is looked up by."""
         return furniture_keys(self.room)
 
-    @cached_property
+    @kept
     def bodies(self) -> tuple[AnyBody, ...]:
         """All that is in it: furniture, small things, people."""
         return (*self.room.furniture, *self.room.decorations, *self.people)
 
-    @cached_property
+    @kept
     def ids(self) -> Sequence[str]:
         """The ids of all that is in it; the core's answers number it so."""
         return [*furniture_ids(self.room), *decoration_ids(self.room), *(one.id for one in self.people)]
@@ -82,12 +82,12 @@ class World:
     robot: int
     places: tuple[PlacedRoom, ...]
 
-    @cached_property
+    @kept
     def by_id(self) -> Mapping[str, PlacedRoom]:
         """The rooms by id."""
         return {place.room.id: place for place in self.places}
 
-    @cached_property
+    @kept
     def numbers(self) -> Mapping[str, tuple[int, int]]:
         """Of each room by id its storey, and its number there."""
         counts: Counter[int] = Counter()
@@ -98,7 +98,7 @@ class World:
             counts[level] += 1
         return found
 
-    @cached_property
+    @kept
     def leading_to(self) -> Mapping[str, Sequence[tuple[PlacedRoom, Hole]]]:
         """Every opening, with the room that lists it, by the id of what it connects to."""
         found: dict[str, list[tuple[PlacedRoom, Hole]]] = {}
