@@ -1,21 +1,17 @@
 """Generated calls, right and wrong ones: the service keeps to its own OpenAPI document.
 
 The calls are made in this process, and houses are small whatever is asked for: what is tested is what is taken and answered.
-CASES=500 in the environment makes 500 of each call.
+CASES=500 in the environment makes 500 of each call. Schemathesis is loaded by the worker that makes them, not by each that collects them.
 """
 
 from __future__ import annotations
 
 import os
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pytest
-import schemathesis
 from hypothesis import HealthCheck, settings
-from schemathesis import Case, CheckContext, Response
-from schemathesis.schemas import BaseSchema
-from schemathesis.specs.openapi.checks import positive_data_acceptance
 
 import solver
 from service.app import create_app
@@ -25,6 +21,10 @@ from solver.export_formats import EXPORTERS
 from solver.request import Request
 from tests.service.heavy import PATIENCE_S
 from tests.service.here import Here
+
+if TYPE_CHECKING:
+    from schemathesis import Case, CheckContext, Response
+    from schemathesis.schemas import BaseSchema
 
 CASES = int(os.environ.get("CASES", "15"))
 """Generated calls of each kind."""
@@ -89,7 +89,9 @@ def what_fits_is_taken(_: CheckContext, answer: Response, case: Case[Any]) -> No
 
 @pytest.fixture(scope="module")
 def schema() -> BaseSchema:
-    """The service's document: read by who makes its calls, not by each process that collects the tests."""
+    """The service's document."""
+    import schemathesis
+
     app = create_app()
     app.workers = Here()  # type: ignore[assignment]
     schema = schemathesis.openapi.from_asgi("/openapi.json", app)
@@ -98,12 +100,20 @@ def schema() -> BaseSchema:
     return schema
 
 
-@schemathesis.pytest.from_fixture("schema").parametrize()
 @settings(max_examples=CASES, derandomize=True, deadline=None, suppress_health_check=list(HealthCheck))
-def test_calls_are_answered_as_the_document_says(case: Case[Any]) -> None:
+def is_answered_as_the_document_says(case: Case[Any]) -> None:
+    from schemathesis.specs.openapi.checks import positive_data_acceptance
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(solver, "generate", made_small)
         case.call_and_validate(excluded_checks=[positive_data_acceptance], additional_checks=[what_fits_is_taken])
+
+
+@pytest.mark.usefixtures("schema")
+def test_calls_are_answered_as_the_document_says(request: pytest.FixtureRequest) -> None:
+    import schemathesis
+
+    schemathesis.pytest.from_fixture("schema").parametrize()(is_answered_as_the_document_says)(request=request)
 
 
 @pytest.mark.parametrize("name", ["json", *(name for name, exporter in EXPORTERS.items() if exporter.media_type == "application/json")])
