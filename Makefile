@@ -37,18 +37,17 @@ INSTALL = $(UV) pip install --quiet --python $(PY) --constraint constraints.txt
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1  /p' Makefile
 
-run: .venv/run.stamp ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
-	@$(MAKE) --no-print-directory --jobs=2 core page
+run: .venv/python.stamp ## serve the page and the API on http://127.0.0.1:8000 (HOST=, PORT=)
+	@$(MAKE) --no-print-directory --jobs=3 .venv/run.stamp core page
 	@exec .venv/bin/compose serve --host $(HOST) --port $(PORT)
 
 dev: .venv/dev.stamp core ## bring Compose, its core and the tools of its tests into .venv/
 
-test: .venv/dev.stamp ## run every test: Python, page, browser; some minutes on two cores
-	@$(MAKE) --no-print-directory --jobs=3 core page chromium
-	@$(MAKE) --no-print-directory --jobs=2 page-tests compiled-tests
+test: .venv/python.stamp ## run every test: Python, page, browser; some minutes on two cores
+	@$(MAKE) --no-print-directory --jobs=4 core page page-tests compiled-tests chromium
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
 
-page-tests:
+page-tests: core page
 	$(PY) scripts/page.py test
 
 compiled-tests: .venv/tests.stamp
@@ -83,7 +82,7 @@ format: .venv/dev.stamp ## put the Python sources in ruff's format
 	$(PY) -m ruff check --fix-only .
 	$(PY) -m ruff format .
 
-core: .venv/run.stamp ## build the compiled core, solver/core/core.wasm, where it is not yet
+core: .venv/python.stamp ## build the compiled core, solver/core/core.wasm, where it is not yet
 	@$(PY) scripts/core.py build
 
 page: .venv/python.stamp ## build the page into service/static/
@@ -118,6 +117,9 @@ clean: ## remove everything that make brought or built
 	rm -rf .venv .tools dist gallery service/static solver/core/core.wasm* web/node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
+# An editable install reads the tree: the hook of the wheel would only have the compiler brought, for a build that needs none.
+.venv/run.stamp .venv/dev.stamp: export HATCH_BUILD_NO_HOOKS = true
+
 .venv/python.stamp:
 	$(UV) venv --quiet --clear --python '$(PYTHON_VERSIONS)' .venv
 	@touch $@
@@ -130,7 +132,7 @@ clean: ## remove everything that make brought or built
 	$(INSTALL) --editable . --group dev
 	@touch $@ .venv/run.stamp
 
-# Collecting compiles the tests and what they import: each worker would do so for itself.
-.venv/tests.stamp: .venv/dev.stamp $(wildcard tests/*.py tests/*/*.py tests/*/*/*.py)
+# Collecting compiles the tests and what they import: each worker would do so for itself. Some ask the core.
+.venv/tests.stamp: .venv/dev.stamp $(wildcard tests/*.py tests/*/*.py tests/*/*/*.py) | core
 	-@$(PY) -m pytest --collect-only -qq > /dev/null
 	@touch $@
