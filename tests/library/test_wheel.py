@@ -1,15 +1,17 @@
-"""The wheel as a stranger installs it: one name in site-packages, the tree's homes, types that a checker sees."""
+"""The wheel as a stranger installs it: one name in site-packages, the tree's homes, every public name with a type that a checker sees."""
 
 from __future__ import annotations
 
 import ast
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+import compose_homes
 from service.cli import main
 from tests.architecture.tree import ROOT, files
 
@@ -29,7 +31,31 @@ for name in EXPORT_FORMATS:
         held = {file: content if isinstance(content, bytes) else content.encode() for file, content in files.items()}
         print(name, {file: sha256(content).hexdigest() for file, content in held.items()})
 """
-USER = "from compose_homes import Request, generate\nreveal_type(generate(Request(seed=42)).scene.rooms[0].furniture[0].x)\n"
+USER = """
+from pathlib import Path
+from compose_homes import (
+    Furniture, Request, Room, Scene, PieceRequest, dump, fix, generate, load, load_catalogs, place, reroll, validate,
+)
+
+made = generate(Request(seed=42, program={"bedrooms": 1}), catalogs=load_catalogs())
+house: Scene = made.scene
+other = reroll(house, [room.id for room in house.rooms], seed=7).scene
+fixed = fix(other, locked=[piece.id for room in other.rooms for piece in room.furniture if piece.name == "bed"])
+text: str = dump(fixed.scene, Path("house.yaml"))
+wrong = [issue.message for issue in validate(load(text)) if issue.severity == "error"]
+answer = place(Room("den", width=4, depth=3), [PieceRequest("sofa", "sofa")])
+stands = {piece.id: (piece.x, piece.z) for room in answer.best.scene.rooms for piece in room.furniture}
+"""
+WRONG = """
+import compose_homes
+compose_homes.generate(seed=42)
+compose_homes.castle
+width: str = compose_homes.generate().scene.rooms[0].width
+"""
+SHOWN = [
+    *(f"compose_homes.{name}" for name in compose_homes.__all__),
+    *("house", "other", "fixed.moves", "wrong", "answer.best.relations", "stands", "house.rooms[0].furniture[0].x"),
+]
 TREE_NAMES = {"catalogs", "solver", "service"}
 
 
@@ -112,8 +138,26 @@ def test_what_an_engine_lacks_is_told(installed: Path, tmp_path: Path) -> None:
     assert "needs cvxpy" in done.stderr and "compose-homes[reference]" in done.stderr
 
 
-def test_a_type_checker_sees_its_types(installed: Path, tmp_path: Path) -> None:
-    (tmp_path / "user.py").write_text(USER)
-    python = installed.parents[2] / "bin" / "python"
-    said = run(sys.executable, "-m", "mypy", "--strict", "--python-executable", python, "--cache-dir", os.devnull, "user.py", cwd=tmp_path)
-    assert 'Revealed type is "float"' in said
+@pytest.fixture(scope="module")
+def told(installed: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
+    """What mypy says in strict mode of both programs of a user's: at once, as most of its work is what they import."""
+    folder = tmp_path_factory.mktemp("programs")
+    (folder / "user.py").write_text(USER + "import compose_homes\n" + "".join(f"reveal_type({name})\n" for name in SHOWN))
+    (folder / "wrong.py").write_text(WRONG)
+    python = str(installed.parents[2] / "bin" / "python")
+    words = ["--strict", "--python-executable", python, "--cache-dir", os.devnull, "user.py", "wrong.py"]
+    done = subprocess.run([sys.executable, "-m", "mypy", *words], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (1, "")
+    return done.stdout
+
+
+def test_a_users_program_checks_and_nothing_is_any(told: str) -> None:
+    types = re.findall(r'user.py:\d+: note: Revealed type is "(.*)"', told)
+    assert len(types) == len(SHOWN)
+    assert [kind for kind in types if re.search(r"\bAny\b", kind)] == []
+    assert "compose_homes.solver.scene.Scene" in types[-7]
+    assert types[-1] == "float"
+
+
+def test_a_users_mistakes_are_seen_and_nothing_else(told: str) -> None:
+    assert re.findall(r"(\w+\.py:\d+): error", told) == ["wrong.py:3", "wrong.py:4", "wrong.py:5"]
