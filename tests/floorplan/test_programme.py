@@ -23,8 +23,8 @@ IMPLIED = {"bedrooms": 1, "bathrooms": 1, "living_room": 1, "kitchen": 1, "foyer
 COUNTS = st.fixed_dictionaries(
     {},
     optional={
-        "bedrooms": st.integers(0, 6), "bathrooms": st.integers(0, 4), "living_room": st.integers(0, 2), "kitchen": st.integers(0, 1),
-        "dining_room": st.integers(0, 1), "laundry": st.integers(0, 1), "office": st.integers(0, 2), "foyer": st.integers(0, 1),
+        "bedrooms": st.integers(0, 6), "bathrooms": st.integers(0, 4), "living_room": st.integers(0, 2), "kitchen": st.integers(0, 2),
+        "dining_room": st.integers(0, 1), "laundry": st.integers(0, 1), "office": st.integers(0, 2), "foyer": st.integers(0, 3),
         "garage": st.integers(0, 4), "workshop": st.integers(0, 1),
     },
 )  # fmt: skip
@@ -108,6 +108,15 @@ def test_rooms_are_left_out_rather_than_too_narrow_to_live_in(width: float | Non
         sides = {room.id: min(room.width, room.depth) for room in made.scene.rooms}
         assert {name: side for name, side in sides.items() if side < (2.0 if "bedroom" in name else 1.2)} == {}
         assert len(sides) > 15 or "left out" in str((made.scene.certificate or {})["notes"])
+
+
+@pytest.mark.parametrize(("width", "depth"), [(2.0, None), (None, 2.0), (None, 3.0), (2.5, 30.0)])
+def test_a_house_too_slim_to_live_in_is_drawn_and_says_so(width: float | None, depth: float | None) -> None:
+    for seed in range(6):
+        for program in ({"kitchen": 5, "office": 0, "bedrooms": 3, "laundry": 2}, "family"):
+            plan = planned(seed=seed, program=program, width=width, depth=depth)
+            assert [room.id for room in plan.rooms if min(room.width, room.depth) <= 0] == []
+            assert [note for note in plan.notes if note.startswith("no home that can be lived in was found for these rooms in")]
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -189,7 +189,7 @@ void Drawer::lay(Span<const Column> strip, const i64* widths, StripPlace place, 
   }
 }
 
-// Turns an axial house so that its hallway runs back from the street, and puts the entry at its end.
+// Turns an axial house so that its hallway runs back from the street, and puts the entry at its end: in half of it at most.
 void Drawer::turn(const Draft& draft, Sheet& sheet) const {
   for (i32 i = 0; i < sheet.rooms; i++) {
     const Rect box = sheet.boxes[i];
@@ -199,7 +199,7 @@ void Drawer::turn(const Draft& draft, Sheet& sheet) const {
   const i64 west = hallway.z0, east = hallway.z1, along = sheet.width;
   i64 end = along;
   if (draft.entry >= 0) {
-    end = along - columns_.width(Column::of(draft.entry), east - west).wished;
+    end = most(along - columns_.width(Column::of(draft.entry), east - west).wished, floor_div(along, 2));
     sheet.boxes[draft.entry] = {west, end, east, along};
   }
   hallway = {west, 0, east, end};

@@ -288,6 +288,8 @@ def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Re
         notes.append(f"no sound home of these rooms was found whose outline is {plot.outline}: it is {best.outline}")
     if best.left_out:
         notes.append(f"left out, for want of space in {plot.says()}: {', '.join(best.left_out)}")
+    if not (best.livable or plot.free):
+        notes.append(f"no home that can be lived in was found for these rooms in {plot.says()}: another size, or fewer rooms, may help")
     first = len(rooms) - len(best.planned)
     for i, (one, rect) in enumerate(zip(best.planned, rooms[first:], strict=True), start=first):
         missed = _missed(one, rect)

@@ -184,12 +184,19 @@ def planned_rooms(types: Sequence[str], catalogs: Catalogs, area_m2: float | Non
     `area_m2` is the floor the house is wished to have, hallways included; the rooms' typical areas by default.
     """
     rooms = catalogs.of_home(types).rooms
-    kinds = [rooms[name] for name in types]
+    kinds = _with_one_entry([rooms[name] for name in types])
     homes = [_home(kind) for kind in kinds]
     scale = 1.0 if area_m2 is None else _scale(homes, area_m2 / WALLS_SHARE)
     sizes = [_size(home, scale) for home in homes]
     owners = _owners(types, kinds)
     return tuple(PlannedRoom(name, kind, size, owner) for name, kind, size, owner in zip(types, kinds, sizes, owners, strict=True))
+
+
+def _with_one_entry(kinds: Sequence[RoomType]) -> list[RoomType]:
+    """Returns the rooms' kinds, of all by which one may come in only the first as such: the others are dealt like private rooms."""
+    entries = [i for i, kind in enumerate(kinds) if kind.plan.way_through and not kind.plan.habitable]
+    private = {i: kinds[i].plan.model_copy(update={"way_through": False}) for i in entries[1:]}
+    return [kind.model_copy(update={"plan": private[i]}) if i in private else kind for i, kind in enumerate(kinds)]
 
 
 def _scale(homes: Sequence[Home], floor: float) -> float:

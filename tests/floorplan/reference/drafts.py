@@ -321,6 +321,6 @@ class Drawer:
         west, east = hallways[0].z0, hallways[0].z1
         end = along
         if draft.entry is not None:
-            end = along - width_of((self.sizes[draft.entry],), east - west).wished
+            end = max(along - width_of((self.sizes[draft.entry],), east - west).wished, along // 2)
             turned[draft.entry] = Rect(west, end, east, along)
         return Sheet(turned, [Rect(west, 0, east, end)], across, along)
