@@ -147,17 +147,21 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
     Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
     is tried.
     """
-    space, walk = task.listing.space, False
-    members = minimal_conflict(space, pieces, missing.label, budget)
-    if members is None and feasible(space, pieces, budget):
-        walk, members = True, minimal_conflict(space, pieces, missing.label, budget, True)
-        if members is None:
-            return Conflict((missing.label,), at_limit(_sized(task, missing), True), (_leaving_out(missing.label),))
+    members, walk = _fewest(task, pieces, missing.label, budget)
+    related, held = task.listing.space, pieces
+    if members and missing.label not in members:  # those stand in the answer: not every place where a relation holds is tried
+        task = asked([replace(one, relations=()) for one in task.requests])
+        pieces = [piece for piece in task.pieces if piece.label in {one.label for one in held}]
+        members, walk = _fewest(task, pieces, missing.label, budget)
+        if missing.label not in (members or ()):
+            return Conflict((missing.label,), _not_held(_sized(task, missing)), (_leaving_out(missing.label),))
     if members is None:
-        return Conflict((missing.label,), at_limit(_sized(task, missing), False))
+        return Conflict((missing.label,), at_limit(_sized(task, missing), walk), (_leaving_out(missing.label),) * walk)
     by_label = {piece.label: piece for piece in pieces}
     removals = tuple(
-        _leaving_out(member) for member in members if feasible(space, [piece for piece in pieces if piece.label != member], budget, walk)
+        _leaving_out(member)
+        for member in members
+        if member == missing.label or feasible(related, [piece for piece in held if piece.label != member], budget, walk)
     )
     names = " and ".join(_sized(task, by_label[member]) for member in members)
 
@@ -175,6 +179,14 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
     else:
         words = f"cannot stand {'as asked anywhere' if len(members) == 1 else 'together'} in {_floor(task)}"
     return Conflict(members, f"{names} {words}{_at_walls([by_label[member] for member in members])}", removals)
+
+
+def _fewest(task: PlaceTask, pieces: Sequence[Piece], missing: str, budget: Budget) -> tuple[tuple[str, ...] | None, bool]:
+    """Returns the fewest pieces that cannot stand together, else the fewest that cannot be reached together, and whether it is these."""
+    space = task.listing.space
+    members = minimal_conflict(space, pieces, missing, budget)
+    walk = members is None and bool(feasible(space, pieces, budget))
+    return minimal_conflict(space, pieces, missing, budget, True) if walk else members, walk
 
 
 def _each_freed(requests: Sequence[PieceRequest], label: str) -> Iterator[tuple[RelationSpec, Sequence[PieceRequest]]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
@@ -120,3 +121,17 @@ def test_that_no_place_holds_what_is_required_is_not_called_impossible() -> None
         assert [repair["id"] for repair in conflict.repairs] == ["table"]
     (conflict,) = place(room, [PieceRequest("box", width=3.0, depth=3.0, height=1.0, relations=(far,))]).conflicts
     assert "cannot stand as asked anywhere" in conflict.message
+
+
+@pytest.mark.parametrize(("other", "members"), [((2.0, 3.0, 0.8), {"bed", "crate"}), ((0.3, 0.3, 0.8), {"bed"})], ids=["floor", "way"])
+def test_what_is_missing_is_named_though_another_keeps_its_distance_from_it(other: tuple[float, float, float], members: set[str]) -> None:
+    """The one that keeps it stands: it is not what has no place."""
+    shy = PieceRequest("bunk_bed", relations=(RelationSpec(type="far_from", of=("bed",), required=True),))
+    wishes = [PieceRequest("bed", "bed", 7.5, 2.0, 0.5), shy, PieceRequest("crate", "crate", *other)]
+    hall = Room("hall", width=7.6, depth=3.8)
+    answer = place(hall, wishes)
+    assert [one.id for one in answer.best.unplaced] == ["bed"]
+    (conflict,) = answer.conflicts
+    assert set(conflict.ids) == members
+    assert conflict.repairs[0] == {"action": "leave_out", "id": "bed"}
+    assert place(hall, [replace(shy, relations=()), wishes[2]]).conflicts == ()
