@@ -23,6 +23,7 @@ from solver.fields import GIVEN, STRICT, WHOLE, Flag, Record
 from solver.relations.rows import RELATION_WORDS
 from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Room, Scene
+from solver.scene_bodies import check_listed
 
 if TYPE_CHECKING:
     from solver.relations.held import Traits
@@ -90,6 +91,7 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, ce
     Raises:
         RequestError: names the field and what is allowed.
     """
+    check_listed("pieces", requests, PieceRequest, "a PieceRequest", RequestError)
     if sum(request.count for request in requests) > MOST_PIECES:
         raise RequestError("pieces", f"are {sum(request.count for request in requests)}, copies counted", f"at most {MOST_PIECES}")
     taken = {piece.id for piece in room.furniture} | {thing.id for thing in room.decorations}

@@ -1,12 +1,13 @@
 """Questions about everything in a scene at once: how much there is, under which ids, what moved."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import partial
 from itertools import islice
 
+from catalogs.misfits import called
 from solver.answers import Move
 from solver.body_rows import count_decorations, count_furniture
-from solver.errors import MOST_TOLD, SceneError, all_of
+from solver.errors import MOST_TOLD, FieldError, SceneError, all_of
 from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
@@ -86,15 +87,27 @@ def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
     return tuple(moves)
 
 
+def check_listed(field: str, given: object, entry: type, called_so: str, error: type[FieldError] = SceneError) -> None:
+    """Refuses what is no collection of such entries: a text or one entry alone, which Python takes for a list, or what is none at all.
+
+    Raises:
+        FieldError: names what is wrong, and that a list, or `called_so`, is wanted.
+    """
+    if isinstance(given, str) or not isinstance(given, Collection):
+        raise error(field, f"is {called(given)}", "a list")
+    for place, one in enumerate(given):
+        if not isinstance(one, entry):
+            raise error(f"{field}[{place}]", f"is {called(one)}", called_so)
+
+
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
-    """Refuses ids, by the name of the field that lists them, that a scene does not have; and one alone, which Python takes for a list.
+    """Refuses ids, by the name of the field that lists them, that a scene does not have, and what is no list of ids.
 
     Raises:
         SceneError: names the entries and some ids that would do.
     """
     for field, ids in wanted.items():
-        if isinstance(ids, str):
-            raise SceneError(field, f"is {ids!r}", "a list")
+        check_listed(field, ids, str, "a text")
     have = set(known)
     named = ((f"{field}[{k}]", one) for field, ids in wanted.items() for k, one in enumerate(ids) if one not in have)
     all_of(partial(check_id, field, one, known) for field, one in islice(named, MOST_TOLD))
@@ -106,6 +119,8 @@ def check_id(field_name: str, wanted: str, known: Sequence[str]) -> None:
     Raises:
         SceneError: names the field and some ids that would do, those first that are called so in another room or are in the room meant.
     """
+    if not isinstance(wanted, str):
+        raise SceneError(field_name, f"is {called(wanted)}", "a text")
     if wanted not in known:
         room, _, own = wanted.rpartition("/")
         likely = sorted(known, key=lambda one: (one.rpartition("/")[2] != own, one.rpartition("/")[0] != room))

@@ -25,7 +25,7 @@ from solver.pipeline.timing import Clock, Timing
 from solver.placement import problem_bytes
 from solver.repair import RepairSettings, all_bodies, in_hand
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
-from solver.scene_bodies import SentBody, bodies_of, body_ids, check_ids, moves_between, people_in
+from solver.scene_bodies import SentBody, bodies_of, body_ids, check_ids, check_listed, moves_between, people_in
 from solver.understanding import understood
 from solver.validator import RULES, room_alone
 
@@ -129,6 +129,7 @@ def fix_frame(  # noqa: PLR0913 - keyword-only options of a public function
         1.0
     """
     check_ids(body_ids(scene), locked=locked, moved=moved)
+    check_listed("previous", previous, Pose, "a Pose")
     if len(moved) != 1:
         raise RequestError("moved", f"names {len(moved)} bodies", "the one that is dragged")
     label, timing, known = moved[0], Timing(clock), catalogs or load_catalogs()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
-from solver import Request, Scene, fix, generate
+from solver import Request, Scene, fix, fix_frame, generate
 from solver.errors import SceneError
 from solver.exchange import dump_text, write_scene
 from solver.scene import Decoration, Opening
@@ -176,6 +177,22 @@ def test_an_unknown_id_is_refused_by_name(field: str) -> None:
         fix(room_of(), **{field: ["ghost"]})  # type: ignore[arg-type]
     with pytest.raises(SceneError, match=rf"^{field}: is 'ghost' \(allowed: a list\)"):
         fix(room_of(), **{field: "ghost"})  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("field", "given", "words"),
+    [
+        ("moved", None, r"moved: is null \(allowed: a list\)"),
+        ("locked", 3, r"locked: is 3 \(allowed: a list\)"),
+        ("moved", [3], r"moved\[0\]: is 3 \(allowed: a text\)"),
+        ("previous", "x", r"previous: is 'x' \(allowed: a list\)"),
+        ("previous", [3], r"previous\[0\]: is 3 \(allowed: a Pose\)"),
+    ],
+)
+def test_what_is_no_list_of_such_things_is_refused(field: str, given: Any, words: str) -> None:
+    for flow in (fix, fix_frame):
+        with pytest.raises(SceneError, match=rf"^{words}"):
+            flow(room_of(), **{"moved": [], field: given})
 
 
 def test_an_unknown_id_is_told_the_likeliest_first() -> None:
