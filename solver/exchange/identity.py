@@ -3,9 +3,9 @@
 What is made up depends on the document alone, so the same document gets the same ids.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, TypeVar, cast
+from typing import Any, TypeAlias, TypeVar, cast
 
 from solver.free_names import FreeNames
 from solver.geometry import doubled_area
@@ -13,6 +13,14 @@ from solver.plain import Wrong
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
 
 Named = TypeVar("Named", Furniture, Decoration, Opening, Dynamic, Room)
+_Way: TypeAlias = tuple[str | int, ...]
+
+
+def _deep(wrong: Wrong, *way: str | int) -> Wrong:
+    """Returns what is wrong, that deep inside a scene."""
+    for step in reversed(way):
+        wrong = wrong.inside(step)
+    return wrong
 
 
 def indexed(document: object) -> object:
@@ -35,11 +43,11 @@ def indexed(document: object) -> object:
 class _Ids(FreeNames):
     """The ids in use; hands out new ones."""
 
-    def __init__(self, given: Iterator[tuple[str, str]]) -> None:
+    def __init__(self, given: Iterable[tuple[_Way, str]]) -> None:
         super().__init__()
-        for path, name in given:
+        for way, name in given:
             if name and name in self.given:
-                raise Wrong(f"is {name!r:.80}, which another one has too", "ids that no two share").inside(path)
+                raise _deep(Wrong(f"is {name!r:.80}, which another one has too", "ids that no two share"), *way, "id")
             self.given.add(name)
 
 
@@ -54,31 +62,42 @@ def identified(scene: Scene) -> Scene:
     Rooms become `<type>_<index>`, bodies `<room id>/<name>_<n>`, openings `<room id>/<kind>_<n>`, people `<kind>_<n>`.
 
     Raises:
-        Wrong: two rooms or two bodies share an id.
+        Wrong: two rooms, two bodies or two openings of one room share an id, or two levels an index.
     """
-    room_ids = _Ids((f"rooms[{place}].id", room.id) for place, room in enumerate(scene.rooms))
+    _check_levels(scene)
+    for place, room in enumerate(scene.rooms):
+        _Ids(_given(room.openings, "rooms", place, "openings"))
+    room_ids = _Ids(_given(scene.rooms, "rooms"))
     rooms = _named(scene.rooms, lambda room: room_ids.take(f"{room.type}_{room.index}"))
     body_ids = _Ids(_body_ids(scene))
-    opening_ids = _Ids(("", opening.id) for opening in _openings_once(scene))
+    opening_ids = _Ids(_given(_openings_once(scene)))
     rooms = tuple(_filled(room, body_ids, opening_ids) for room in rooms)
     dynamic = _named(scene.dynamic, lambda body: body_ids.count(body.kind))
     return replace(scene, rooms=rooms, dynamic=dynamic)
 
 
-def _openings_once(scene: Scene) -> Iterator[Opening]:
-    """Yields an opening of each given id: both rooms of a door list it."""
-    return iter({opening.id: opening for room in scene.rooms for opening in room.openings}.values())
+def _check_levels(scene: Scene) -> None:
+    found = set[int]()
+    for place, level in enumerate(scene.levels):
+        if level.index in found:
+            raise _deep(Wrong(f"is {level.index}, which another level has too", "a number for each level"), "levels", place, "index")
+        found.add(level.index)
 
 
-def _body_ids(scene: Scene) -> Iterator[tuple[str, str]]:
+def _openings_once(scene: Scene) -> list[Opening]:
+    """Returns an opening of each given id: both rooms of a door list it."""
+    return [*{opening.id: opening for room in scene.rooms for opening in room.openings}.values()]
+
+
+def _body_ids(scene: Scene) -> Iterator[tuple[_Way, str]]:
     for place, room in enumerate(scene.rooms):
-        yield from _given(f"rooms[{place}].furniture", room.furniture)
-        yield from _given(f"rooms[{place}].decorations", room.decorations)
-    yield from _given("dynamic", scene.dynamic)
+        yield from _given(room.furniture, "rooms", place, "furniture")
+        yield from _given(room.decorations, "rooms", place, "decorations")
+    yield from _given(scene.dynamic, "dynamic")
 
 
-def _given(path: str, bodies: Sequence[Furniture | Decoration | Dynamic]) -> Iterator[tuple[str, str]]:
-    return ((f"{path}[{index}].id", body.id) for index, body in enumerate(bodies))
+def _given(named: Sequence[Named], *way: str | int) -> Iterator[tuple[_Way, str]]:
+    return (((*way, index), one.id) for index, one in enumerate(named))
 
 
 def _filled(room: Room, bodies: _Ids, openings: _Ids) -> Room:

@@ -126,7 +126,9 @@ SCENES = record(
     generator=st.none() | PLAIN_MAPPINGS,
     size=st.none() | record(types.Size, width=SIZES, depth=SIZES, height=SIZES),
     wall_thickness=st.floats(0.0, 1.0),
-    levels=st.lists(record(types.Level, index=st.integers(-3, 3), elevation=NUMBERS, height=SIZES), max_size=2).map(tuple),
+    levels=st.lists(
+        record(types.Level, index=st.integers(-3, 3), elevation=NUMBERS, height=SIZES), max_size=2, unique_by=lambda one: one.index
+    ).map(tuple),
     rooms=st.lists(rooms(), max_size=2).map(tuple),
     corridors=st.lists(PLAIN_MAPPINGS, max_size=2).map(tuple),
     adjacency=st.lists(st.tuples(st.integers(0, 99), st.integers(0, 99)), max_size=3).map(tuple),

@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from service.contract import PlaceBody
 from solver.errors import FieldError, RequestError, SceneError
-from solver.exchange import read_request, read_scene, write_scene
+from solver.exchange import read, read_request, read_scene, write_scene
 from solver.request import MAX_SEED, Request
 from solver.scene import Scene, Sides
 from tests.every import every
@@ -123,12 +124,24 @@ def test_a_made_up_room_id_gives_way_to_a_given_one() -> None:
         (scene(room(piece(id="a"), decorations=[piece(id="a")])), "rooms[0].decorations[0].id"),
         (scene(room(piece(id="a")), dynamic=[{"id": "a"}]), "dynamic[0].id"),
         (scene(room(id="a"), room(id="a")), "rooms[1].id"),
+        (scene(room(openings=[{"id": "a", "wall": "north"}, {"id": "a", "wall": "south"}])), "rooms[0].openings[1].id"),
     ],
 )
 def test_ids_given_twice_are_refused(document: dict[str, Any], field: str) -> None:
     error = refused(document)
     assert error.field == field
     assert "'a'" in error.problem
+
+
+def test_levels_of_one_index_are_refused() -> None:
+    error = refused(scene(room(), levels=[{"index": 0}, {"index": 1}, {"index": 0}]))
+    assert (error.field, error.problem) == ("levels[2].index", "is 0, which another level has too")
+
+
+def test_a_room_alone_names_its_own_field_where_an_id_is_given_twice() -> None:
+    with pytest.raises(FieldError) as wrong:
+        read(PlaceBody, {"room": room(piece(id="a"), piece(id="a")), "pieces": []})
+    assert wrong.value.field == "room.furniture[1].id"
 
 
 def test_both_rooms_of_a_door_list_it_under_one_id() -> None:

@@ -33,6 +33,7 @@ BEYOND_A_SCHEMA = (
     "encloses nothing",
     "the same corner",
     "which another one has too",  # ids
+    "which another level has too",
     "is given twice",
     "nothing in the scene has the id",
     "nothing is called",  # what a relation is to
