@@ -60,7 +60,8 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
         if len(verdicts) == 1 or _helps_to_leave_all(goal, verdicts):
             verdicts = verdicts if settings.remove else _by_itself(replace(goal, budget=Budget(work / WALKING_SHARE)), verdicts)
             offered = [_offered(goal, one, verdicts) for one in verdicts]
-    return tuple(Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True))
+    told = [Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True)]
+    return tuple(one for k, one in enumerate(told) if one not in told[:k])  # of two pieces the reason may be the same
 
 
 def _leaving(one: _Verdict) -> Repair:

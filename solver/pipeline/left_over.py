@@ -18,6 +18,8 @@ from solver.validator import Checked
 WAYS_IN = ("door", "passage", "garage_door")
 """Openings that lead into a room."""
 
+WAITING = " as long as other conflicts last: "
+"""What is said of a body whose error may end with other conflicts, between what it is and why."""
 LEAVING_WORK = 200_000.0
 """Work that judging the house without one body and another may cost, in QPs of a small room, also where a call's searches spent theirs."""
 
@@ -29,7 +31,23 @@ def unexplained(house: Checked, conflicts: Sequence[Conflict], settings: RepairS
     in the room, or elsewhere in the house; nor of what only somebody without a free place keeps out of reach.
     """
     left = _LeftOver(house, conflicts, settings, Budget(LEAVING_WORK, is_known=True))
-    return tuple(conflict for issue in _each_reason_once(house) if (conflict := left.named(issue)) is not None)
+    named = [(issue.room, conflict) for issue in _each_reason_once(house) if (conflict := left.named(issue)) is not None]
+    return _waiting_together(named)
+
+
+def _waiting_together(named: Sequence[tuple[str | None, Conflict]]) -> tuple[Conflict, ...]:
+    """Returns conflicts, those of a room that last as long as others do, and are helped alike, as one that names all bodies."""
+    told: dict[tuple[object, ...], list[Conflict]] = {}
+    for number, (room, conflict) in enumerate(named):
+        words, waits, _ = conflict.message.partition(WAITING)
+        told.setdefault((room, words, str(conflict.repairs)) if waits else (number,), []).append(conflict)
+    return tuple(_of_all(alike) if len(alike) > 1 else alike[0] for alike in told.values())
+
+
+def _of_all(conflicts: Sequence[Conflict]) -> Conflict:
+    ids = tuple(dict.fromkeys(label for one in conflicts for label in one.ids))
+    words = conflicts[0].message.partition(WAITING)[0]
+    return replace(conflicts[0], ids=ids, message=f"{words}{WAITING}{', '.join(ids)}")
 
 
 def _each_reason_once(house: Checked) -> list[Issue]:
@@ -67,7 +85,7 @@ class _LeftOver:
         if here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
             self._waiting.update(issue.ids)
             missing = "out of reach" if issue.rule == "unreachable" else "no repair"
-            words = f"not found: {missing} as long as other conflicts last: {issue.message}"
+            words = f"not found: {missing}{WAITING}{issue.message}"
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
         helping = [one for one in issue.ids if self._is_due_to(one, issue)] if all(conflict.repairs for conflict in here) else ()
         return Conflict(issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in helping))

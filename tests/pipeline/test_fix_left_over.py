@@ -209,6 +209,21 @@ def test_what_is_taken_out_is_no_more_than_must() -> None:
     assert errors(fixed.scene) == []
 
 
+def test_what_waits_for_the_same_conflicts_is_named_in_one_sentence_and_no_conflict_twice() -> None:
+    """Two locked crates that share floor shut the back of a room off."""
+    door = Opening("front", "door", "south", 2.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
+    crates = [body(f"crate_{k}", 2.0, z, (width, 0.5, 0.8), locked=True) for k, z, width in ((1, 2.3, 4.0), (2, 2.4, 1.0))]
+    back = [body("bookshelf_1", 0.5, 0.2, (0.8, 0.3, 1.8), wall="north"), body("sofa_1", 2.2, 0.5, (1.8, 0.9, 0.8)),
+            body("wardrobe_1", 3.6, 0.5, (0.6, 0.6, 2.0))]  # fmt: skip
+    fixed = fix(room_of(*crates, *back, width=4.0, depth=4.0, openings=(door,)))
+    told = [(conflict.ids, conflict.message) for conflict in fixed.conflicts]
+    assert len(told) == len(set(told))
+    (waiting,) = [conflict for conflict in fixed.conflicts if "as long as other conflicts last" in conflict.message]
+    assert waiting.message == "not found: out of reach as long as other conflicts last: room_0/bookshelf_1, room_0/wardrobe_1"
+    assert is_told(waiting.message)
+    assert waiting.ids == ("room_0/bookshelf_1", "room_0/wardrobe_1")
+
+
 def test_what_comes_back_has_its_place_found_step_by_step_as_in_a_repair() -> None:
     """A dining room made 1.67 m narrow: with the sideboard out, a chair found its way only from where the others had gone."""
     size = (0.46, 0.5, 0.9)
