@@ -134,9 +134,8 @@ class Carrying:
         return [top, *(CarryingSurface(one.height, is_top=False) for found in known.values() for one in found)]
 
     def _insides_of(self, kind: str | None, sort: str, size: KindSize) -> list[CarryingSurface]:
-        """Returns the boards and drawers inside a piece that is as large as its kind."""
-        spec = self._furniture.get(kind or "") if sort == "furniture" else None
-        if spec is None or size != spec.size:
+        """Returns the boards and drawers inside a piece, as its kind's shape has them at that size."""
+        if sort != "furniture" or kind not in self._furniture:
             return []
         x, z = size[0] / 2, size[1] / 2
         return [

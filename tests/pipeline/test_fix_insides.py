@@ -132,6 +132,27 @@ def test_what_the_ceiling_lets_lie_nowhere_stays_and_is_named() -> None:
     assert "floats" in fixed.conflicts[0].message
 
 
+@pytest.mark.parametrize("by", [0.2, -0.2])
+def test_a_cabinet_made_wider_or_narrower_keeps_what_is_inside(by: float) -> None:
+    coats = 0
+    for seed in SEEDS:
+        made = home(seed)
+        for room in made.rooms:
+            for piece in room.furniture:
+                if piece.name != "wardrobe":
+                    continue
+                other = replace(piece, width=round(piece.width + by, 2), kind=None)
+                furniture = tuple(other if one is piece else one for one in room.furniture)
+                sent = Scene(wall_thickness=made.wall_thickness, rooms=(replace(room, furniture=furniture),))
+                fixed = fix(sent)
+                assert "floating" not in {issue.rule for issue in fixed.issues}, (seed, piece.id)
+                (now,) = [one for one in fixed.scene.rooms[0].furniture if one.id == piece.id]
+                inside = [thing for thing in fixed.scene.rooms[0].decorations if thing.parent == piece.id and "clothes" in thing.name]
+                assert all(now.y < thing.y < thing.y + thing.height <= now.y + now.height for thing in inside)
+                coats += len(inside)
+    assert coats > 5
+
+
 @pytest.mark.parametrize("by", [0.02, -0.02])
 @pytest.mark.parametrize("seed", SEEDS)
 def test_things_that_float_inside_come_to_lie_inside(seed: int, by: float) -> None:
