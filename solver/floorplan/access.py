@@ -157,7 +157,7 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
     """
     lengths = {
         (i, wall): max(high - low for low, high in stretches)
-        for i, exposed in enumerate(layout.exposed)
+        for i, exposed in enumerate(layout.openable)
         for wall, stretches in exposed.items()
     }
     least = layout.walls.door_wall

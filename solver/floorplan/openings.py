@@ -127,12 +127,12 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
     wishes: list[bytes] = []
     kinds = {name: _kind_numbers(name, house, walls, wishes) for name in dict.fromkeys(house.types)}
     stretches = [
-        (room, WALL_NUMBERS[wall], *one) for room, outside in enumerate(layout.exposed) for wall, free in outside.items() for one in free
+        (room, WALL_NUMBERS[wall], *one) for room, outside in enumerate(layout.openable) for wall, free in outside.items() for one in free
     ]
     rooms, first = [], 0
     for room, rect in enumerate(house.rects):
         traits, cars, *kept = kinds[house.types[room]]
-        count = sum(len(free) for free in layout.exposed[room].values())
+        count = sum(len(free) for free in layout.openable[room].values())
         rooms.append(_ROOM.pack(*rect, traits, cars, *kept, first, count))
         first += count
     widths = [max(walls.leaf, to_mm(profile.leaf(main))) if profile else walls.leaf for main in (False, True)]

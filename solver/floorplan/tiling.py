@@ -1,7 +1,7 @@
 """What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside."""
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Final, NamedTuple
@@ -116,6 +116,18 @@ class Layout:
         """What of its walls lies outside, by room: walls in the order of WALLS, those without such a stretch left out."""
         return exposures(self)
 
+    @cached_property
+    def openable(self) -> tuple[Mapping[str, Stretches], ...]:
+        """What of `exposed` openings may stand in: outer walls that are thicker than inner ones cover what they come forward beside."""
+        by = self.walls.outer - self.walls.thickness
+        if by <= 0:
+            return self.exposed
+        found = []
+        for rect, exposed in zip(self.rooms, self.exposed, strict=True):
+            free = {wall: tuple(_beside_corners(self.rooms, rect, wall, stretches, by)) for wall, stretches in exposed.items()}
+            found.append({wall: stretches for wall, stretches in free.items() if stretches})
+        return tuple(found)
+
     @property
     def spine(self) -> bool:
         """Tells whether the house has a hallway spine."""
@@ -138,6 +150,22 @@ def exposures(layout: Layout) -> tuple[Mapping[str, Stretches], ...]:
         free = {wall: tuple(gaps_between(rect.along(wall), covered[i, wall])) for wall in WALLS}
         found.append({wall: stretches for wall, stretches in free.items() if stretches})
     return tuple(found)
+
+
+def _beside_corners(rooms: Sequence[Rect], rect: Rect, wall: str, stretches: Stretches, by: int) -> Iterator[tuple[int, int]]:
+    """Yields stretches of a wall, each so much shorter at an end where another room comes forward, beyond the wall's line."""
+    ahead = [room.along(wall) for room in rooms if _comes_forward(room, rect.line(wall), wall)]
+    for low, high in stretches:
+        first = low + by * any(end == low for _, end in ahead)
+        last = high - by * any(start == high for start, _ in ahead)
+        if first < last:
+            yield first, last
+
+
+def _comes_forward(room: Rect, line: int, wall: str) -> bool:
+    """Tells whether a room lies at a line and reaches beyond it, outwards as seen from a wall on it."""
+    far, near = room.line(wall), room.line(OPPOSITE[wall])
+    return far < line <= near if wall in ("north", "west") else near <= line < far
 
 
 def touching(rooms: Sequence[Rect]) -> list[tuple[int, int, str, int, int]]:

@@ -106,6 +106,34 @@ def test_homes_between_thick_walls_are_sound(name: str, walls: tuple[float, floa
             assert thick == (outside if outer != inner and not room.outdoor else set()), room.id
 
 
+def behind_walls(rooms: Sequence[Room], inner: float, outer: float) -> Iterator[str]:
+    """Openings to outside before which an outer wall of a room stands that comes forward beside them."""
+    face = outer - inner / 2
+    indoors = [(room.x - face, room.z - face, room.x + room.width + face, room.z + room.depth + face) for room in rooms if not room.outdoor]
+    for room in (one for one in rooms if not one.outdoor):
+        for opening in (one for one in room.openings if one.connects_to == "EXTERIOR"):
+            along, size = (room.x, room.width) if opening.wall in ("north", "south") else (room.z, room.depth)
+            line = {"north": room.z, "south": room.z + room.depth, "west": room.x, "east": room.x + room.width}[str(opening.wall)]
+            across = line + (face + 0.02) * (-1 if opening.wall in ("north", "west") else 1)
+            low, high = along + opening.position - opening.width / 2, along + opening.position + opening.width / 2
+            assert along < low < high < along + size
+            for x0, z0, x1, z1 in indoors:
+                first, last, near, far = (x0, x1, z0, z1) if opening.wall in ("north", "south") else (z0, z1, x0, x1)
+                if near < across < far and min(high, last) - max(low, first) > 1e-6:
+                    yield f"{opening.id} of {room.id}"
+
+
+@pytest.mark.parametrize("outline", ["L", "T", "U"])
+@pytest.mark.parametrize("walls", [(0.08, 0.42), (0.15, 0.36)])
+def test_nothing_opens_behind_a_wall_around_an_inner_corner(outline: str, walls: tuple[float, float]) -> None:
+    inner, outer = walls
+    for seed, name in product(seeds(range(960, 990), 12), ("family", "one_bed")):
+        plan = draw(Request(seed=seed, wall_thickness=inner, outer_wall_thickness=outer, program=name, outline=outline), KNOWN)
+        assert list(behind_walls(plan.rooms, inner, outer)) == []
+        habitable = [room for room in plan.rooms if room.type in ("bedroom", "bedroom_master", "kids_bedroom", "living_room")]
+        assert all(any(one.kind == "window" for one in room.openings) for room in habitable)
+
+
 @pytest.mark.parametrize(
     ("name", "walls"),
     [

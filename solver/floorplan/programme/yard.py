@@ -144,9 +144,9 @@ def _suits(home: PlannedHome, offer: _Offer, catalogs: Catalogs) -> bool:
     least = BACKYARD_MM * YARD_MM
     if any(rect.width * rect.depth < least for rect, name in zip(offer.rects, offer.names, strict=True) if name == BACKYARD):
         return False
-    after = replace(home.layout, rooms=(*rooms, *offer.rects)).exposed
+    after = replace(home.layout, rooms=(*rooms, *offer.rects)).openable
     habitable = [i for i, name in enumerate(home.types) if catalogs.rooms[name].plan.habitable]
-    return all(_is_lit(after[i]) or not _is_lit(home.layout.exposed[i]) for i in habitable)
+    return all(_is_lit(after[i]) or not _is_lit(home.layout.openable[i]) for i in habitable)
 
 
 def _is_lit(exposed: Mapping[str, Stretches]) -> bool:
