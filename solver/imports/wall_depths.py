@@ -41,14 +41,14 @@ class WallDepths:
     """
 
     def __init__(self, walls: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]] = ()) -> None:
-        bands: dict[tuple[int, str], list[tuple[float, float, float, float]]] = defaultdict(list)
+        bands: dict[tuple[int, str], dict[tuple[float, float, float, float], None]] = defaultdict(dict)  # drawn twice it covers no more
         for wall in walls:
             run = abs(wall.end[0] - wall.start[0]), abs(wall.end[1] - wall.start[1])
             along = 0 if run[0] >= run[1] else 1
             if THINNEST <= wall.thickness <= THICKEST and run[along] > 0 and run[1 - along] <= STRAIGHT * run[along]:
                 low, high = sorted((wall.start[along], wall.end[along]))
-                bands[wall.level, "xz"[along]].append((low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness))
-        self._bands = {key: np.array(found).T for key, found in bands.items()}
+                bands[wall.level, "xz"[along]][low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness] = None
+        self._bands = {key: np.array(list(found)).T for key, found in bands.items()}
         self._alike = {key: np.unique(np.rint(found[2:]), axis=1, return_inverse=True)[1].ravel() for key, found in self._bands.items()}
         """Which pieces lie in one line and are as thick."""
         lines = [line for a, b in faces if (line := line_between(a, b))]

@@ -13,6 +13,9 @@ import pytest
 from compose_homes import Request, generate, load, validate
 from solver import export
 from solver.imported import PlanImport
+from solver.imports.drawn import DrawnWall
+from solver.imports.rectilinear import PlanEdge
+from solver.imports.wall_depths import WallDepths
 from solver.scene import Room, Scene
 from tests.exports.test_page_agrees import THICK_WALLS
 from tests.imports.plans import box, collection, line, piece, polygon, read
@@ -218,3 +221,10 @@ def test_a_stub_of_a_thin_wall_within_a_room_keeps_its_other_walls_where_they_ar
     assert living.outline is not None and len(living.outline) == 8
     stub = [x for x, z in living.outline if z == pytest.approx(2.0)]
     assert len(stub) == 2 and all(abs(x - 2.09) <= 0.002 for x in stub)
+
+
+@pytest.mark.parametrize("times", [1, 2, 3])
+def test_what_is_drawn_more_than_once_covers_no_more_of_an_edge(times: int) -> None:
+    jamb = [DrawnWall((14300.0, 8300.0), (14400.0, 8300.0), 100.0, f"shape {number}") for number in range(times)]
+    edge = PlanEdge(room=0, side=2, axis="x", at=8350, low=14350, high=19350, out=1)
+    assert WallDepths(jamb).face(edge, 0) is None
