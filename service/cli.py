@@ -146,23 +146,19 @@ def _add_scene(command: ArgumentParser) -> None:
     command.add_argument("scene", nargs="?", default="-", metavar="SCENE", help="a scene, YAML or JSON (standard input)")
 
 
-def _add_request(command: ArgumentParser) -> None:
+def _add_request(command: ArgumentParser, seed: str, decorated: str) -> None:
     """Adds the request file and an option for each field of `Request`, under the field's name."""
     command.add_argument("request", nargs="?", metavar="REQUEST", help="a request, YAML or JSON; - for standard input")
-    _add_request_keys(command)
+    _add_request_keys(command, seed, decorated)
 
 
-def _add_request_keys(command: ArgumentParser) -> None:
+def _add_request_keys(command: ArgumentParser, seed: str, decorated: str) -> None:
+    """Adds an option for each field of `Request`; the words say what the seed is to the command, and if homes are decorated unasked."""
     add = command.add_argument
-    add("--seed", type=int, metavar="N", help="0 ... 2^53-1; drawn when there is none, with --count 0")
+    add("--seed", type=int, metavar="N", help=seed)
     add("--program", type=program, metavar="PRESET|WORD=N,...", help="the rooms of a home: family; bedrooms=3,bathrooms=2")
     add("--area", type=float, metavar="N", help="of the house's floor, m2: a home is planned for it")
-    add(
-        "--outline",
-        type=outline,
-        metavar="WHICH",
-        help="of a planned home: rectangle, L, T, U or any (any); or corners: x,z x,z ...",
-    )
+    add("--outline", type=outline, metavar="WHICH", help="of a planned home: rectangle, L, T, U or any (any); or corners: x,z x,z ...")
     add("--width", type=float, metavar="N", help="of the house, m (20, or what the programme needs)")
     add("--depth", type=float, metavar="N", help="of the house, m (15, or what the programme needs)")
     add("--style", metavar="NAME", help="the style of the house")
@@ -176,13 +172,13 @@ def _add_request_keys(command: ArgumentParser) -> None:
     switch = partial(add, action=BooleanOptionalAction)
     switch("--use-spine", help="a hallway through the house (on)")
     switch("--outdoor", help="turn rooms at the outside into a backyard and a patio (off)")
-    switch("--decorate", help="decorate surfaces, walls and floors (off)")
+    switch("--decorate", help=f"decorate surfaces, walls and floors ({decorated})")
     switch("--people", help="people and pets, as the catalogs say (on)")
 
 
 def _add_generate(commands: Commands) -> None:
     command = _command(commands, "generate", "Make a furnished house; options win over the request file.")
-    _add_request(command)
+    _add_request(command, "0 ... 2^53-1 (drawn; with --count the first one's, 0)", "off")
     command.add_argument("-n", "--count", type=_COUNT, metavar="N", help="make N houses of successive seeds into the folder -o")
     _add_workers(command)
     _add_engine(command)
@@ -316,7 +312,7 @@ def _add_assets(commands: Commands) -> None:
 def _add_stats(commands: Commands) -> None:
     words = "Make many houses and say what they are like; --seed is the first one's (0), and they are decorated if nothing else is said."
     command = _command(commands, "stats", words)
-    _add_request(command)
+    _add_request(command, "of the first house, 0 ... 2^53-1 (0)", "on")
     command.add_argument("-n", "--count", type=_COUNT, default=100, metavar="N", help="how many houses (100)")
     command.add_argument("--presets", action="store_true", help="as many of each preset, side by side")
     _add_workers(command)
@@ -336,7 +332,7 @@ def _add_dataset(commands: Commands) -> None:
     words = "json (default), and formats of export; of make: yaml or json (by the output's name, else json)"
     add("-f", "--format", "--formats", dest="formats", type=_listed(formats), metavar="F,...", help=words)
     add("--request", metavar="FILE", help="a request, YAML or JSON; options win over it")
-    _add_request_keys(command)
+    _add_request_keys(command, "of make: the home's", "on")
     add("--vary", metavar="FILE", help="how requests differ: weights by key, YAML or JSON (docs/datasets.md)")
     add("--shard-size", type=_whole(1, 100_000), default=250, metavar="N", help="homes that are made and written together (250)")
     _add_workers(command)

@@ -70,7 +70,7 @@ def format_of_foreign(name: str, content: bytes) -> str | None:
     """Returns the format of a file that is a floor plan of another program; None where it is none."""
     from solver.pipeline.import_plan import plan_format  # noqa: PLC0415 - that is much to load for a scene
 
-    return plan_format("" if name == STREAM else name, content)
+    return checked(name, lambda: plan_format("" if name == STREAM else name, content))
 
 
 MOST_TOLD: Final = 6

@@ -120,7 +120,12 @@ def _moved(far: float, rotation: float, drawn: float, broken: str | None) -> str
 
 
 def plan_format(name: str, content: bytes) -> str | None:
-    """Returns the format of the file of another program's floor plan; None where it is none, or cannot be told."""
+    """Returns the format of the file of another program's floor plan; None where it is none, or cannot be told.
+
+    Raises:
+        SyntaxFault: it is of a sort that people have plans in and that is not read (PDF, DWG, a picture), or compressed and broken.
+    """
+    content = unpacked(content)
     try:
         return format_of_plan(_file(name, content))
     except (FieldError, SyntaxFault):

@@ -247,6 +247,24 @@ def test_a_file_in_which_people_have_plans_and_which_is_not_read_says_what_helps
 ) -> None:
     (tmp_path / "plan").write_bytes(start)
     assert f"plan: file: {words}" in refused(capfdbinary, "import", str(tmp_path / "plan"))
+    for command in ("furnish", "validate", "export"):
+        assert f"plan: {words}" in refused(capfdbinary, command, str(tmp_path / "plan"))
+
+
+@pytest.mark.parametrize(
+    ("command", "seed", "decorated"),
+    [
+        ("generate", "0 ... 2^53-1 (drawn; with --count the first one's, 0)", "off"),
+        ("stats", "of the first house, 0 ... 2^53-1 (0)", "on"),
+        ("dataset", "of make: the home's", "on"),
+    ],
+)
+def test_help_says_what_a_command_takes_where_nothing_is_said(capfdbinary: Captured, command: str, seed: str, decorated: str) -> None:
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    told = " ".join(capfdbinary.readouterr().out.decode().split())
+    assert f"--seed N {seed} " in told
+    assert f"--no-decorate decorate surfaces, walls and floors ({decorated})" in told
 
 
 def test_broken_yaml_names_its_line(tmp_path: Path, capfdbinary: Captured) -> None:
