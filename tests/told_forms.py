@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 from typing import Final
 
@@ -39,12 +40,16 @@ def _pattern(english: str) -> re.Pattern[str]:
 
 
 NAMES: Final = {name.replace("_", " ") for name in _table("names.de.json")} | set(_table("names.de.json")) | set(_table("de.json"))
-FORMS: Final = [_pattern(english) for english in sorted(_table("told.de.json"), key=_order, reverse=True)]
+
+
+@cache
+def _forms() -> list[re.Pattern[str]]:
+    return [_pattern(english) for english in sorted(_table("told.de.json"), key=_order, reverse=True)]
 
 
 def has_form(said: str) -> bool:
     """Tells whether a sentence is in one of the table's forms, and so is every sentence within it."""
-    for form in FORMS:
+    for form in _forms():
         found = form.fullmatch(said)
         if found and all(has_form(inner) or hole == "whys" for hole, inner in found.groupdict().items() if hole in SENTENCES):
             return True
@@ -55,7 +60,7 @@ def is_told(said: str, depth: int = 0) -> bool:
     """Tells whether no English word is left where a text is said in its first form, and what is in the holes in turn."""
     if said in NAMES or LISTED.fullmatch(said) or NO_WORDS.sub("", said) == "":
         return True
-    for form in FORMS:
+    for form in _forms():
         found = form.fullmatch(said)
         if found:
             return depth < DEEPEST and all(hole in FOREIGN or is_told(inner, depth + 1) for hole, inner in found.groupdict().items())
