@@ -148,13 +148,14 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
     is tried.
     """
     members, walk = _fewest(task, pieces, missing.label, budget)
-    related, held = task.listing.space, pieces
+    related, held, bound = task.listing.space, pieces, _bound(task.requests)
     if members and missing.label not in members:  # those stand in the answer: not every place where a relation holds is tried
         task = asked([replace(one, relations=()) for one in task.requests])
         pieces = [piece for piece in task.pieces if piece.label in {one.label for one in held}]
         members, walk = _fewest(task, pieces, missing.label, budget)
         if missing.label not in (members or ()):
-            return Conflict((missing.label,), _not_held(_sized(task, missing)), (_leaving_out(missing.label),))
+            sized = _sized(task, missing)
+            return Conflict((missing.label,), _not_held(sized) if bound else at_limit(sized, False), (_leaving_out(missing.label),))
     if members is None:
         return Conflict((missing.label,), at_limit(_sized(task, missing), walk), (_leaving_out(missing.label),) * walk)
     by_label = {piece.label: piece for piece in pieces}
