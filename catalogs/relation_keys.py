@@ -7,7 +7,7 @@ from typing import Final
 
 from catalogs.schema import RelationSpec
 
-OPENINGS: Final = ("door", "garage_door", "window")
+OPENINGS: Final = ("door", "garage_door", "window", "front_door")
 """What `of` may name besides pieces."""
 EVERY: Final = ("type", "of", "required", "cost", "weight")
 KEYS: Final[dict[str, tuple[str, ...]]] = {

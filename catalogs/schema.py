@@ -75,7 +75,7 @@ class RelationSpec(Entry):
 
     Args:
         type: the relation.
-        of: other pieces by their names, any of them will do; or an opening: door, garage_door, window.
+        of: other pieces by their names, any of them will do; or an opening: door, garage_door, window, front_door.
         required: whether it has to hold.
         cost: what it costs to do without it.
         weight: how much it pulls towards it, per m2.

@@ -54,7 +54,8 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
 def _opened(opening: Opening, line: WallLine) -> Opened:
     """Returns an opening as the relations see it, in a stretch of wall line."""
     centre, half = line[2] + to_mm(opening.position), to_mm(opening.width) // 2
-    return Opened(opening.kind, line[0], (centre - half, centre + half), line[1])
+    kind = "front_door" if opening.main_entrance else opening.kind
+    return Opened(kind, line[0], (centre - half, centre + half), line[1])
 
 
 def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:

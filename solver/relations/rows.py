@@ -20,7 +20,7 @@ WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
 WALL: Final[dict[str | None, int]] = {None: -1, **{wall: i for i, wall in enumerate(WALLS)}}
 _ALIGNS: Final = (None, "back", "centre", "front", "any")
 _OPENED: Final = Struct("<2i3q")
-_OPENING: Final = {"door": 0, "garage_door": 1, "window": 2, "passage": 3}
+_OPENING: Final = {name: i for i, name in enumerate((*OPENINGS, "passage"))}
 RULE, NAME, LEVEL, PART = "<12i3q2d", "<2i", "<3q", "<6q"
 """How their rows lie."""
 

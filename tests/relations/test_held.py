@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from catalogs.schema import RelationSpec
@@ -12,6 +12,7 @@ from solver.scene import Furniture, Opening, Room
 from tests.every import every
 
 DOOR = Opening("door_1", "door", "south", 2.0, 0.9)
+FRONT_DOOR = Opening("door_0", "door", "east", 1.0, 0.9, main_entrance=True)
 WINDOW = Opening("window_1", "window", "north", 2.0, 1.4, 1.2, 0.9)
 NEAR_DOOR, FAR_DOOR = {"distance": 1.0}, {"distance": 1.0}
 
@@ -25,7 +26,11 @@ def verdict(rule: dict[str, Any], own: Pose, other: Pose | None = None, **more: 
     if other is not None:
         x, z, rotation = other
         bodies.append(Furniture("it", "table", x=x, z=z, rotation=rotation, width=1.6, depth=0.8, height=0.7))
-    room = Room("r", width=4.0, depth=4.0, openings=(DOOR, WINDOW), furniture=tuple(bodies))
+    return _stands(rule, bodies, (DOOR, WINDOW))
+
+
+def _stands(rule: dict[str, Any], bodies: Sequence[Furniture], openings: tuple[Opening, ...]) -> bool:
+    room = Room("r", width=4.0, depth=4.0, openings=openings, furniture=tuple(bodies))
     names = {"own": ("own",), "it": ("it",)}
     holds, _ = held(finished(room, names), "own", RelationSpec.model_validate(rule))
     return holds
@@ -82,6 +87,14 @@ def test_on_asks_for_the_surface_and_for_being_over_it() -> None:
     assert not verdict(rule, (2.0, 2.0, 0), IT, y=0.6, on="it")
     assert not verdict(rule, (2.9, 2.0, 0), IT, y=0.7, on="it")
     assert not verdict(rule, (2.0, 2.0, 0), IT, y=0.7)
+
+
+def test_the_front_door_is_a_door_and_no_other_one_is_it() -> None:
+    """A box of 0.6 x 0.4 m, its right edge 1 m from the middle of the front door, then 1 mm farther; the other door is far from both."""
+    near, farther = (Furniture("own", "box", x=x, z=1.0, width=0.6, depth=0.4, height=0.5) for x in (2.7, 2.699))
+    for of, doors, holds in (("front_door", (DOOR, FRONT_DOOR), True), ("door", (DOOR, FRONT_DOOR), True), ("front_door", (DOOR,), False)):
+        rule = {"type": "near", "of": of, "distance": 1.0}
+        assert [_stands(rule, [box], doors) for box in (near, farther)] == [holds, False]
 
 
 def test_what_is_not_there_holds_nothing_but_distance() -> None:

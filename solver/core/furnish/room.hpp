@@ -43,9 +43,9 @@ struct Scope {
   Span<Opened> openings;
   Span<Zone> zones;
 
-  // Passages are doors here.
+  // Passages are doors here, and so is the front door.
   static bool is(const Opened& one, Opening kind) {
-    return one.kind == kind || (kind == Opening::door && one.kind == Opening::passage);
+    return one.kind == kind || (kind == Opening::door && (one.kind == Opening::passage || one.kind == Opening::front_door));
   }
   bool has(Opening kind) const {
     for (const Opened& one : openings) {

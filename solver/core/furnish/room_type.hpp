@@ -12,7 +12,7 @@ enum class Word : i32 {
   aligned_with, centred, in_row, at_window, near_door, far_from_door, on, under, COUNT,
 };
 
-enum class Opening : i32 { none = -1, door = 0, garage_door = 1, window = 2, passage = 3 };
+enum class Opening : i32 { none = -1, door = 0, garage_door = 1, window = 2, front_door = 3, passage = 4 };
 
 // What a wall has, as `walls` of against_wall prices it.
 enum class Sort : i32 { door = 0, window = 1, exterior = 2, plain = 3, shorter = 4, longer = 5, across = 6 };

@@ -8,8 +8,9 @@ from solver.relations.subject import Scope
 
 
 def opened(scope: Scope, *kinds: str) -> list[Opened]:
-    """Returns the room's openings of some kinds; passages are doors here."""
-    return [one for kind in kinds for one in scope.openings if one.kind == kind or (kind == "door" and one.kind == "passage")]
+    """Returns the room's openings of some kinds; passages are doors here, and so is the front door."""
+    alike = {"door": ("door", "passage", "front_door")}
+    return [one for kind in kinds for one in scope.openings if one.kind in alike.get(kind, (kind,))]
 
 
 def middle_of(one: Opened) -> tuple[int, int]:
