@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import product
-
 import pytest
 
 from catalogs import Catalogs, load_catalogs
@@ -59,16 +56,45 @@ def longest(room: Room, depth: int) -> int:
     return best
 
 
-def rooms_to_sleep_in(catalogs: Catalogs) -> Iterator[Room]:
-    for program, seed in product(("family", "one_bed"), range(310, 316)):
-        yield from (room for room in draw(Request(seed=seed, program=program), catalogs).rooms if room.type == "bedroom_master")
+@pytest.mark.parametrize(
+    ("program", "kind", "depth", "length", "more"),
+    [("family", "bedroom_master", 2100, 2800, 2), ("studio", "living_room", 2100, 2800, 6), ("one_bed", "foyer", 400, 1500, 6)],
+)
+def test_a_bed_a_sofa_and_coats_find_a_whole_wall(program: str, kind: str, depth: int, length: int, more: int) -> None:
+    """A wide bed between its nightstands takes 2.8 m; where plans keep no walls, fewer rooms have such."""
+
+    def count(catalogs: Catalogs) -> int:
+        homes = (draw(Request(seed=seed, program=program), catalogs) for seed in range(310, 322))
+        return sum(longest(room, depth) >= length for home in homes for room in home.rooms if room.type == kind)
+
+    kept = count(KNOWN)
+    assert kept >= 10
+    assert count(without_keeping()) <= kept - more
 
 
-def test_a_bed_finds_a_whole_wall() -> None:
-    """A wide bed between its nightstands takes 2.4 m and more; where plans keep no walls, most of these bedrooms have none."""
-    kept, before = ([longest(room, 2100) >= 2100 for room in rooms_to_sleep_in(catalogs)] for catalogs in (KNOWN, without_keeping()))
-    assert sum(kept) >= 0.9 * len(kept)
-    assert sum(before) < sum(kept)
+@pytest.mark.parametrize(("program", "cornered"), [("family", 0.9), ("large", 0.9), (None, 0.6)])
+def test_doors_of_bedrooms_stand_near_a_corner_and_do_not_face_others(program: str | None, cornered: float) -> None:
+    near, doors, facing = 0, 0, 0
+    for seed in range(330, 345):
+        rooms = {room.id: room for room in draw(Request(seed=seed, program=program), KNOWN).rooms}
+        for room, door in ((own, one) for own in rooms.values() if "bedroom" in own.type for one in own.openings):
+            if door.kind != "door" or door.swing != "in" or rooms[door.connects_to or ""].type != "hallway":
+                continue
+            low, high = ends(door)
+            length = round((room.width if door.wall in ("north", "south") else room.depth) * 1000)
+            doors, near = doors + 1, near + (min(low, length - high) <= 500)
+            facing += any(_faces(room, door, other, rooms[door.connects_to or ""]) for other in rooms[door.connects_to or ""].openings)
+    assert doors >= 40
+    assert near >= cornered * doors
+    assert facing <= (0.1 if program else 0.4) * doors
+
+
+def _faces(room: Room, door: Opening, other: Opening, hallway: Room) -> bool:
+    """Tells whether a door or passage is straight across a hallway from a room's door, within half a metre."""
+    if other.kind not in ("door", "passage") or other.wall != door.wall:
+        return False
+    off = hallway.x - room.x if door.wall in ("north", "south") else hallway.z - room.z
+    return abs(other.position + off - door.position) < 0.499
 
 
 @pytest.mark.parametrize("program", PROGRAMS)

@@ -9,6 +9,8 @@ namespace {
 constexpr i64 WIDE_MM = 1200;       // of a passage where two hallways meet or the shared wall is long
 constexpr i64 WIDE_WALL_MM = 3000;  // shared wall from which a passage is wide: what is left takes a sofa's end
 constexpr i64 CAR_DOOR_MM = 2400;   // width of a garage door for each car
+// Doors whose middles are closer along a hallway face each other, which is as awkward as so far a way from the corner.
+constexpr i64 FACING_MM = 500, FACES_MM = 1000;
 // How many doors in a row may give way to one another in a house too small for doors in the middle of walls; places tried in all for them.
 constexpr i32 EJECTIONS = 3;
 constexpr i32 TRIES = 2000;
@@ -167,6 +169,45 @@ void place_doors(Doorways& doorways) {
     const bool placed = place_in_the_clear(doorways, shuffle, forms, joint, true, best) ||
                         place_in_the_clear(doorways, shuffle, forms, joint, false, best);
     if (!placed) doorways.add(best.placed);
+  }
+}
+
+// By how much a door stands in the way, mm: how far it is from the corner of the room that its leaf is in, and whether it faces another one
+// across the room before it.
+static i64 awkwardness(const Doorways& doorways, const Cut& cut) {
+  const House& house = doorways.house;
+  const i64 beyond = cut.leaf == cut.room ? cut.other : cut.room;
+  const Interval wall = house.rooms[cut.leaf].rect.along(cut.wall_of(cut.leaf)), ends = cut.ends();
+  i64 sum = least(ends.low - wall.low, wall.high - ends.high);
+  for (const OpeningSide& other : doorways.sides(beyond)) {
+    const bool is_across = other.cut.has_square() && other.wall == opposite(cut.wall_of(beyond));
+    if (is_across && magnitude(other.cut.centre - cut.centre) < FACING_MM) sum += FACES_MM;
+  }
+  return sum;
+}
+
+// Rooms that one does not walk through; walls where one enters the home stay as they are, for coats.
+static bool is_for_a_corner(const House& house, const Cut& cut) {
+  if (cut.kind != CutKind::door || cut.leaf == NONE || cut.other == NONE) return false;
+  if (cut.room == house.header.entrance_room || cut.other == house.header.entrance_room) return false;
+  return house.rooms[cut.leaf].has(HABITABLE) && !house.rooms[cut.leaf].has(PASSAGE);
+}
+
+void move_to_corners(Doorways& doorways) {
+  for (i32 i = 0; i < doorways.cuts().size(); i++) {
+    const Cut cut = doorways.cuts()[i];
+    const Joint* joint = is_for_a_corner(doorways.house, cut) ? doorways.house.joint_of(cut) : nullptr;
+    if (joint == nullptr) continue;
+    const f64 score = doorways.score(cut);
+    i64 least_awkward = awkwardness(doorways, cut);
+    Cut best = cut;
+    any_place(doorways.house.header, cut.width, joint->over, [&](i64 centre) {
+      const Cut moved = cut.at(centre);
+      const i64 awkward = awkwardness(doorways, moved);
+      if (awkward < least_awkward && doorways.score(moved) <= score) best = moved, least_awkward = awkward;
+      return false;
+    });
+    doorways.replace(cut, best);
   }
 }
 

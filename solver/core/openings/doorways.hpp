@@ -76,6 +76,8 @@ template <class Use> void each_room(const Cut& cut, Use use) {
 
 void place_entrance(Doorways& doorways);
 void place_doors(Doorways& doorways);
+// Moves doors of bedrooms and their like to a corner of theirs, so that their walls stay whole, and from where they face others.
+void move_to_corners(Doorways& doorways);
 void place_garage_doors(Doorways& doorways);
 // Gives every outside stretch of wall of a room that has no window yet one, or two where it is long.
 void place_windows(Doorways& doorways);

@@ -74,6 +74,7 @@ Bytes open_walls(Bytes sent) {
   Doorways doorways(house);
   place_entrance(doorways);
   place_doors(doorways);
+  move_to_corners(doorways);
   place_garage_doors(doorways);
   place_windows(doorways);
   keep_walls(doorways);

@@ -8,6 +8,7 @@ where the walls allow.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import takewhile
 from math import inf
 from typing import Final, NamedTuple
@@ -36,6 +37,10 @@ TRIES: Final = 2000
 """Places tried in all for them: a count, so that the same request always ends the same way."""
 SHIFTED: Final = 0.5
 """Score of a place other than the middle."""
+FACING_MM: Final = 500
+"""Doors whose middles are closer along a hallway face each other."""
+FACES_MM: Final = 1000
+"""So far a way from the corner is as awkward as that."""
 
 
 class Cut(NamedTuple):
@@ -242,6 +247,33 @@ def place_doors(doorways: Doorways, tree: Sequence[tuple[Joint, int]]) -> None:
                 break
         else:
             doorways.add(min(offers, key=lambda offer: offer[0])[1])
+
+
+def move_to_corners(doorways: Doorways, tree: Sequence[tuple[Joint, int]], entrance: int) -> None:
+    """Moves doors of habitable rooms that are no passages to a corner of theirs, but for those into the room where one enters."""
+    stretches = {(joint.a, joint.b): (joint.low, joint.high) for joint, _ in tree}
+    for cut in tuple(doorways.cuts):
+        if cut.kind != "door" or cut.leaf is None or cut.other is None or entrance in cut.sides:
+            continue
+        plan = doorways.plan_of(cut.leaf).plan
+        if not plan.habitable or plan.passage:
+            continue
+        moved = (cut.at(centre) for centre in places(cut.width, stretches[cut.room, cut.other], doorways.layout.walls))
+        free = [one for one in moved if doorways.score(one) <= doorways.score(cut)]
+        doorways.replace(cut, min((cut, *free), key=partial(_awkwardness, doorways, cut.leaf)))
+
+
+def _awkwardness(doorways: Doorways, room: int, cut: Cut) -> int:
+    """Returns how far a door is from the corner of its leaf's room, mm, and more for each other one that it faces."""
+    rect = doorways.layout.rooms[room]
+    beyond = next(side for side in cut.sides if side != room)
+    low, high = (rect.x0, rect.x1) if cut.wall in ("north", "south") else (rect.z0, rect.z1)
+    faced = [
+        side
+        for side in doorways.sides(beyond)
+        if side.wall == OPPOSITE[cut.wall_of(beyond)] and abs(side.cut.centre - cut.centre) < FACING_MM
+    ]
+    return min(cut.ends[0] - low, high - cut.ends[1]) + FACES_MM * len(faced)
 
 
 def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Iterator[Cut]:

@@ -7,7 +7,17 @@ from collections.abc import Sequence
 from solver.floorplan import openings
 from solver.floorplan.openings import OpenedHouse
 from solver.floorplan.tiling import Joint
-from tests.floorplan.reference.doors import CROWDED, STEP_MM, Cut, Doorways, place_doors, place_entrance, place_garage_doors, places
+from tests.floorplan.reference.doors import (
+    CROWDED,
+    STEP_MM,
+    Cut,
+    Doorways,
+    move_to_corners,
+    place_doors,
+    place_entrance,
+    place_garage_doors,
+    places,
+)
 from tests.floorplan.reference.kept_walls import keep_walls
 from tests.floorplan.reference.windows import make_room_for_windows, place_windows
 
@@ -17,6 +27,7 @@ def open_walls(house: OpenedHouse, tree: Sequence[tuple[Joint, int]], entrance: 
     doorways = Doorways(house.layout, house.types, house.rooms, profile=house.profile)
     place_entrance(doorways, *entrance)
     place_doors(doorways, tree)
+    move_to_corners(doorways, tree, entrance[0])
     notes = place_garage_doors(doorways)
     place_windows(doorways)
     keep_walls(doorways, tuple(joint for joint, _ in tree))
