@@ -1,11 +1,11 @@
 """Fifth step, second half: where the file draws no wall between two rooms there is a passage; and niches at doors are part of the wall."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from typing import Final
 
 from solver.geometry import gaps_between
-from solver.imports.drawn import DrawnOpening, DrawnWall, PlanNotes, Spot
+from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes
 from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 
@@ -23,19 +23,21 @@ AlongWall = tuple[int, int]
 
 
 def passages(
-    rooms: Sequence[Sequence[PlanEdge]], drawn: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]], found: Sequence[Joined],
-    notes: PlanNotes,
-) -> list[Joined]:  # fmt: skip
+    rooms: Sequence[Sequence[PlanEdge]], plan: DrawnPlan, found: Sequence[Joined], apart: Container[int], notes: PlanNotes
+) -> list[Joined]:
     """Returns passages where two rooms meet and no wall is drawn between them; none where the file draws no walls at all.
 
     Of walls of which it draws the faces alone, one is missing where some of it is there, and the gap no wider than a passage.
+    Two rooms that are `apart` have none, such as gardens that each have a door: files draw no railings, and what is there would be moved.
     """
-    walls = drawn or [DrawnWall(a, b, 0.0, "") for a, b in faces]
+    walls = plan.walls or [DrawnWall(a, b, 0.0, "") for a, b in plan.faces]
     edges = [edge for room in rooms for edge in room] if walls else []
     made: list[Joined] = []
     for edge in (one for one in edges if one.out > 0):
         for other in edges:
             if (other.axis, other.out) != (edge.axis, -edge.out) or other.room == edge.room:
+                continue
+            if edge.room in apart and other.room in apart:
                 continue
             if not 0 <= other.at - edge.at <= THICKEST_JOINED:
                 continue
@@ -46,7 +48,7 @@ def passages(
                 (one.low, one.high) for one in found if edge in one.edges or other in one.edges
             ]
             for low, high in _left(span, (part for part in taken if part)):
-                is_gap = drawn or (high - low <= WIDEST and span != (low, high))
+                is_gap = plan.walls or (high - low <= WIDEST and span != (low, high))
                 if high - low >= NARROWEST and is_gap:
                     walls_of = tuple(sorted((edge, other), key=lambda one: one.room))
                     made.append(Joined(_drawn(edge, low, high), low, high, walls_of, None, None))

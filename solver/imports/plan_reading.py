@@ -115,7 +115,9 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     placed = [_placed(one, rooms) for one in plan.openings]
     openings = told_apart(joined(placed, edges, levels, thickness // 2, notes), rooms, catalogs, notes)
     openings = with_glass(openings, rooms, notes)
-    openings += passages(edges, plan.walls, plan.faces, openings, notes)
+    entered = {edge.room for one in openings if one.drawn.kind != "window" for edge in one.edges}
+    gardens = {number for number, room in enumerate(rooms) if room.drawn.outdoor and number in entered}
+    openings += passages(edges, plan, openings, gardens, notes)
     origin = (min(x for room in rooms for x, _ in room.corners), min(z for room in rooms for _, z in room.corners))
     made = scene_rooms(rooms, openings, origin)
     if settings.furniture:

@@ -277,6 +277,20 @@ def test_guessed_sizes_of_small_things_are_said_once_a_name() -> None:
     assert (said["of"], "of 3 of them" in str(said["message"])) == ("plan", True)
 
 
+@pytest.mark.parametrize(("door", "passages"), [(True, 0), (False, 2)])
+def test_gardens_side_by_side_have_a_passage_where_one_of_them_has_no_door(door: bool, passages: int) -> None:
+    """Nothing is drawn between garden and terrace; each has its door from the house, or the garden has none."""
+    rooms = drawn_room("Kitchen", 5, 5, 795, 295), drawn_room("Garden", 5, 305, 400, 700), drawn_room("Terrace", 400, 305, 795, 700)
+    walls = [drawn_wall(*ends) for ends in ((0, 0, 800, 0), (0, 300, 800, 300), (0, 0, 0, 300), (800, 0, 800, 300))]
+    places = ((400, 0), (600, 300), (200, 300)) if door else ((400, 0), (600, 300))
+    doors = [f"<doorOrWindow name='Door' x='{x}' y='{y}' width='91.5' depth='14.5' height='208.5'/>" for x, y in places]
+    answer = read(sweet_home(*walls, *rooms, *doors))
+    assert [room.outdoor for room in answer.scene.rooms] == [False, True, True]
+    openings = [one for room in answer.scene.rooms for one in room.openings]
+    assert sum(one.kind == "passage" for one in openings) == passages
+    assert sum(one.kind == "door" for one in openings) == (5 if door else 3)
+
+
 @pytest.mark.parametrize(("name", "more", "outdoor", "guessed"), [
     ("Balkon", {}, True, True), ("Terrasse", {}, True, True), ("Garden", {}, True, True), ("Kitchen", {}, False, False),
     ("Balcony", {"outdoor": False}, False, False), ("Balcony", {"outdoor": True}, True, False),
