@@ -188,7 +188,7 @@ class Doorways:
 
     def best_outside(self, cut: Cut) -> tuple[float, Cut]:
         """Returns the best place of an opening to the outside in its wall, the longest stretch first, with its score."""
-        stretches = sorted(self.layout.exposed[cut.room].get(cut.wall, ()), key=lambda stretch: stretch[0] - stretch[1])
+        stretches = sorted(self.layout.openable[cut.room].get(cut.wall, ()), key=lambda stretch: stretch[0] - stretch[1])
         return min((self.best(cut, stretch) for stretch in stretches), key=lambda offer: offer[0], default=(inf, cut))
 
     def best(self, cut: Cut, stretch: tuple[int, int]) -> tuple[float, Cut]:
@@ -315,7 +315,7 @@ class _Shuffle:
     def _variants(self, cut: Cut) -> Iterator[Cut]:
         """Yields an opening everywhere in its wall: as it is, with its leaf the other way, and at last without a leaf."""
         outside = cut.other is None
-        stretches = self.doorways.layout.exposed[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
+        stretches = self.doorways.layout.openable[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
         forms = [cut]
         if cut.kind == "door":
             leaves = [leaf for leaf in (cut.room, cut.other) if not (self.strict and self.doorways.swings_wrongly(leaf))]
@@ -359,7 +359,7 @@ def place_garage_doors(doorways: Doorways) -> tuple[str, ...]:
 
 
 def _garage_door(doorways: Doorways, room: int, rect: Rect) -> Cut | None:
-    walls = sorted(doorways.layout.exposed[room], key=lambda w: (w != "south", rect.along(w)[0] - rect.along(w)[1]))
+    walls = sorted(doorways.layout.openable[room], key=lambda w: (w != "south", rect.along(w)[0] - rect.along(w)[1]))
     for cars in range(cars_of(doorways.plan_of(room)), 0, -1):
         for wall in walls:
             cut = Cut(f"garage_door_{room}", "garage_door", room, wall, None, 0, CAR_DOOR_MM * cars)

@@ -115,7 +115,7 @@ class _Walls:
         if cut.other is not None:
             low, high = self.shared[min(cut.sides), max(cut.sides)]
         else:
-            stretches = self.doorways.layout.exposed[cut.room][cut.wall]
+            stretches = self.doorways.layout.openable[cut.room][cut.wall]
             low, high = next(one for one in stretches if one[0] <= cut.centre <= one[1])
         jamb = EDGE_MM if cut.kind == "window" else min(self.doorways.layout.walls.jamb, (high - low - cut.width) // 2)
         for centre in (low + jamb + cut.width // 2, high - jamb - cut.width // 2):

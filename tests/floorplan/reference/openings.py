@@ -40,7 +40,7 @@ def door_places(house: OpenedHouse, shared: Sequence[Joint], cuts: Sequence[open
     """Returns where else an opening could stand, what differs most first."""
     doorways = Doorways(house.layout, house.types, house.rooms, [_cut(cut) for cut in cuts])
     if moved.other is None:
-        stretch = next(one for one in house.layout.exposed[moved.room][moved.wall] if one[0] <= moved.centre <= one[1])
+        stretch = next(one for one in house.layout.openable[moved.room][moved.wall] if one[0] <= moved.centre <= one[1])
     else:
         stretch = next((joint.low, joint.high) for joint in shared if (joint.a, joint.b) == tuple(sorted(moved.sides)))
     centres = list(places(moved.width, stretch, house.layout.walls))

@@ -53,7 +53,7 @@ def place_windows(doorways: Doorways) -> None:
         kind = doorways.plan_of(room)
         if kind.outdoor or not kind.plan.windows or any(side.cut.kind == "window" for side in doorways.sides(room)):
             continue
-        stretches = [(wall, stretch) for wall, exposed in doorways.layout.exposed[room].items() for stretch in exposed]
+        stretches = [(wall, stretch) for wall, exposed in doorways.layout.openable[room].items() for stretch in exposed]
         two = _with_two(rect, stretches) if kind.plan.habitable else []
         wished = _wished_width(rect, stretches, len(two)) if kind.plan.habitable else pane_of(kind).width
         for wall, stretch in stretches:
@@ -75,7 +75,7 @@ def make_room_for_windows(doorways: Doorways) -> None:
         if not kind.plan.habitable or not kind.plan.windows or kind.outdoor or any(cut.kind == "window" for cut in doors):
             continue
         for cut in doors:
-            stretch = next(one for one in doorways.layout.exposed[room][cut.wall] if one[0] <= cut.centre <= one[1])
+            stretch = next(one for one in doorways.layout.openable[room][cut.wall] if one[0] <= cut.centre <= one[1])
             if any(_makes_room(doorways, cut, cut.at(centre)) for centre in places(cut.width, stretch, doorways.layout.walls)):
                 break
 
