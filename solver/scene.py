@@ -285,6 +285,7 @@ class Room(Record):
     Args:
         index: what `adjacency` and seeds call it; its place in the list by default.
         type: a room type, or any word.
+        name: what people call it, where they do.
         level: the storey it is on.
         x, z: its north-west corner in the house, m.
         width: of its wall lines' rectangle, from west to east, m.
@@ -321,6 +322,7 @@ class Room(Record):
     openings: tuple[Opening, ...] = ()
     furniture: tuple[Furniture, ...] = late(())
     decorations: tuple[Decoration, ...] = late(())
+    name: Text | None = field(default=None, metadata={OMITTED: True})
     extra: Mapping[str, object] = field(default_factory=dict)
 
     @property

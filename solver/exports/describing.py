@@ -99,6 +99,7 @@ def _floor(room: Room, plan: WallPlan, outer: tuple[float | None, ...], flooring
         paint=Paint(flooring.color, 0.9, texture=flooring.type) if flooring else PLAIN_FLOOR,
         area=round(abs(area), 6),
         outer=outer if area >= 0 else outer[::-1],
+        name=room.name,
     )
 
 

@@ -230,7 +230,8 @@ class DoorLeaf:
 class FloorPlate:
     """A room: its floor's corners (x, z) in the house, clockwise from the north-west, seen from above, m.
 
-    `outer` is how thick its outer walls are, m, by edge, where the house's thickness is not meant; none where it always is.
+    `outer` is how thick its outer walls are, m, by edge, where the house's thickness is not meant; none where it always is. `name` is what
+    people call it, where they do.
     """
 
     id: str
@@ -243,6 +244,7 @@ class FloorPlate:
     paint: Paint
     area: float
     outer: tuple[float | None, ...] = ()
+    name: str | None = None
 
 
 @dataclass(frozen=True)

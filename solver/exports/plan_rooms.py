@@ -87,9 +87,17 @@ class PlanRoom:
     letters: float
 
 
+def name_of(room: FloorPlate, called: Mapping[str, str] | None = None) -> str:
+    """Returns what a plan calls a room: its own name, else its type's."""
+    return _capital(room.name) if room.name else words_of(room.type, called)
+
+
 def words_of(room_type: str, called: Mapping[str, str] | None = None) -> str:
     """Returns a room type as a plan names it: as it is `called`, else in English."""
-    words = (called or {}).get(room_type) or _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split())
+    return _capital((called or {}).get(room_type) or _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split()))
+
+
+def _capital(words: str) -> str:
     words = words if len(words) <= LONGEST else words[: LONGEST - 1].rstrip() + "…"
     return words[:1].upper() + words[1:]
 

@@ -10,7 +10,7 @@ from typing import Final, Literal, NamedTuple
 from solver.body_parts import BodyPart
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import Facades, chains_of
-from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, label_of, words_of
+from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, label_of, name_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
 from solver.geometry import square_metres
 from solver.wall_fittings import between
@@ -176,7 +176,7 @@ def _named(asked: _Asked, sheet: PlanSheet, rooms: list[FloorPlate], obstacles: 
     labels = []
     for plate in rooms:
         corners = clear_corners(plate, asked.model.panels, asked.model.thickness / 2)
-        labels.append(label_of(PlanRoom(plate, words_of(plate.type, asked.called), corners, obstacles[plate.id], sheet.letters)))
+        labels.append(label_of(PlanRoom(plate, name_of(plate, asked.called), corners, obstacles[plate.id], sheet.letters)))
     return labels
 
 

@@ -84,8 +84,7 @@ def with_types(scene: Scene, guesses: Sequence[RoomGuess]) -> Scene:
 
 def _said(room: Room) -> tuple[str, ...]:
     """Returns what may name a room's use: its type, its name if it has one."""
-    name = room.extra.get("name")
-    return (room.type, name) if isinstance(name, str) else (room.type,)
+    return (room.type,) if room.name is None else (room.type, room.name)
 
 
 def _of_size(key: str, marks: RoomMarks, catalogs: Catalogs) -> str:

@@ -109,11 +109,11 @@ def _room(number: int, room: NamedRoom, openings: list[Opening], outer: Sides, o
     xs, zs = [x for x, _ in room.corners], [z for _, z in room.corners]
     x, z = min(xs), min(zs)
     outline = None if _is_rectangle(room.corners) else tuple((to_m(a - x), to_m(b - z)) for a, b in room.corners)
-    extra = {"name": room.drawn.label} if room.drawn.label and room.drawn.label != room.type else {}
+    name = room.drawn.label if room.drawn.label != room.type else None
     return Room(
         room.id, number, room.type, room.drawn.level, to_m(x - origin[0]), to_m(z - origin[1]), to_m(max(xs) - x), to_m(max(zs) - z),
         outline, bool(room.drawn.outdoor), room.flooring, wall_thickness=room.wall_thickness, exterior_walls=outer,
-        openings=tuple(openings), extra=extra,
+        openings=tuple(openings), name=name or None,
     )  # fmt: skip
 
 

@@ -151,7 +151,7 @@ def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known:
     if empty:
         scene = reroll_plan(scene, [room.id for room in empty], seed, known)
     unknown = [room for room in empty if room.type not in known.rooms]
-    called = {room.id: room.extra.get("name", "" if is_shaft(room, scene) else room.type) for room in unknown}
+    called = {room.id: ("" if is_shaft(room, scene) else room.type) if room.name is None else room.name for room in unknown}
     left = {name: _UNKNOWN.format(called=word) if word else _SHAFT for name, word in called.items()}
     for name in [room.id for room in scene.rooms if room.id in asked & stays]:
         try:

@@ -69,6 +69,8 @@ def _rooms(scene: Scene, areas: Mapping[str, float]) -> Iterator[TextLine]:
 def _room(room: Room, people: Sequence[Dynamic], area: float) -> Iterator[TextLine]:
     yield TextLine(f"  {_text(room.id)}:")
     yield TextLine(f"    type: {_text(room.type)}")
+    if room.name:
+        yield TextLine(f"    name: {_text(room.name)}")
     yield TextLine(f"    position: [{decimal(room.x)}, {decimal(room.z)}]")
     outdoor = ", outdoors" if room.outdoor else ""
     yield TextLine(f"    size: {number(room.width)} × {number(room.depth)}m   # {square_metres(area)} clear{outdoor}")

@@ -229,8 +229,11 @@ def test_a_named_room_is_told_by_its_name_and_guesses_are_said(board: DrawingBoa
     assert [(guess["room"], guess["by"]) for guess in answer["guesses"]] == [("room_1", "name"), ("room_2", "form")]
     said = board.page.locator("#imported")
     expect(said.get_by_role("heading", name="What the plan became")).to_be_visible()
-    expect(said.locator("li").first).to_have_text("Room 1: Bedroom, told by its name, Aunt May's bedroom")
+    expect(said.locator("li").first).to_have_text("Aunt May's bedroom: Bedroom, told by its name, Aunt May's bedroom")
     expect(said.locator("li").nth(1)).to_contain_text("told by its form")
+    expect(board.page.locator(".room-label", has_text="Aunt May's bedroom")).to_have_count(1)
+    expect(board.page.locator("#room_choice")).to_contain_text("Aunt May's bedroom")
+    expect(board.page.locator("#yaml")).to_contain_text('name: "Aunt May\'s bedroom"')
     expect(board.page.locator("#said")).to_contain_text("No link holds this home")
     board.open("Change this plan")
     expect(board.page.locator(".room-name").first).to_have_accessible_name(re.compile("^Aunt May's bedroom, "))

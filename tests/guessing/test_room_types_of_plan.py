@@ -112,7 +112,7 @@ def test_known_types_stay_and_names_win_over_what_stands_there() -> None:
 
 
 def test_a_name_beside_the_type_counts_too() -> None:
-    room = Room("a", type="room", width=3, depth=3, extra={"name": "Salle de bain"})
+    room = Room("a", type="room", width=3, depth=3, name="Salle de bain")
     assert types(Scene(rooms=(room,))) == {"a": "bathroom"}
 
 

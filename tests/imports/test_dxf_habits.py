@@ -72,7 +72,7 @@ FILES = {
 @pytest.mark.parametrize("name", FILES)
 def test_the_same_rooms_come_from_files_of_every_habit(name: str) -> None:
     kitchen, bedroom = rooms_of(read(FILES[name](), "plan.dxf")).values()
-    assert [(one.type, one.extra["name"], one.width, one.depth) for one in (kitchen, bedroom)] == [
+    assert [(one.type, one.name, one.width, one.depth) for one in (kitchen, bedroom)] == [
         ("kitchen", "Küche", 4.0, 3.0),
         ("bedroom", "Schlafzimmer", 4.0, 3.0),
     ]
@@ -117,7 +117,7 @@ def test_lines_of_a_text_that_are_no_name_are_no_part_of_it() -> None:
     made = drawing()
     made.modelspace().query("TEXT").first.destroy()
     made.modelspace().add_mtext("{\\fArial|b1;Wohn-}\\PKüche\\P12.0 m2").set_location((1, 2))
-    assert "Wohn- Küche" in [room.extra["name"] for room in read(text_of(made).encode(), "plan.dxf").scene.rooms]
+    assert "Wohn- Küche" in [room.name for room in read(text_of(made).encode(), "plan.dxf").scene.rooms]
 
 
 def test_a_binary_file_of_too_many_parts_is_refused() -> None:

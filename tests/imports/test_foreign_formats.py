@@ -157,7 +157,7 @@ def test_labels_of_another_storey_or_of_no_room_and_of_named_rooms_name_none() -
     drawn = [drawn_room("Office", 0, 0, 400, 400, more="level='a'"), drawn_room("", 500, 0, 900, 400, more="level='a'")]
     labels = label("Kitchen", 200, 200, "level='a'"), label("Bath", 700, 200, "level='b'"), label("to be painted", 700, 200, "level='a'")
     office, other = read(sweet_home(levels, *drawn, *labels)).scene.rooms
-    assert (office.type, other.type, other.extra.get("name")) == ("office", "room", None)
+    assert (office.type, other.type, other.name) == ("office", "room", None)
 
 
 def test_a_home_of_an_old_version_is_refused_with_what_to_do() -> None:

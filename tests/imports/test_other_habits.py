@@ -96,7 +96,7 @@ TEXTS = {
 def test_lines_of_a_text_are_words_of_a_name(name: str) -> None:
     text, called = TEXTS[name]
     (room,) = read(svg(ROOM + DOOR + text), "plan.svg").scene.rooms
-    assert room.extra["name"] == called
+    assert room.name == called
 
 
 def test_a_symbol_tells_what_it_is_where_its_use_does_not() -> None:
@@ -111,7 +111,7 @@ def test_a_symbol_tells_what_it_is_where_its_use_does_not() -> None:
 def test_escaped_names_are_names() -> None:
     layers = "<g id='Rooms_x20_1'><rect id='Living_x20_Room' width='400' height='300'/></g>" + DOOR
     (room,) = read(svg(layers), "plan.svg").scene.rooms
-    assert (room.type, room.extra["name"]) == ("living_room", "Living Room")
+    assert (room.type, room.name) == ("living_room", "Living Room")
 
 
 @pytest.mark.parametrize("wide", [1.345, 1.344])

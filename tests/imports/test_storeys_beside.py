@@ -27,7 +27,7 @@ def drawn(body: str, **settings: object) -> PlanImport:
 
 
 def names(answer: PlanImport) -> tuple[str, ...]:
-    return tuple(str(room.extra["name"]) for room in sorted(answer.scene.rooms, key=lambda room: room.x))
+    return tuple(str(room.name) for room in sorted(answer.scene.rooms, key=lambda room: room.x))
 
 
 @pytest.mark.parametrize(

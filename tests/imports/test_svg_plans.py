@@ -76,7 +76,7 @@ def test_the_root_may_say_the_unit_and_elements_what_they_are() -> None:
     door = f"<line data-opening='door' x1='1' y1='2' x2='1.9' y2='2' {said}/>"
     answer = drawn(f"<g transform='scale(100)'>{room}{door}</g><circle class='room' r='900'/>", "data-unit='cm'")
     (found,) = answer.scene.rooms
-    assert (found.id, found.type, found.width, found.depth, found.extra) == ("wash", "laundry", 3.0, 2.0, {"name": "Utility"})
+    assert (found.id, found.type, found.width, found.depth, found.name) == ("wash", "laundry", 3.0, 2.0, "Utility")
     front = opening(found, "front")
     assert (front.wall, front.position, front.hinge, front.swing, front.main_entrance) == ("south", 1.45, "start", "in", True)
 
@@ -170,7 +170,7 @@ def test_files_of_drawing_programmes_are_read_as_they_are_stored(how: str) -> No
     answer = read(content, "plan.svgz" if how == "gzip" else "plan.svg")
     assert answer.format == "svg"
     assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 4.0, 3.0)]
-    assert answer.scene.rooms[0].extra == {"name": "Küche"}
+    assert answer.scene.rooms[0].name == "Küche"
 
 
 def test_other_formats_are_read_as_they_are_stored() -> None:

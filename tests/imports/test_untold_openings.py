@@ -48,7 +48,7 @@ def imported(made: Any) -> PlanImport:
 
 
 def kinds(answer: PlanImport) -> dict[str, list[tuple[str, float, str | None]]]:
-    return {str(room.extra.get("name")): [(one.kind, one.width, one.connects_to) for one in room.openings] for room in answer.scene.rooms}
+    return {str(room.name): [(one.kind, one.width, one.connects_to) for one in room.openings] for room in answer.scene.rooms}
 
 
 def guessed(answer: PlanImport) -> list[str]:

@@ -120,7 +120,7 @@ def test_a_wide_door_of_a_garage_is_a_garage_door_and_a_number_may_begin_a_name(
     made.modelspace().add_line((150, 1000), (150, 3400), dxfattribs={"layer": "Doors"})
     leaf(made, "open")
     (garage,) = [room for room in imported(made).scene.rooms if room.type == "garage"]
-    assert garage.extra["name"] == "2 car garage"
+    assert garage.name == "2 car garage"
     assert sorted((one.kind, one.width) for one in garage.openings) == [("door", 0.885), ("garage_door", 2.4)]
 
 

@@ -129,7 +129,7 @@ def test_a_room_of_several_names_is_called_by_one_that_names_a_room_and_the_othe
     names = ("See note 4", 1), ("Kitchen", 2), ("Cuisine", 3), ("3.5 m", 4), ("Dining room", 5)
     texts = "".join(f"<text x='{x}' y='2'>{words}</text>" for words, x in names)
     answer = read(SVG.format("data-unit='m'", walls + texts).encode(), "plan.svg")
-    assert [(room.type, room.extra["name"]) for room in answer.scene.rooms] == [("kitchen", "Kitchen")]
+    assert [(room.type, room.name) for room in answer.scene.rooms] == [("kitchen", "Kitchen")]
     assert [one["place"] for one in answer.unread] == ["text 'Dining room'"]
 
 

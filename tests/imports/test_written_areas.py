@@ -61,7 +61,7 @@ def units(answer: PlanImport) -> list[str]:
 def test_a_file_that_says_inches_and_is_drawn_in_centimetres_is_told_by_its_areas() -> None:
     answer = read(dxf(100.0, 1, areas()))
     assert (sizes(answer), units(answer)) == (DRAWN, ["cm"])
-    assert [room.extra["name"] for room in answer.scene.rooms] == list(ROOMS)
+    assert [room.name for room in answer.scene.rooms] == list(ROOMS)
 
 
 def test_pixels_are_as_long_as_areas_say_where_doors_are_no_ninety_centimetres_wide() -> None:

@@ -94,7 +94,7 @@ def test_a_room_that_cannot_be_furnished_around_what_stays_is_left_and_named() -
 
 
 def test_a_room_that_no_furniture_is_known_for_is_named_and_its_certificate_says_so() -> None:
-    cellar = Room("k", type="room", x=9.0, width=4.0, depth=4.0, openings=(DOOR,), extra={"name": "Keller"})
+    cellar = Room("k", type="room", x=9.0, width=4.0, depth=4.0, openings=(DOOR,), name="Keller")
     made = furnish(Scene(rooms=(BEDROOM, cellar)), seed=1)
     said = "there is no furniture for what is called 'Keller': say which type the room has, if it has one"
     assert made.left == {"k": said}
@@ -106,10 +106,10 @@ def test_a_room_that_no_furniture_is_known_for_is_named_and_its_certificate_says
 
 
 @pytest.mark.parametrize(("width", "called", "thickness", "stays"), [
-    (0.5, {}, 0.0, True), (0.69, {}, 0.1, True), (0.71, {}, 0.1, False), (0.69, {}, 0.0, False), (0.5, {"name": "WC"}, 0.1, False),
+    (0.5, None, 0.0, True), (0.69, None, 0.1, True), (0.71, None, 0.1, False), (0.69, None, 0.0, False), (0.5, "WC", 0.1, False),
 ])  # fmt: skip
-def test_a_shaft_is_no_bathroom(width: float, called: dict[str, str], thickness: float, stays: bool) -> None:
-    shaft = Room("s", type="room", x=4.0, width=width, depth=1.5, extra=called)
+def test_a_shaft_is_no_bathroom(width: float, called: str | None, thickness: float, stays: bool) -> None:
+    shaft = Room("s", type="room", x=4.0, width=width, depth=1.5, name=called)
     made = furnish(Scene(rooms=(BEDROOM, shaft), wall_thickness=thickness), seed=1)
     assert ("s" in made.left) == stays and ("s" in {guess.room for guess in made.guesses}) != stays
     if stays:

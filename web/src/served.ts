@@ -631,6 +631,8 @@ export interface Room {
   readonly furniture: readonly Furniture[];
   /** small things */
   readonly decorations: readonly Decoration[];
+  /** what people call it, where they do */
+  readonly name?: string | null;
 }
 
 /** A room's floor: what is clear of walls, kept free before doors and windows, and free to come to. */

@@ -17,6 +17,17 @@ afterAll(() => { vi.resetModules(); }); // all files share their modules: none m
 
 const holesIn = (words: string): Set<string> => new Set([...words.matchAll(/\{\w+\}/g)].map(([hole]) => hole));
 
+describe("a room with a name of its own", () => {
+  const home = { rooms: [...HOME.rooms, { id: "bedroom_5", type: "bedroom", name: "Aunt May's bedroom" }] };
+  it.each([
+    ["en", "no place for a bed in bedroom_5, beside kitchen_2", "no place for a bed in Aunt May's bedroom, beside the kitchen"],
+    ["de", "bedroom_5 has 9.6 m2, more than 8", "Aunt May's bedroom hat 9,6 m², mehr als 8"],
+  ])("is called so in %s", async (language, said, told) => {
+    const { tell } = await spokenIn(language);
+    expect(tell(said, home)).toBe(told);
+  });
+});
+
 describe("in German", () => {
   it.each([
     ["kitchen_2/stove_1 leaves the clear floor of kitchen_2 to the north by 23.1 cm", "Herd ragt nach Norden um 23,1 cm aus der freien Fläche: Küche"],

@@ -13,7 +13,7 @@ from solver.body_parts import BodyPart
 from solver.exports.ifc_pieces import Entity, IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
-from solver.exports.plan_rooms import clear_corners, words_of
+from solver.exports.plan_rooms import clear_corners, name_of, words_of
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import doubled_area
 from solver.wall_fittings import FRAME, GLASS_THICKNESS
@@ -106,7 +106,7 @@ class _Building:
         clear = [(x, -z) for x, z in reversed(corners)]
         at = one.placed(storey.ObjectPlacement, (0.0, 0.0, 0.0))
         shape = one.shape([one.prism(clear, 0.0, height)])
-        said = {"Name": printable(room.id), "LongName": printable(words_of(room.type)), "CompositionType": "ELEMENT"}
+        said = {"Name": printable(room.id), "LongName": printable(name_of(room)), "CompositionType": "ELEMENT"}
         kind = "EXTERNAL" if room.outdoor else "INTERNAL"
         space = one.rooted("IfcSpace", "space", room.id, **said, ObjectPlacement=at, Representation=shape, PredefinedType=kind)
         self.spaces[room.id] = space

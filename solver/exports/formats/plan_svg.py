@@ -32,8 +32,7 @@ def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     """Yields a file's text, what lies lowest first."""
     yield storey.sheet.opened(_said_of_all(model, storey)) + f"<title>{xml_text(words_of(model.name))}</title>\n"
     yield from (f"<desc>{xml_text(warning)}</desc>\n" for warning in model.warnings)
-    names = {room.id: str(room.extra["name"]) for room in model.scene.rooms if room.extra.get("name")}
-    yield from (_floor(room, names.get(room.id)) for room in storey.rooms)
+    yield from map(_floor, storey.rooms)
     yield from _bodies(storey.bodies)
     yield _path("walls", storey.walls) + _path("opening", storey.railings)
     yield from map(_opening, storey.openings)
@@ -55,10 +54,10 @@ def _said_of_all(model: HouseModel, storey: PlanStorey) -> str:
     return f'{said} data-level="{room.level}" data-elevation="{floor:g}" data-level-height="{height:.10g}"'
 
 
-def _floor(room: FloorPlate, name: str | None) -> str:
+def _floor(room: FloorPlate) -> str:
     points = " ".join(f"{x * 1000:.0f},{z * 1000:.0f}" for x, z in room.corners)
     said = f'data-id="{xml_text(room.id)}" data-room="{xml_text(room.type)}" data-outdoor="{"true" if room.outdoor else "false"}"'
-    called = f' data-name="{xml_text(name)}"' if name else ""
+    called = f' data-name="{xml_text(room.name)}"' if room.name else ""
     outer = " ".join("-" if one is None else f"{one * 1000:.10g}" for one in room.outer)
     called += f' data-outer-walls="{outer}"' if outer else ""
     return f'<polygon class="floor" {said}{called} points="{points}" fill="{light(room.paint.color, FLOOR_LIGHTER)}"/>\n'

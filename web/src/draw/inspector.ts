@@ -15,10 +15,9 @@ const GUESS = say("Guess it");
 const WALL_WORDS: Readonly<Record<string, Words>> = { "x1": "north", "x-1": "south", "z1": "west", "z-1": "east" };
 const KIND_WORDS: readonly (readonly [OpeningKind, string])[] = [["door", say("Door")], ["passage", say("Passage")], ["window", say("Window")], ["garage_door", say("Garage door")]];
 
-/** What each room is called: its name, else its type, numbered where there are several of it. */
+/** What each room is called. */
 export function draftNames({ rooms }: Draft): ReadonlyMap<string, string> {
-  const names = roomNames({ rooms: rooms.map(({ id, type }) => ({ id, type: type ?? UNTYPED })) });
-  return new Map(rooms.map(({ id, name }) => [id, name || (names.get(id) ?? id)]));
+  return roomNames({ rooms: rooms.map((room) => ({ ...room, type: room.type ?? UNTYPED })) });
 }
 
 /** The walls of a room with words for them: where there are several on a side, numbered. */

@@ -46,12 +46,6 @@ export function storeyDrawn(scene: Scene): number {
   return Math.min(...scene.rooms.map((room) => room.level ?? 0));
 }
 
-/** A room's name: a key that plans of others have, too, and that the service keeps. */
-function nameOf(room: Room): string {
-  const { name } = room as { readonly name?: unknown };
-  return typeof name === "string" ? name : "";
-}
-
 /** The lowest storey of a scene as a plan; rooms with walls at an angle are left as they are. */
 export function draftOf(scene: Scene): Draft {
   const level = storeyDrawn(scene);
@@ -59,7 +53,7 @@ export function draftOf(scene: Scene): Draft {
     const corners = (room.level ?? 0) === level ? draftCorners(room) : null;
     return corners ? [{ room, corners }] : [];
   });
-  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: nameOf(room), corners, from: room }));
+  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: room.name ?? "", corners, from: room }));
   const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening), base: scene };
   return { ...draft, openings: draft.openings.filter((opening) => wallsAt(draft, opening).length > 0) };
 }

@@ -16,14 +16,14 @@ function leadsTo({ connects_to: to, kind }: Opening, names: ReadonlyMap<string, 
   return kind === "door" ? goal : `${goal} (${sayName(kind)})`;
 }
 
-/** What to call each room: its type, numbered where there are several of it. */
-export function roomNames(scene: { readonly rooms: readonly Pick<Room, "id" | "type">[] }): ReadonlyMap<string, string> {
+/** What to call each room: its name, else its type, numbered where there are several of it. */
+export function roomNames(scene: { readonly rooms: readonly Pick<Room, "id" | "type" | "name">[] }): ReadonlyMap<string, string> {
   const seen = new Map<string, number>();
   const count = (type: string): number => scene.rooms.filter((room) => room.type === type).length;
   return new Map(scene.rooms.map((room) => {
     const number = (seen.get(room.type) ?? 0) + 1;
     seen.set(room.type, number);
-    return [room.id, inWords(room.type) + (count(room.type) > 1 ? ` ${number}` : "")];
+    return [room.id, room.name || inWords(room.type) + (count(room.type) > 1 ? ` ${number}` : "")];
   }));
 }
 

@@ -72,7 +72,7 @@ export class Minimap {
     this.#arrow.setAttribute("transform", `translate(${x.toFixed(2)} ${z.toFixed(2)}) rotate(${((-pose.yaw * 180) / Math.PI).toFixed(1)}) scale(${this.#scale.toFixed(3)})`);
     const room = roomHolding(this.#rooms, GROUND, x, z);
     const way = WAYS[(Math.round((pose.yaw * 4) / Math.PI) % 8 + 8) % 8] ?? "north";
-    const where = room ? words(room.type) : say("outside");
+    const where = room ? room.name || words(room.type) : say("outside");
     if (this.#words.textContent !== where) this.#words.textContent = where;
     const told = say("Map: {where}, looking {way}", { where, way: say(way) });
     if (this.#svg.getAttribute("aria-label") !== told) this.#svg.setAttribute("aria-label", told);

@@ -54,7 +54,7 @@ export class RoomLabels {
     for (const { element } of this.#labels) element.remove();
     this.#labels = rooms.map((room) => {
       const { area } = clearFloorOf(room, house.runs, house.scene.wall_thickness);
-      const label = labelElement("room-label", words(room.type), { dot: room.accent, second: sayArea(area) });
+      const label = labelElement("room-label", room.name || words(room.type), { dot: room.accent, second: sayArea(area) });
       const elevation = storeys.get(room.level)?.elevation ?? 0;
       const spots = SPOTS.filter(([u, v]) => holds(room, room.x + u * room.width, room.z + v * room.depth));
       return Object.assign(label, { room, elevation, area, spots, spot: SPOTS[0] as Spot, at: [room.x + room.width / 2, elevation, room.z + room.depth / 2] as Point });

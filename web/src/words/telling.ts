@@ -56,7 +56,7 @@ let forms: readonly Form[] | null = null;
 
 /** What a piece, a room or a kind is called, by its id or name; null for what is neither. */
 type Called = (id: string) => string | null;
-type Rooms = readonly { readonly id: string; readonly type: string }[];
+type Rooms = readonly { readonly id: string; readonly type: string; readonly name?: string | null }[];
 
 /** How a person calls an id: its kind, and its number where it is not the first. */
 export function idWords(id: string): string {
@@ -65,9 +65,9 @@ export function idWords(id: string): string {
   return number === "1" ? sayName(kind) : `${sayName(kind)} ${number}`;
 }
 
-/** Words as they stand in a sentence: what has a number goes without "the": bedroom 2. */
-function withThe(words: string): string {
-  return TOLD || NUMBERED.test(words) ? words : `the ${words}`;
+/** Words as they stand in a sentence: what has a number goes without "the": bedroom 2; so does a name of its own. */
+function withThe(words: string, isOwn = false): string {
+  return TOLD || isOwn || NUMBERED.test(words) ? words : `the ${words}`;
 }
 
 /** The same within a sentence. */
@@ -75,10 +75,11 @@ export function theWords(id: string): string {
   return withThe(idWords(id));
 }
 
-/** What a room is called, numbered where there are several of its type; null for what is no room's id. */
+/** What a room is called, by its own name, else numbered where there are several of its type; null for what is no room's id. */
 function roomWords(id: string, rooms: Rooms): string | null {
   const room = rooms.find((one) => one.id === id);
   if (!room) return null;
+  if (room.name) return room.name;
   const alike = rooms.filter(({ type }) => type === room.type);
   return sayName(room.type) + (alike.length > 1 ? ` ${alike.indexOf(room) + 1}` : "");
 }
@@ -124,7 +125,7 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
   const untyped = said.replace(TYPE_BEHIND, (whole, id, type) => (rooms.some((one) => one.id === id && one.type === type) ? id : whole) as string);
   return untyped.replace(KIND_BEFORE, "").replace(IDS, (id) => {
     const words = roomWords(id, rooms);
-    return words === null && !OF_A_HOME.test(id) ? idWords(id) : withThe(words ?? idWords(id));
+    return words === null && !OF_A_HOME.test(id) ? idWords(id) : withThe(words ?? idWords(id), rooms.some((one) => one.id === id && one.name));
   });
 }
 
