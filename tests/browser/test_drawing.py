@@ -204,7 +204,10 @@ def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:
     expect(page.locator(".drawing-said")).to_have_text("There it would meet another room.")
     for label in ("Add a door to the west wall", "Add a window to the south wall", "Add a door to the north wall"):
         page.get_by_role("button", name=re.compile("^Room 2,")).press("Enter")
+        expect(page.get_by_role("button", name=re.compile("^Room 2,"))).to_be_focused()
         page.get_by_role("button", name=label).press("Enter")
+        expect(page.get_by_role("combobox", name="Kind")).to_be_focused()
+        expect(page.get_by_role("combobox", name="Kind")).to_have_value(label.split()[2])
     assert board.openings() == 3
     page.get_by_role("button", name=re.compile("^Room 2,")).press("Enter")
     field = page.get_by_label("North wall", exact=True)

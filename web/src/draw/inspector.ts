@@ -34,18 +34,23 @@ export class Inspector {
   /** The types that a room can be of. */
   types: readonly string[] = [];
   #areas: ReadonlyMap<string, number> = new Map();
+  /** The id of the room or opening that is shown. */
+  #shown: string | undefined;
 
   constructor(readonly host: HTMLElement, readonly plan: DrawnPlan, readonly said: (words: string) => void) {}
 
-  /** Shows what is chosen; `beneath` are the picture's own controls, `areas` the rooms' clear floors [m²]. What has the focus keeps it. */
+  /** Shows what is chosen; `beneath` are the picture's own controls, `areas` the rooms' clear floors [m²]. What has the focus keeps it; chosen from here, another room's name has it, or an opening's first field. */
   show(beneath: readonly HTMLElement[], areas: ReadonlyMap<string, number>): void {
     this.#areas = areas;
     const { draft, chosen } = this.plan;
     const room = draft.rooms.find(({ id }) => id === chosen.room);
     const opening = draft.openings.find(({ id }) => id === chosen.opening);
     const focused = this.#focused();
+    const isOther = focused >= 0 && this.#shown !== (opening?.id ?? room?.id);
+    this.#shown = opening?.id ?? room?.id;
     this.host.replaceChildren(...(room ? this.#room(room) : opening ? this.#opening(opening) : []), this.#rooms(draft), ...beneath);
-    this.#focus(focused);
+    if (isOther && (opening || room)) this.host.querySelector<HTMLElement>(opening ? "select" : ".drawing-rooms [aria-pressed=true]")?.focus({ preventScroll: true });
+    else this.#focus(focused);
   }
 
   /** The place of the focused field among all, to find it again among those that take their place. */
