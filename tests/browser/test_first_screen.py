@@ -73,6 +73,11 @@ def toured(page: Page) -> None:
     page.keyboard.press("Escape")
     expect(tour).to_be_hidden()
     expect(page.locator("#stage")).to_be_focused()
+    page.locator("#tour_again").click()
+    page.locator("#asked").click()
+    expect(tour).to_be_visible()
+    page.locator("#camera_top").click()
+    expect(tour).to_be_hidden()
 
 
 def test_a_decorated_home_and_what_to_begin_with(fresh: Visit) -> None:

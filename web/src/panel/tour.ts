@@ -1,4 +1,5 @@
-/** A tour of four steps over the house: shown by itself on a first visit that asks for no home of its own, started again by a button. */
+/** A tour of four steps over the house: shown by itself on a first visit that asks for no home of its own, started again by a button; it ends when somebody begins without it. */
+import type { Showing } from "../state/home";
 import { say, type Words } from "../words/language";
 import { remember, remembered } from "./preferences";
 
@@ -31,12 +32,16 @@ export class Tour {
   #at = 0;
 
   /** `host` shows it, `again` starts it; `onShown` is given what to call whenever a home is shown. */
-  constructor(readonly host: HTMLElement, again: HTMLElement, onShown: (greet: () => void) => void) {
+  constructor(readonly host: HTMLElement, again: HTMLElement, onShown: (greet: (how: Showing) => void) => void) {
     let greets = isFirstVisit(location);
-    onShown(() => {
+    onShown((how) => {
       if (greets) this.start();
+      else if (how === "new") this.#end();
       greets = false;
     });
+    document.addEventListener("click", ({ target }) => {
+      if (target instanceof Element && !target.closest("#tour, [data-toured], canvas")) this.#end();
+    }, true);
     const told = document.createElement("div");
     told.setAttribute("aria-live", "polite");
     told.append(this.#title, this.#words);
@@ -91,6 +96,7 @@ export class Tour {
 
   /** Puts the tour away; the focus, if the tour had it, goes to the house. */
   #end(): void {
+    if (this.host.hidden) return;
     const hadFocus = this.host.contains(document.activeElement);
     this.host.hidden = true;
     this.#mark(null);
