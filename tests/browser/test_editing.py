@@ -277,12 +277,19 @@ def test_a_service_lost_during_a_drag_is_said_and_all_stays(visit: Visit) -> Non
     bench.rest()
     handles = bench.page.evaluate(HANDLES)
     bench.drag(ONE, bench.at(OTHER))
-    expect(bench.page.get_by_role("alert")).to_contain_text("does not answer")
+    notice = bench.page.get_by_role("alert")
+    expect(notice).to_contain_text("does not answer")
+    expect(notice).to_contain_text("The home is as it was before the change.")
     bench.page.mouse.up()
     bench.rest()
     assert bench.scene() == bench.before
     assert poses(bench.before) == drawn(bench)
     assert handles and bench.page.evaluate(HANDLES) == handles
+    bench.page.unroute("**/fix", lose)
+    notice.get_by_role("button", name="Try again").click()
+    expect(notice).to_be_hidden()
+    bench.rest()
+    assert poses(bench.scene())[ONE] != poses(bench.before)[ONE]
 
 
 def test_who_walks_drags_nothing(visit: Visit) -> None:

@@ -168,7 +168,7 @@ def test_what_is_refused_beside_houses_is_said_and_tried_again_alone(visit: Visi
     visit.line_of(piece).click()
     for call, key in (("fix", "Delete"), ("floor", "o")):
         refused(call, lambda key=key: page.keyboard.press(key))  # type: ignore[misc]
-        expect(again).to_be_hidden()
+        expect(again).to_be_visible(visible=call == "fix")
         page.locator(".notice-close").click()
     page.locator("#show_floor").uncheck()
     with page.expect_response(lambda response: response.url.endswith("/fix")):

@@ -60,7 +60,7 @@ class Page {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
     portray: (scene, into) => this.#stage.portrayRoom(scene, into),
     take: (answer, before) => this.#remaking.take(answer, before),
-    failed: (reason) => this.#asking.notice.show(reason),
+    failed: (reason) => this.#failed(reason),
   });
   readonly #imported = new ImportReport(element("imported"), element("imported_list"));
   readonly #drawing: Drawing;
@@ -88,7 +88,7 @@ class Page {
     }, this.#asking.beside);
     this.#saved.onOpen = (id) => this.#openSaved(id);
     this.#home.on("shown", (how) => { if (how === "new") this.#saved.holds(null); });
-    this.#saved.onFailure = (reason, again) => this.#asking.notice.show(reason, () => { this.#asking.notice.hide(); again(); });
+    this.#saved.onFailure = this.#failed;
     this.#controls.onRestyle = (wish) => this.#remaking.restyle(wish);
     this.#controls.onGenerate = (request) => this.#ask(request, "push");
     this.#controls.onBegin = (request) => this.#submit(request);
@@ -97,7 +97,7 @@ class Page {
     this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
-    this.#stage.onFailure = (reason, again) => this.#asking.notice.show(reason, again && (() => { this.#asking.notice.hide(); again(); }));
+    this.#stage.onFailure = this.#failed;
     new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), this.#asking.beside);
     element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);
@@ -108,7 +108,7 @@ class Page {
     this.#home.on("shown", () => this.#others.hide());
     this.#files.onOpen = (file) => this.#openFile(file, "push");
     this.#files.onPicture = (file) => void this.#drawing.openPicture(file);
-    this.#files.onFailure = (reason) => this.#asking.notice.show(reason);
+    this.#files.onFailure = this.#failed;
     this.#asking.notice.inWords = (problem) => this.#controls.inWords(problem.fields);
     this.#shortfalls.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#asking.onEnd = (reason) => this.#controls.showProblems(reason instanceof ServiceProblem ? reason.fields : []);
@@ -121,11 +121,11 @@ class Page {
         this.#asking.progress.turn(say("Trying the change"), busy);
       },
       beside: this.#asking.beside,
-      failed: (reason) => this.#asking.notice.show(reason),
+      failed: this.#failed,
     });
     new Menu(element("tools"), element("said"));
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
-    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], this.#asking.beside, (reason) => this.#asking.notice.show(reason));
+    this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], this.#asking.beside, this.#failed);
     this.#asking.onBegin = () => this.#drawing.close();
     this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
     this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
@@ -178,6 +178,11 @@ class Page {
       await this.#reads;
     });
   }
+
+  /** Says what went wrong, until it is tried again. */
+  readonly #failed = (reason: unknown, again?: () => void, outcome?: string): void => {
+    this.#asking.notice.show(reason, again && (() => { this.#asking.notice.hide(); again(); }), outcome);
+  };
 
   #random(): void {
     this.#submit({ ...this.#controls.read(), seed: anotherSeed(this.#wanted.seed) });
@@ -327,7 +332,7 @@ class Page {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);
     } catch (reason) {
-      if (!isAbort(reason)) this.#asking.notice.show(reason, () => { this.#asking.notice.hide(); this.#reads = this.#read(scene); });
+      if (!isAbort(reason)) this.#failed(reason, () => { this.#reads = this.#read(scene); });
     }
   }
 

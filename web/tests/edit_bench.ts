@@ -28,7 +28,7 @@ export function house(): Scene {
 export function bench(frames: Frames | null = null) {
   const home = new Home();
   const calls: Call[] = [];
-  const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], settled: 0, lifted: 0, answered: 0 };
+  const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], again: [] as (() => void)[], settled: 0, lifted: 0, answered: 0 };
   const editor = new Editor(home, (request, signal) => new Promise((resolve, reject) => {
     calls.push({
       request, signal,
@@ -42,7 +42,7 @@ export function bench(frames: Frames | null = null) {
       },
     });
   }), {
-    busy: (busy) => said.busy.push(busy), failed: (reason) => said.failed.push(reason), refused: (refusal) => said.refused.push(refusal),
+    busy: (busy) => said.busy.push(busy), failed: (reason, again) => { said.failed.push(reason); said.again.push(again); }, refused: (refusal) => said.refused.push(refusal),
     lifted: () => { said.lifted += 1; }, answered: () => { said.answered += 1; }, settled: () => { said.settled += 1; },
   }, () => Promise.resolve(frames));
   home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");

@@ -89,8 +89,8 @@ describe("a drag", () => {
     expect(editor.lift(OTHER)).toBe(true);
   });
 
-  it("ends where it began when the service is lost, and says so once", async () => {
-    const { editor, call, at, said } = bench();
+  it("ends where it began when the service is lost, and says so once; tried again, it is one step", async () => {
+    const { home, editor, call, calls, at, said } = bench();
     editor.lift(ONE);
     editor.drag({ x: 2, z: 1 });
     await call(0).answer(pushed(3.5));
@@ -100,6 +100,17 @@ describe("a drag", () => {
     editor.drag({ x: 4, z: 1 });
     editor.drop();
     expect([at(ONE), editor.busy]).toEqual([[1, 1], false]);
+    said.again[0]?.();
+    await turn();
+    await call(2).lose();
+    expect([at(ONE), said.failed.length]).toEqual([[1, 1], 2]);
+    said.again[1]?.();
+    await turn();
+    await call(3).answer(pushed(3.5));
+    expect([at(ONE), at(OTHER), home.steps.length]).toEqual([[3, 1], [3.5, 2], 2]);
+    said.again[1]?.(); // the home is another by now
+    await turn();
+    expect([calls.length, editor.busy]).toEqual([4, false]);
   });
 
   it("takes nothing that is locked or not there, nor a second piece", () => {

@@ -26,7 +26,8 @@ export interface Refusal {
 
 export interface EditorWords {
   busy(busy: boolean): void;
-  failed(reason: unknown): void;
+  /** The home is as it was before the edit; `again` does that once more. */
+  failed(reason: unknown, again: () => void): void;
   /** Null: nothing is in conflict. */
   refused(refusal: Refusal | null): void;
   /** The dragged piece and all it carries are seen at a wish, the rest of its room where the answer has it. */
@@ -217,9 +218,13 @@ export class Editor {
   }
 
   #lost(reason: unknown): void {
+    const [held, before] = [this.#held, this.home.settled];
     this.#goBack();
     this.words.refused(null);
-    this.words.failed(reason);
+    if (!held) return;
+    const { id, room, rooms, group, whole } = held;
+    const draft = { scene: this.#wishedIn(held, whole), id, room: room.id, rooms, moved: [id, ...group] };
+    this.words.failed(reason, () => this.#edit(() => (this.home.settled === before ? draft : null)));
   }
 
   /** Turns a piece by an angle, counter-clockwise seen from above [degrees]. */
@@ -311,7 +316,7 @@ export class Editor {
   #edit(make: () => Drafted): void {
     if (this.#inHand) return;
     this.#shifted = null;
-    this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason));
+    this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason, () => this.#edit(make)));
   }
 
   /** Changes the home in turn: one change after the other, each on what the one before left, none of another house. */

@@ -35,7 +35,7 @@ const REPEATED: ReadonlySet<string> = new Set(["arrowup", "arrowleft", "arrowdow
 
 export interface WorkbenchWords {
   busy(busy: boolean): void;
-  failed(reason: unknown): void;
+  failed(reason: unknown, again?: () => void, outcome?: string): void;
   readonly beside: Beside;
 }
 
@@ -65,7 +65,7 @@ export class Workbench {
   constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
     this.editor = new Editor(home, fix, {
       busy: (busy) => words.busy(busy),
-      failed: (reason) => words.failed(reason),
+      failed: (reason, again) => words.failed(reason, again, say("The home is as it was before the change.")),
       refused: (refusal) => this.#refuse(refusal),
       lifted: (id, scene) => this.#carry(id, scene),
       answered: (id, scene) => this.#frameGoal(id, scene),

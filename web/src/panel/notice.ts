@@ -34,14 +34,14 @@ export class Notice {
     host.querySelector(".notice-close")?.addEventListener("click", () => this.hide());
   }
 
-  /** Says what went wrong; without `again` a person does it again by hand. */
-  show(reason: unknown, again: Again | null = null): void {
+  /** Says what went wrong, and what is the case now; without `again` a person does it again by hand. */
+  show(reason: unknown, again: Again | null = null, outcome: string | null = null): void {
     this.#retry = again;
     const { fields = [], status = null, retryAfter = null }: Partial<ServiceProblem> = reason instanceof ServiceProblem ? reason : {};
     const ofForm = reason instanceof ServiceProblem ? this.inWords(reason) : null;
     const { title, lines } = ofForm ? { title: wrongFields(ofForm.length), lines: ofForm } : refusalWords(reason);
     this.#title.textContent = title;
-    this.#detail.textContent = lines.join("\n");
+    this.#detail.textContent = [...lines, ...(outcome === null ? [] : [outcome])].join("\n");
     this.#key.hidden = status !== 401;
     const passes = fields.length === 0 || status === 503 || status === 429;
     this.#again.hidden = !again || !passes || status === 401 || status === 413;
