@@ -185,7 +185,7 @@ class Page {
   };
 
   #random(): void {
-    this.#submit({ ...this.#controls.read(), seed: anotherSeed(this.#wanted.seed) });
+    this.#submit({ ...this.#controls.readForAnother(), seed: anotherSeed(this.#wanted.seed) });
   }
 
   /** Asks for a house and shows in the form what is asked. */
@@ -303,7 +303,7 @@ class Page {
     this.#link.edited(this.#home.isEdited);
     if (how === "new") document.title = file === null ? say("Compose: house {seed}", { seed: scene.seed }) : say("Compose: {file}", { file });
     if (made && how === "new") this.#controls.show((this.#wanted = made));
-    else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true });
+    else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true }, made !== null);
   }
 
   /** Shows the home as it now is; the moments of an edit are the stage's and the text waits for the end. */

@@ -40,6 +40,18 @@ beforeEach(() => {
 });
 
 describe("the form", () => {
+  it("keeps for another home the style that somebody asked for, not that of a home from a file", () => {
+    const style = document.querySelector("#style") as HTMLSelectElement;
+    controls.show({ seed: 1, style: "modern" });
+    expect(controls.readForAnother().style).toBe("modern");
+    controls.showFurnishing({ style: "rustic" }, false);
+    expect([style.value, controls.read().style, controls.readForAnother().style]).toEqual(["rustic", "rustic", undefined]);
+    style.dispatchEvent(new Event("change"));
+    expect(controls.readForAnother().style).toBe("rustic");
+    controls.showFurnishing({ style: "modern" }, true);
+    expect(controls.readForAnother().style).toBe("modern");
+  });
+
   it.each([["before", false], ["after", true]])("reads what it was shown, %s the service said what it knows", (_, known) => {
     if (known) controls.offer(CATALOG);
     const draw = drawing(5);

@@ -22,6 +22,8 @@ export class Controls {
   /** The line of plain words that the form shows already, and what it said then of the programme. */
   #asked = "";
   #askedFor = "";
+  /** The style that somebody asked for. */
+  #wished: string | undefined;
 
   constructor(readonly form: HTMLFormElement) {
     this.#programme = new Programme(form);
@@ -61,7 +63,14 @@ export class Controls {
     return withoutGaps({ ...request, ...this.#programme.read(), ...this.#readFurnishing(), force_types: forced });
   }
 
+  /** The same for another home: of a home that no request made the style is shown, but nobody has wished for it. */
+  readForAnother(): HouseRequest {
+    const { style, ...request } = this.read();
+    return withoutGaps({ ...request, style: style === this.#wished ? style : undefined });
+  }
+
   show(request: HouseRequest): void {
+    this.#wished = request.style;
     this.#programme.show(request);
     if (this.#plan() !== this.#askedFor) this.#find<HTMLInputElement>("#asked").value = this.#asked = "";
     const shown = { ...DEFAULTS, width: undefined, depth: undefined, ...request };
@@ -76,8 +85,9 @@ export class Controls {
     this.showProblems([]);
   }
 
-  /** Shows the style and the decorations of the home that is shown; what else is typed stays. */
-  showFurnishing({ style, decorate }: Look): void {
+  /** Shows the style and the decorations of the home that is shown, which a request made or not; what else is typed stays. */
+  showFurnishing({ style, decorate }: Look, isMade: boolean): void {
+    if (isMade) this.#wished = style;
     if (style !== undefined) this.#offerStyle(style);
     this.#input("style").value = style ?? "";
     this.#input("decorate").checked = decorate === true;
@@ -175,6 +185,7 @@ export class Controls {
   #chooseStyle(): void {
     this.#sayStyle();
     const style = this.#input("style").value;
+    this.#wished = style || undefined;
     if (style) this.onRestyle({ style });
   }
 
