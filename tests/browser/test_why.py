@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import expect
 
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, told
+from tests.browser.visit import SMALL, Document, Visit, furniture_of, told, told_sentence
 
 
 def asked(visit: Visit, id_of: str) -> Document:
@@ -25,7 +25,9 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     held, by = next((piece, holds[0]) for piece, holds in by_pieces.items())
     assert asked(visit, held) == answers[held]
     expect(panel).to_be_visible()
-    expect(panel.locator("ul:not(.ways) li")).to_have_text([told(hold["message"], made["scene"]) for hold in answers[held]["holds"]])
+    expect(panel.locator("ul:not(.ways) li")).to_have_text(
+        [told_sentence(hold["message"], made["scene"]) for hold in answers[held]["holds"]]
+    )
     for note in answers[held]["notes"]:
         expect(panel).to_contain_text(told(note, made["scene"])[1:])
     expect(page.locator(".ruler-hold")).to_have_count(len(answers[held]["holds"]))

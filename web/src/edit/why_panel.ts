@@ -55,7 +55,7 @@ export class WhyPanel {
       return words;
     });
     const list = document.createElement("ul");
-    list.append(...answer.holds.map((hold) => this.#line(hold, named(hold.message))));
+    list.append(...answer.holds.map((hold) => this.#line(hold, capital(named(hold.message)))));
     const close = button(say("Close"), () => this.hide());
     close.className = "why-close";
     const ways = this.#ways(answer, named);

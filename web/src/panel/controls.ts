@@ -96,18 +96,19 @@ export class Controls {
 
   /** Marks the fields that the service refused, each with its words, and goes to the first. */
   showProblems(problems: readonly FieldProblem[]): void {
-    let first: HTMLElement | null = null;
+    let first: { readonly field: HTMLElement; readonly place: HTMLElement } | null = null;
     for (const field of this.form.querySelectorAll<HTMLInputElement>("input[name], select[name]")) {
       const problem = problems.find((one) => fieldOf(this.form, one) === field);
       const place = this.form.querySelector<HTMLElement>(`#${field.id}_problem`);
       if (!place) continue;
       field.setAttribute("aria-invalid", String(problem !== undefined));
       place.textContent = problem ? besideField(this.form, field, problem) : "";
-      if (problem) first ??= field;
+      if (problem) first ??= { field, place };
     }
     if (!first) return;
-    first.closest("details")?.setAttribute("open", "");
-    first.focus();
+    first.field.closest("details")?.setAttribute("open", "");
+    first.field.focus();
+    first.place.scrollIntoView({ block: "nearest" });
   }
 
   /** All that is wrong in the form's own words, a line a field; null where it is not of the form alone. */
