@@ -1,6 +1,6 @@
-"""What the catalogs say of decorations, in one style, as the core reads it: rows of numbers, one table after the other; names are indices.
+"""What the catalogs say of decorations, in one style, as the core reads it, and of what is decorated, in any.
 
-The rows are those of solver/core/decorate/decorating.hpp, in the same order.
+Rows of numbers, one table after the other; names are indices. They are those of solver/core/decorate/decorating.hpp, in the same order.
 """
 
 import math
@@ -13,14 +13,17 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.decoration_types import ALL, INDOOR, SURFACE, Decorating, DecoratingRow, DecorationKind, Hangs, Holds, Lies, Stands
 from catalogs.entries import Comfort, Side, Surface
-from catalogs.fronts import FrontFloor, floor_before
+from catalogs.fronts import floor_before
 from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import UPRIGHT, KindBook
+from catalogs.shapes import Solid
 from catalogs.styles import Leaning, Style
-from solver.body_rows import Look, LooksBySize
+from solver.body_rows import BodyTurn, Look, LooksBySize, key_of
 from solver.core.core_tables import CoreTables, TableRange
-from solver.geometry import Rect, to_mm
+from solver.free_floor import sides_seen
+from solver.geometry import Rect, to_mm, wall_faced
 from solver.records import MadeOnce
+from solver.scene import WALL_NUMBERS
 
 SCALE_STEP: Final = 0.1
 """By which share things are made smaller where they do not fit. Our choice."""
@@ -44,6 +47,8 @@ _TABLES: Final = {
 _HEADER: Final = Struct("<14i")
 _MOST_KEPT: Final = 64
 _MOST_LOOKS: Final = 20_000
+_MANNER: Final = Struct("<12i64s")
+_BESIDE: Final = Struct("<4i")
 
 SizeMm = tuple[int, int, int]
 """Width, depth and height, mm."""
@@ -63,9 +68,83 @@ class DecorationSettings:
     kept: Mapping[str, Sequence[Rect]] = field(default_factory=dict)
 
 
+def millimetres(size: tuple[float, float, float]) -> SizeMm:
+    """Converts extents in metres."""
+    return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
+
+
+class _SurfaceTables(CoreTables):
+    """The tables of what decorates, of which those of surfaces are written."""
+
+    layouts, header = _TABLES, _HEADER
+
+    def surfaces(self, surfaces: Sequence[Surface]) -> TableRange:
+        """Adds surfaces."""
+
+        def numbers(one: Surface) -> tuple[int, ...]:
+            clearance = _NO_LIMIT if one.clearance is None else to_mm(one.clearance)
+            return to_mm(one.height), *[to_mm(one.inset)] * 4, clearance, self._word(one.name)
+
+        return self._added("surface", surfaces, numbers)
+
+    def insides(self, solids: Sequence[Solid], size: tuple[float, float, float]) -> TableRange:
+        """Adds what carries things inside a shape of that size: up to whole mm, so that nothing begins in a board."""
+        half_width, half_depth = size[0] / 2, size[1] / 2
+
+        def numbers(one: InsideSurface) -> tuple[int, ...]:
+            insets = one.x[0] + half_width, half_width - one.x[1], one.z[0] + half_depth, half_depth - one.z[1]
+            free = one.clearance - (0.0 if one.drawer else OFF_MM / 1000)
+            level = math.ceil(one.height * 1000 - 1e-6)
+            return level, *(math.ceil(inset * 1000 - 1e-6) + OFF_MM for inset in insets), math.floor(free * 1000) - 1, self._word(one.sort)
+
+        return self._added("surface", insides_of(solids, size), numbers)
+
+
+class FurnitureManners(_SurfaceTables):
+    """What is said of furniture, `rows` of what it is and its turn, and the tables of its surfaces."""
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        kinds, shapes = catalogs.furniture, catalogs.shapes
+        super().__init__(dict.fromkeys([*catalogs.decorating, *(one.name or kind for kind, one in kinds.items())]))
+        self.rows = MadeOnce(self._row, _MOST_LOOKS)
+        carrying = {(one.name or kind, millimetres(one.size)): one.surfaces for kind, one in reversed(kinds.items())}
+        self._surfaces = {key: self.surfaces(surfaces) for key, surfaces in carrying.items()}
+        self._insides = {(kind, millimetres(one.size)): self.insides(shapes.get(kind, ()), one.size) for kind, one in kinds.items()}
+        self._fronts = {kind: before for kind, one in kinds.items() if (before := floor_before(shapes.get(kind, ()), one.size))}
+        named = catalogs.kinds_by_name().items()
+        self._faced = {name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")}
+        self._uses, self._book, self._kinds = catalogs.use_sides(), KindBook(catalogs), kinds
+
+    def _row(self, key: BodyTurn) -> bytes:
+        (_, name, width, depth, height, said), rotation = key_of(key[0]), key[1]
+        size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
+        kind = said or self._book.kind_of("furniture", name, (width, depth, height)) or name
+        sides, need_all = self._uses.get(name, ((), False))
+        before = self._fronts.get(kind) if is_right else None
+        opens = (0, 0) if before is None else (to_mm(before.depth), to_mm(before.above))
+        turn = round(rotation) % 360 if is_right else 0
+        surfaces, insides = self._surfaces.get((name, size), (0, 0)), self._insides.get((kind, size), (0, 0)) if is_right else (0, 0)
+        wishing = self._kinds.get(said or name) if is_right else None
+        beside = [*_kept_beside(wishing.comfort, turn)] if wishing else []
+        used = name in self._faced, sides_seen(wall_faced(side, rotation) for side in sides), need_all
+        return _MANNER.pack(turn, self._words.get(name, -1), *surfaces, *insides, *used, *opens, len(beside), b"".join(beside))
+
+
+def _kept_beside(comforts: Mapping[Side, Comfort], turn: int) -> Iterator[bytes]:
+    """Yields the floor at the sides of a piece that is better kept free."""
+    at_low = wall_faced("back", turn) in ("north", "west")
+    for side, wish in comforts.items():
+        behind = to_mm(wish.behind) if side in ("left", "right") else 0
+        ends = (behind, 0) if at_low else (0, behind)
+        yield _BESIDE.pack(WALL_NUMBERS[wall_faced(side, turn)], *ends, to_mm(wish.depth))
+
+
+_manners_of: Final = lru_cache(maxsize=4)(FurnitureManners)
+
+
 @dataclass(frozen=True, eq=False)
 class CompiledDecorating:
-    """What decorates, for the core, and what is asked of furniture by its name.
+    """What decorates in some style, for the core.
 
     Args:
         data: its bytes.
@@ -73,13 +152,7 @@ class CompiledDecorating:
         colours: what each is drawn from.
         styled: whether those are the style's.
         words: the numbers of names.
-        surfaces: of furniture, by name and size.
-        insides: what carries things inside furniture, by kind and size.
-        faced: names of what one comes to from its front alone: to use it, or because its back is at a wall.
-        uses: by name of furniture the sides it is used from, and whether all of them are needed.
-        comforts: by kind of furniture the floor at its sides that is better kept free.
-        fronts: by kind of furniture the space that its fronts come into, where they come into any.
-        book: tells which kind of furniture something of some name and size is.
+        manners: what is said of furniture, in any style.
         made_from: what it was compiled from.
     """
 
@@ -88,13 +161,7 @@ class CompiledDecorating:
     colours: Sequence[Sequence[str]]
     styled: Sequence[bool]
     words: Mapping[str, int]
-    surfaces: Mapping[tuple[str, SizeMm], TableRange]
-    insides: Mapping[tuple[str, SizeMm], TableRange]
-    faced: frozenset[str]
-    uses: Mapping[str, tuple[Sequence[str], bool]]
-    comforts: Mapping[str, Mapping[Side, Comfort]]
-    fronts: Mapping[str, FrontFloor]
-    book: KindBook
+    manners: FurnitureManners
     made_from: tuple[object, ...]
 
 
@@ -114,11 +181,6 @@ def compiled_decorating(settings: DecorationSettings) -> CompiledDecorating:
     return found
 
 
-def millimetres(size: tuple[float, float, float]) -> SizeMm:
-    """Converts extents in metres."""
-    return to_mm(size[0]), to_mm(size[1]), to_mm(size[2])
-
-
 @lru_cache(maxsize=4)
 def looks_by_kind(catalogs: Catalogs) -> LooksBySize:
     """Returns how the things of some catalogs look, by the number of their kind and their size, mm."""
@@ -133,13 +195,13 @@ def looks_by_kind(catalogs: Catalogs) -> LooksBySize:
     return MadeOnce(look, _MOST_LOOKS)
 
 
-class _DecoratingTables(CoreTables):
-    """The tables of what decorates while they are written."""
-
-    layouts, header = _TABLES, _HEADER
+class _DecoratingTables(_SurfaceTables):
+    """The tables of what decorates while they are written: they go on from those of furniture."""
 
     def __init__(self, settings: DecorationSettings) -> None:
-        super().__init__(settings.catalogs.decorating)
+        self._manners = _manners_of(settings.catalogs)
+        super().__init__(self._manners._words)
+        self._rows["surface"] += self._manners._rows["surface"]
         self._settings, self._catalogs = settings, settings.catalogs
         self._kinds = {name: k for k, name in enumerate(self._catalogs.decorations)}
         leaning = settings.style.decorations if settings.style else Leaning()
@@ -157,24 +219,9 @@ class _DecoratingTables(CoreTables):
         colours = tuple(self._colours(name, kind) for name, kind in known.decorations.items())
         for (name, kind), palette in zip(known.decorations.items(), colours, strict=True):
             self._add_kind(name, kind, len(palette))
-        furniture = reversed(known.furniture.items())
-        surfaces = {(one.name or name, millimetres(one.size)): self._surfaces(one.surfaces) for name, one in furniture}
-        insides = {(kind, millimetres(one.size)): self._insides(kind, one.size) for kind, one in known.furniture.items()}
         self._added("turn", map(math.radians, range(180)), lambda angle: (abs(math.cos(angle)), abs(math.sin(angle))))
-        named = known.kinds_by_name().items()
         styled = [bool(self._palette(name)) for name in known.decorations]
-        return CompiledDecorating(
-            self._data(), looks_by_kind(known), colours, styled, self._words, surfaces, insides,
-            frozenset(name for name, kind in named if (kind.use.sides == ("front",) if kind.use else kind.stands == "wall")),
-            known.use_sides(), {name: kind.comfort for name, kind in known.furniture.items() if kind.comfort}, dict(self._fronts()),
-            KindBook(known), made_from,
-        )  # fmt: skip
-
-    def _fronts(self) -> Iterator[tuple[str, FrontFloor]]:
-        for kind, one in self._catalogs.furniture.items():
-            before = floor_before(self._catalogs.shapes.get(kind, ()), one.size)
-            if before is not None:
-                yield kind, before
+        return CompiledDecorating(self._data(), looks_by_kind(known), colours, styled, self._words, self._manners, made_from)
 
     def _add_entry(self, entry: Decorating) -> None:
         lies, hangs = self._added("lies", entry.lies, self._lies), self._added("hangs", entry.hangs, self._hangs)
@@ -183,7 +230,7 @@ class _DecoratingTables(CoreTables):
         self._added("entry", [numbers], lambda row: row)
 
     def _add_kind(self, name: str, kind: DecorationKind, colours: int) -> None:
-        numbers = *self._surfaces(kind.surfaces), self._word(name), colours, kind.jitter, kind.mixed
+        numbers = *self.surfaces(kind.surfaces), self._word(name), colours, kind.jitter, kind.mixed
         self._added("kind", [numbers], lambda row: (*millimetres(kind.size), *row))
 
     def _data(self) -> bytes:
@@ -193,25 +240,6 @@ class _DecoratingTables(CoreTables):
     def _names(self, names: Iterable[str], itself: str | None = None) -> TableRange:
         """Adds words; one of them may stand for something else."""
         return self._added("word", names, lambda name: (_ITSELF if name == itself else self._word(name),))
-
-    def _surfaces(self, surfaces: Sequence[Surface]) -> TableRange:
-        def numbers(one: Surface) -> tuple[int, ...]:
-            clearance = _NO_LIMIT if one.clearance is None else to_mm(one.clearance)
-            return to_mm(one.height), *[to_mm(one.inset)] * 4, clearance, self._word(one.name)
-
-        return self._added("surface", surfaces, numbers)
-
-    def _insides(self, kind: str, size: tuple[float, float, float]) -> TableRange:
-        """Adds what carries things inside a kind: up to whole mm, so that nothing begins in a board."""
-        half_width, half_depth = size[0] / 2, size[1] / 2
-
-        def numbers(one: InsideSurface) -> tuple[int, ...]:
-            insets = one.x[0] + half_width, half_width - one.x[1], one.z[0] + half_depth, half_depth - one.z[1]
-            free = one.clearance - (0.0 if one.drawer else OFF_MM / 1000)
-            level = math.ceil(one.height * 1000 - 1e-6)
-            return level, *(math.ceil(inset * 1000 - 1e-6) + OFF_MM for inset in insets), math.floor(free * 1000) - 1, self._word(one.sort)
-
-        return self._added("surface", insides_of(self._catalogs.shapes.get(kind, ()), size), numbers)
 
     def _colours(self, name: str, kind: DecorationKind) -> tuple[str, ...]:
         return self._palette(name) or (kind.color, *kind.variants)

@@ -1,18 +1,16 @@
 """decorated_rooms(): the rooms of a house. The work is the core's, which reads and answers rows: solver/core/decorate/room.hpp."""
 
-from collections.abc import Iterable, Iterator, Mapping
-from functools import lru_cache
+from collections.abc import Iterable
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from catalogs.entries import Comfort, Side
-from solver.body_rows import BodyTurn, DecorationRows, KindKey, count_furniture, furniture_turns, key_of, told
+from solver.body_rows import BodyTurn, DecorationRows, count_furniture, furniture_turns, told
 from solver.core import borrowed
-from solver.decorations.compiled_decorating import CompiledDecorating, DecorationSettings, compiled_decorating, millimetres
+from solver.decorations.compiled_decorating import CompiledDecorating, DecorationSettings, compiled_decorating
 from solver.demanded import demand
-from solver.free_floor import DOORWAY, sides_seen
+from solver.free_floor import DOORWAY
 from solver.free_places import RECT, furniture_as_told
-from solver.geometry import to_mm, wall_faced
+from solver.geometry import to_mm
 from solver.pieces import Space
 from solver.scene import WALL_NUMBERS, Opening, Room
 from solver.streams import Stream
@@ -54,8 +52,6 @@ def decorated_rooms(bare: Iterable[BareRoom], settings: DecorationSettings) -> l
 OPENING_MM: Final = 80
 """What hangs keeps this far from windows and doors, for their frames. Our choice."""
 _ROOM: Final = Struct("<Q4q2d4q10i")
-_MANNER: Final = Struct("<12i64s")
-_BESIDE: Final = Struct("<4i")
 _OPENING: Final = Struct("<2i4q")
 _ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Qq")
@@ -73,38 +69,13 @@ def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings
     flags = known.words.get(room.type, -1), room.outdoor, not room.outline, bool(room.accent)
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(settings.height), space.robot_mm, *flags, *counts)]
-    rows += [furniture_as_told(room), pack(f"<{len(numbers)}q", *numbers), *(_manner(known, *one) for one in manners)]
+    rows += [furniture_as_told(room), pack(f"<{len(numbers)}q", *numbers), *map(known.manners.rows.__getitem__, manners)]
     rows += openings
     rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == _OUTLINE) for zone in space.zones]
     swings = {opening.id for opening in room.openings if opening.kind == "door" and opening.swing == "in"}
     rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], door.id in swings, *door.square) for door in space.doorways]
     rows += [RECT.pack(*rect) for rect in kept]
     return b"".join(rows)
-
-
-@lru_cache(maxsize=16_384)
-def _manner(known: CompiledDecorating, key: KindKey, rotation: float) -> bytes:
-    """Returns what is said of furniture by what its kind is looked up by, and its turn."""
-    _, name, width, depth, height, said = key_of(key)
-    size, is_right = millimetres((width, depth, height)), rotation % 90 == 0
-    kind = said or known.book.kind_of("furniture", name, (width, depth, height)) or name
-    sides, need_all = known.uses.get(name, ((), False))
-    before = known.fronts.get(kind) if is_right else None
-    opens = (0, 0) if before is None else (to_mm(before.depth), to_mm(before.above))
-    turn = round(rotation) % 360 if is_right else 0
-    surfaces, insides = known.surfaces.get((name, size), (0, 0)), known.insides.get((kind, size), (0, 0)) if is_right else (0, 0)
-    beside = [*_kept_beside(known.comforts.get(said or name, {}), turn)] if is_right else []
-    used = name in known.faced, sides_seen(wall_faced(side, rotation) for side in sides), need_all
-    return _MANNER.pack(turn, known.words.get(name, -1), *surfaces, *insides, *used, *opens, len(beside), b"".join(beside))
-
-
-def _kept_beside(comforts: Mapping[Side, Comfort], turn: int) -> Iterator[bytes]:
-    """Yields the floor at the sides of a piece that is better kept free."""
-    at_low = wall_faced("back", turn) in ("north", "west")
-    for side, wish in comforts.items():
-        behind = to_mm(wish.behind) if side in ("left", "right") else 0
-        ends = (behind, 0) if at_low else (0, behind)
-        yield _BESIDE.pack(WALL_NUMBERS[wall_faced(side, turn)], *ends, to_mm(wish.depth))
 
 
 def _opening(opening: Opening) -> bytes:
