@@ -67,13 +67,21 @@ _furniture_look: Final = lru_cache(maxsize=20_000)(Look)
 """One look is one object, whatever room type lists it: what is worked out of looks is kept by them."""
 
 
+def looks_in(content: bytes, looks: LooksBySize) -> list[Look]:
+    """Returns the look of each of some rows."""
+    return [*map(looks.__getitem__, _KIND_AND_SIZE.iter_unpack(content))]
+
+
 class BodyRows:
-    """The bodies of one sort in a room as the core told them, in the order in which they were put there; called, it makes them."""
+    """The bodies of one sort in a room as the core told them, in the order in which they were put there; called, it makes them.
+
+    `looks` are those of each.
+    """
 
     field: ClassVar[str]
 
-    def __init__(self, content: bytes, room: Room, looks: LooksBySize) -> None:
-        self.content, self.room, self._looks = content, room, looks
+    def __init__(self, content: bytes, room: Room, looks: Sequence[Look]) -> None:
+        self.content, self.room, self.looks = content, room, looks
 
     def __len__(self) -> int:
         return len(self.content) // BODY.size
@@ -86,11 +94,6 @@ class BodyRows:
     def rows(self) -> Sequence[BodyRow]:
         """What was told of each."""
         return [*BODY.iter_unpack(self.content)]
-
-    @kept
-    def looks(self) -> Sequence[Look]:
-        """The look of each."""
-        return [*map(self._looks.__getitem__, _KIND_AND_SIZE.iter_unpack(self.content))]
 
     @property
     def turns(self) -> Sequence[int]:
@@ -135,7 +138,7 @@ class FurnitureRows(BodyRows):
 
     field = "furniture"
 
-    def __init__(self, content: bytes, room: Room, looks: LooksBySize, by_kind: Mapping[int, str]) -> None:
+    def __init__(self, content: bytes, room: Room, looks: Sequence[Look], by_kind: Mapping[int, str]) -> None:
         super().__init__(content, room, looks)
         self._by_kind = by_kind
 
@@ -157,7 +160,7 @@ class DecorationRows(BodyRows):
 
     field = "decorations"
 
-    def __init__(self, content: bytes, room: Room, looks: LooksBySize, colours: Sequence[Sequence[str]], styled: Sequence[bool]) -> None:
+    def __init__(self, content: bytes, room: Room, looks: Sequence[Look], colours: Sequence[Sequence[str]], styled: Sequence[bool]) -> None:
         super().__init__(content, room, looks)
         self._drawn_from, self._styled = colours, styled
 

@@ -72,17 +72,14 @@ def _standing(placed: Sequence[Placed], catalogs: Catalogs) -> StandingRows:
         carriers = places.get(way.on or "", -1), places.get(way.under or "", -1)
         turn = BODY_WALLS.index(one.wall), one.rotation, 0, counts[name], 0
         rows.append(BODY.pack(kinds.index((way.kind, way.size_mm)), *carriers, *turn, *one.footprint, way.bottom_mm, *way.size_mm))
-    looks = {(number, *size): furniture_look(kind, size, catalogs) for number, (kind, size) in enumerate(kinds)}
+    looks = [furniture_look(one.chosen.kind, one.chosen.size_mm, catalogs) for one in placed]
     return StandingRows(b"".join(rows), kinds, looks)
 
 
 def names_placed(arrangement: Arrangement, catalogs: Catalogs) -> list[str]:
     """Returns what scenes call the pieces that stand."""
-    if arrangement.standing is None:
-        return [catalogs.name_of(one.chosen.kind) for one in arrangement.placed]
-    content, kinds, _ = arrangement.standing
-    named = _colourings(catalogs)
-    return [named[kinds[number][0]].names[1] for (number,) in KIND.iter_unpack(content)]
+    rows = arrangement.standing
+    return [look.name for look in rows.looks] if rows else [catalogs.name_of(one.chosen.kind) for one in arrangement.placed]
 
 
 def recoloured(room: Room, catalogs: Catalogs, stream: Stream, style: Style | None, bare: bool = False) -> Room:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-from solver.body_rows import LooksBySize
+from solver.body_rows import Look, LooksBySize
 from solver.geometry import Rect, gaps_between, strip, turned
 from solver.records import late, maker_in
 
@@ -287,11 +287,11 @@ class Placed:
 
 
 class StandingRows(NamedTuple):
-    """Pieces that stand as bodies (`BODY` of body_rows.py), the kinds that they are of, and how these look."""
+    """Pieces that stand as bodies (`BODY` of body_rows.py), the kinds that they are of, and how each looks."""
 
     content: bytes
     kinds: NamedKinds
-    looks: LooksBySize
+    looks: Sequence[Look]
 
 
 class Residuals(NamedTuple):

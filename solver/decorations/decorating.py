@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from solver.body_rows import BodyTurn, DecorationRows, count_furniture, furniture_turns, told
+from solver.body_rows import BodyTurn, DecorationRows, count_furniture, furniture_turns, looks_in, told
 from solver.core import borrowed
 from solver.decorations.compiled_decorating import CompiledDecorating, DecorationSettings, compiled_decorating
 from solver.demanded import demand
@@ -92,4 +92,5 @@ def stream_after(answer: bytes) -> int:
 
 def rows_told(answer: bytes, room: Room, known: CompiledDecorating) -> DecorationRows:
     """Returns the things of an answer."""
-    return DecorationRows(answer[_ANSWER.size :], room, known.looks, known.colours, known.styled)
+    content = answer[_ANSWER.size :]
+    return DecorationRows(content, room, looks_in(content, known.looks), known.colours, known.styled)

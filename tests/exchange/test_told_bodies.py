@@ -9,7 +9,7 @@ from unittest import mock
 import pytest
 
 from solver import core
-from solver.body_rows import BODY, DecorationRows, FurnitureRows, Look, LooksBySize, told
+from solver.body_rows import BODY, DecorationRows, FurnitureRows, Look, LooksBySize, looks_in, told
 from solver.exchange import dump_scene, dump_text, scene_text, write_scene
 from solver.scene import Room, Scene
 
@@ -46,8 +46,8 @@ def random_room(seed: int) -> Room:
     return told(room, DecorationRows(*_of(things, room), [COLOURS] * len(NAMES), [True] * len(NAMES))) if seed % 7 else room
 
 
-def _of(rows: tuple[bytes, LooksBySize], room: Room) -> tuple[bytes, Room, LooksBySize]:
-    return rows[0], room, rows[1]
+def _of(rows: tuple[bytes, LooksBySize], room: Room) -> tuple[bytes, Room, list[Look]]:
+    return rows[0], room, looks_in(*rows)
 
 
 def random_scene(first: int) -> Scene:
