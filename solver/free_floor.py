@@ -28,8 +28,6 @@ from solver.scene import WALL_NUMBERS, WALLS, Room
 
 HEADROOM_MM: Final = 2000
 """What hangs higher is walked under: the height of a door."""
-DOORWAY: Final = Struct("<2i4q")
-"""A doorway as the core reads it: its wall, and behind an unused number its square."""
 _FLOOR: Final = Struct("<5q4i")
 _GOAL: Final = Struct("<4q2i")
 
@@ -67,7 +65,7 @@ class FreeFloor:
         self._bodies += self._taken_between(-math.inf, HEADROOM_MM, loose=True)
         outer, through = space.walked
         self._outer, self._doors = len(outer), len(outer) + len(through)
-        self._doorways = b"".join([DOORWAY.pack(WALL_NUMBERS[door.wall], 0, *door.square) for door in (*outer, *through)])
+        self._doorways = b"".join([door.row() for door in (*outer, *through)])
         self._taken: dict[tuple[float, float], bytes] = {}
 
     @classmethod

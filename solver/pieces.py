@@ -8,11 +8,13 @@ Cost is one number for everything: quadratic terms are weight x metres squared, 
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from struct import Struct
+from typing import Final, Literal, NamedTuple
 
 from solver.body_rows import Look, LooksBySize
 from solver.geometry import Rect, gaps_between, strip, turned
-from solver.records import late, maker_in
+from solver.records import kept, late, maker_in
+from solver.scene import WALL_NUMBERS
 
 Extents = tuple[int, int, int]
 """Unrotated width, depth and height, mm."""
@@ -22,6 +24,11 @@ NamedKind = tuple[str, Extents]
 
 Stretch = tuple[int, int]
 """An interval along a wall, mm, from its west or north end."""
+
+
+ZONE: Final = Struct("<6q")
+DOORWAY: Final = Struct("<2i4q")
+"""How the core reads zones and doorways."""
 
 
 class Zone(NamedTuple):
@@ -50,6 +57,11 @@ class Doorway(NamedTuple):
     square: Rect
     connects_to: str
     walked: Walked = "through"
+    swings_in: bool = False
+
+    def row(self) -> bytes:
+        """Returns it as the core reads it."""
+        return DOORWAY.pack(WALL_NUMBERS[self.wall], self.swings_in, *self.square)
 
 
 class Opened(NamedTuple):
@@ -81,6 +93,12 @@ class Space:
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
     openings: tuple[Opened, ...] = ()
     """Those of the room's openings whose wall it tells."""
+
+    @kept
+    def rows(self) -> tuple[bytes, bytes]:
+        """Its zones and doorways as the core reads them."""
+        zones = [ZONE.pack(*rect, above, cause == "outline") for rect, above, cause in self.zones]
+        return b"".join(zones), b"".join([door.row() for door in self.doorways])
 
     @property
     def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:

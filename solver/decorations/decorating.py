@@ -8,7 +8,6 @@ from solver.body_rows import BodyTurn, DecorationRows, count_furniture, furnitur
 from solver.core import borrowed
 from solver.decorations.compiled_decorating import CompiledDecorating, DecorationSettings, compiled_decorating
 from solver.demanded import demand
-from solver.free_floor import DOORWAY
 from solver.free_places import RECT, furniture_as_told
 from solver.geometry import to_mm
 from solver.pieces import Space
@@ -53,10 +52,7 @@ OPENING_MM: Final = 80
 """What hangs keeps this far from windows and doors, for their frames. Our choice."""
 _ROOM: Final = Struct("<Q4q2d4q10i")
 _OPENING: Final = Struct("<2i4q")
-_ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Qq")
-_OUTLINE: Final = "outline"
-"""The cause of zones that are missing parts of a rectangle."""
 
 
 def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings: DecorationSettings, state: int) -> bytes:
@@ -70,12 +66,7 @@ def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(settings.height), space.robot_mm, *flags, *counts)]
     rows += [furniture_as_told(room), pack(f"<{len(numbers)}q", *numbers), *map(known.manners.rows.__getitem__, manners)]
-    rows += openings
-    rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == _OUTLINE) for zone in space.zones]
-    swings = {opening.id for opening in room.openings if opening.kind == "door" and opening.swing == "in"}
-    rows += [DOORWAY.pack(WALL_NUMBERS[door.wall], door.id in swings, *door.square) for door in space.doorways]
-    rows += [RECT.pack(*rect) for rect in kept]
-    return b"".join(rows)
+    return b"".join([*rows, *openings, *space.rows, *(RECT.pack(*rect) for rect in kept)])
 
 
 def _opening(opening: Opening) -> bytes:

@@ -7,13 +7,12 @@ from typing import Any, Final, NamedTuple
 
 from solver.furnish.compiled_types import CompiledType
 from solver.geometry import WALL_BEHIND, Rect
-from solver.pieces import Attach, Candidate, Link, Piece, Space, Stance, Stand, Zone
-from solver.relations.rows import RELATION_WORDS, SIDES, WALL, WALLS_ASKED, opened_rows
-from solver.relations.subject import Kind, Scope
-from solver.scene import WALLS
+from solver.pieces import Attach, Candidate, Link, Piece, Space, Stance, Stand
+from solver.relations.rows import RELATION_WORDS, SIDES, WALLS_ASKED, opened_rows
+from solver.relations.subject import NO_SIDES, Kind
+from solver.scene import WALLS, Room
 
 _ROOM: Final = Struct("<Qd5q4i")
-_ZONE: Final = Struct("<6q")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
@@ -31,7 +30,6 @@ _TURNING: Final = 12
 _PERSON_MM: Final = 1800
 """Height of the space to be kept free there."""
 _PLACE: Final = Struct("<3q")
-_DOORWAY: Final = Struct("<2i4q")
 
 
 class Answer(NamedTuple):
@@ -47,20 +45,17 @@ class Answer(NamedTuple):
     links: list[tuple[Any, ...]]
 
 
-def room_rows(scope: Scope, zones: Sequence[Zone], area: float, state: int, counts_only: bool = False) -> bytes:
+def room_rows(room: Room, space: Space, area: float, state: int, counts_only: bool = False) -> bytes:
     """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's. `counts_only`: pieces are only counted."""
-    openings, exterior = scope.openings, scope.exterior
+    exterior = room.exterior_walls or NO_SIDES
     walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
-    rows = [_ROOM.pack(state, area, *scope.clear, scope.gap_mm, walls, len(openings), len(zones), counts_only)]
-    rows.append(opened_rows(openings))
-    rows += [_ZONE.pack(*zone.rect, zone.above_mm, zone.cause == "outline") for zone in zones]
-    return b"".join(rows)
+    counts = len(space.openings), len(space.zones), counts_only
+    return _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts) + opened_rows(space.openings) + space.rows[0]
 
 
 def place_rows(space: Space) -> bytes:
     """Returns what placement is asked of a room, as bytes behind its own: PlaceHeader of solver/core/rooms/asking.hpp, and its doorways."""
-    doorways = (_DOORWAY.pack(WALL[one.wall], 0, *one.square) for one in space.doorways)
-    return b"".join((_PLACE.pack(space.robot_mm, space.cover_mm2, len(space.doorways)), *doorways))
+    return _PLACE.pack(space.robot_mm, space.cover_mm2, len(space.doorways)) + space.rows[1]
 
 
 def answer_of(data: bytes) -> Answer:

@@ -16,7 +16,6 @@ from solver.core import ask
 from solver.furnish.compiled_types import KindTables
 from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
 from solver.furnish.habits import Habits
-from solver.furnish.zones import scope_of
 from solver.pieces import Piece, Placed, Space, Stance
 from solver.relations.rows import WALL
 from solver.relations.subject import Kind
@@ -150,7 +149,7 @@ class _ListTables(KindTables):
             rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, *_FREE[:1], WALL[None]))
         for kind in listing.kinds.values():
             self._added("kind", [kind], lambda kind: self._kind_row(kind, (0, 0), 0))
-        room = room_rows(scope_of(listing.room, listing.space), listing.space.zones, 0.0, 0)
+        room = room_rows(listing.room, listing.space, 0.0, 0)
         labels = [*(piece.label for piece in there), *listing.listed]
         return _Rows(self._packed(len(self._words), False, 0), room, b"".join(rows), len(there), labels)
 

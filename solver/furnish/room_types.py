@@ -12,7 +12,6 @@ from catalogs.schema import Catalogs, PieceSpec, RoomType
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
 from solver.furnish.core_rows import Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
-from solver.furnish.zones import scope_of
 from solver.pieces import Piece, Space, WantedRows
 from solver.scene import Room
 from solver.streams import Stream
@@ -30,7 +29,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     if room_type is None:
         return ()
     known = compiled_type(room_type, catalogs, room.type)
-    answer = _asked(known, room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state))
+    answer = _asked(known, room_rows(room, space, room.floor_m2, stream.state))
     stream.state = answer.state
     return pieces_of(answer, known)
 
@@ -38,7 +37,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
     """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
     known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
-    rows = room_rows(scope_of(room, space), space.zones, room.floor_m2, stream.state)
+    rows = room_rows(room, space, room.floor_m2, stream.state)
     told = partial(label_of, known), partial(candidate_in, known)
     return WantedRows(space, known.data, rows + place_rows(space), known.named, known.looks, *told)
 
@@ -58,7 +57,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
     found = [(spec.piece, f"only in a home planned without {', '.join(spec.without)}") for spec in room_type.pieces if spec.without]
     known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
     found += [(spec.piece, "only where one enters the home") for spec in room_type.pieces if spec.entered and spec not in known.specs]
-    for at, copies in _asked(known, room_rows(scope_of(room, space), space.zones, area, stream.state, counts_only=True)).counted:
+    for at, copies in _asked(known, room_rows(room, space, area, stream.state, counts_only=True)).counted:
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):
             found.append((spec.piece, _why_nowhere(spec, labels)))

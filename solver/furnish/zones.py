@@ -42,7 +42,8 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         if opening.kind != "garage_door":
             zones.append(zone)
         if opening.kind != "window":
-            doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or ""))
+            swings_in = opening.kind == "door" and opening.swing == "in"
+            doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or "", swings_in=swings_in))
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from solver.geometry import INWARDS, LEAST_FLOOR_MM2
-from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance, Zone
+from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance
 from solver.placement import layout
 from solver.placement.budget import charge
 from solver.placement.kernel import new_engine, request_of
@@ -198,7 +198,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
     outer, through = space.walked
     room = RoomArrays(
         _space_row(space, walk, len(outer)),
-        _matrix([value for zone in space.zones for value in _zone_row(zone)], 6),
+        np.frombuffer(space.rows[0], np.int64).reshape(-1, 6),
         _matrix([value for door in (*outer, *through) for value in door_target(space, door)], 4),
         _matrix([value for row in tables.rows for value in row], 9),
         np.array([piece.skip_cost for piece in pieces], dtype=np.float64),
@@ -210,10 +210,6 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
         _values(tables.link_costs, LINK_COSTS),
     )
     return tables, room
-
-
-def _zone_row(zone: Zone) -> tuple[int, ...]:
-    return (*zone.rect, zone.above_mm, int(zone.cause == "outline"))
 
 
 def _group(rows: list[list[int]], pieces: Sequence[Piece]) -> None:

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 from catalogs import Catalogs, load_catalogs
 from solver.core import CoreInstance
 from solver.floorplan import draw
-from solver.furnish import scope_of, space_of, wanted_pieces
+from solver.furnish import space_of, wanted_pieces
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import answer_of, room_rows
 from solver.pieces import Space
@@ -45,7 +45,7 @@ class Case(NamedTuple):
 
     def rows(self) -> bytes:
         """Returns the room as the core reads it."""
-        return room_rows(scope_of(self.room, self.space), self.space.zones, self.room.width * self.room.depth, self.stream.state)
+        return room_rows(self.room, self.space, self.room.width * self.room.depth, self.stream.state)
 
 
 def cases(homes: int, program: str | None) -> list[Case]:

@@ -13,7 +13,7 @@ import pytest
 from catalogs import load_catalogs
 from catalogs.schema import Catalogs
 from solver.core import CoreFailed
-from solver.furnish import scope_of, space_of, wanted_pieces
+from solver.furnish import space_of, wanted_pieces
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import room_rows
 from solver.scene import Room
@@ -81,7 +81,7 @@ def test_what_twenty_rooms_want_is_what_they_wanted_when_the_stage_moved() -> No
 def request(name: str, seed: int = 1) -> tuple[bytes, bytes]:
     room = random_room(Random(seed), name)
     space = space_of(room, 0.1)
-    return compiled_type(KNOWN.rooms[name], KNOWN).data, room_rows(scope_of(room, space), space.zones, room.floor_m2, seed)
+    return compiled_type(KNOWN.rooms[name], KNOWN).data, room_rows(room, space, room.floor_m2, seed)
 
 
 @pytest.mark.parametrize("name", ["kitchen", "living_room", "dining_room"])

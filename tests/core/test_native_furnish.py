@@ -6,7 +6,7 @@ from random import Random
 
 from catalogs import load_catalogs
 from solver.core import borrowed
-from solver.furnish import scope_of, space_of
+from solver.furnish import space_of
 from solver.furnish.compiled_types import compiled_type
 from solver.furnish.core_rows import room_rows
 from tests.core.native import Native
@@ -22,7 +22,7 @@ def request(seed: int) -> tuple[bytes, bytes]:
     room = random_room(rng, rng.choice(sorted(KNOWN.rooms)))
     room_type = KNOWN.rooms[room.type] if seed % 2 else random_type(rng, KNOWN)
     space = space_of(room, 0.1)
-    return compiled_type(room_type, KNOWN).data, room_rows(scope_of(room, space), space.zones, room.floor_m2, seed)
+    return compiled_type(room_type, KNOWN).data, room_rows(room, space, room.floor_m2, seed)
 
 
 def answer(known: bytes, room: bytes) -> bytes:

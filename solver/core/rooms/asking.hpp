@@ -9,7 +9,7 @@ namespace rooms {
 // A door or passage as the walk sees it: its wall, and its square inside the room.
 struct Doorway {
   Wall wall;
-  i32 unused;
+  i32 swings_in;  // of what is decorated alone
   Rect square;
 };
 
