@@ -208,6 +208,8 @@ class _ShardFiles:
 
     def close(self) -> None:
         """Removes what is not finished."""
+        for table in self._tables.values():
+            table.is_open = False  # or, thrown away, it would write its end still, and tell of the full disk itself
         for part in self._parts.values():
             part.unlink(missing_ok=True)
         self._open.pop_all()

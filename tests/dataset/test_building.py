@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import math
 import os
@@ -22,7 +23,7 @@ import pytest
 
 from service.cli import main
 from service.dataset.dataset_plan import SPLITS, Shard, split_of
-from service.dataset.shards import SCHEMAS, _ShardFiles
+from service.dataset.shards import SCHEMAS
 from service.pool import spread
 from solver.errors import FieldError
 from solver.exchange import load_text, read_scene
@@ -231,17 +232,23 @@ def test_wherenothing_can_be_written_is_said(tmp_path: Path, capfd: pytest.Captu
 def test_a_full_disk_is_said_and_leavesnothing_half_written(
     whole: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    flush, times = _ShardFiles._flush, []
+    write_table = pq.ParquetWriter.write_table
 
-    def full(files: _ShardFiles) -> None:
-        times.append(files)
-        flush(files)
-        if len(times) == 2:
-            raise OSError(28, "No space left on device")
+    def on_a_full_disk(table: pq.ParquetWriter, *rows: Any) -> None:
+        names = [name for name in Path("/proc/self/fd").iterdir() if re.search(r"-000001\.parquet\..*part$", os.path.realpath(name))]
+        if len(names) > 2:  # two tables have rows, and no end yet
+            with open("/dev/full", "wb") as disk:
+                for name in names:
+                    os.dup2(disk.fileno(), int(name.name))
+        write_table(table, *rows)
 
-    monkeypatch.setattr(_ShardFiles, "_flush", full)
+    monkeypatch.setattr(pq.ParquetWriter, "write_table", on_a_full_disk)
+    told: list[object] = []
+    monkeypatch.setattr(sys, "unraisablehook", told.append)
     assert main([*SMALL, "--workers", "1", "--out", str(tmp_path)]) == 2
     words = capfd.readouterr().err
+    gc.collect()
+    assert told == [], "nothing is written once more as it is thrown away"
     assert "the disk is full" in words and "goes on" in words and "Traceback" not in words
     assert list(tmp_path.rglob("*.part")) == []
     assert {re.sub(r".*-(\d+).*", r"\1", path.name) for path in tmp_path.rglob("*.parquet")} == {"000000"}
