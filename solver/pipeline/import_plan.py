@@ -162,8 +162,10 @@ def _loaded(file: PlanFile) -> object:
     try:
         return load_text(file.content, format_of_file(file.name, file.content))
     except SyntaxFault as fault:
-        if format_of_name(file.name) in FORMATS or not str(fault).startswith("not "):
+        if format_of_name(file.name) in FORMATS or not file.content:
             raise
+        if b"\0" in file.content or not str(fault).startswith("not "):
+            raise SyntaxFault(f"{NO_FORMAT}, and no text in UTF-8") from None
         raise SyntaxFault(f"{NO_FORMAT}; read as a scene: {fault}") from None
 
 

@@ -212,6 +212,15 @@ def test_a_file_in_no_known_format_is_first_said_to_be_one(tmp_path: Path, capfd
         assert f"{name}: {words}" in refused(capfdbinary, "import", str(tmp_path / name))
 
 
+@pytest.mark.parametrize("content", [b"\x7fELF\x02\x01\x01\0\0", b"\xe0\x9f\xff plan", b"\1\2\0"])
+def test_a_file_that_is_no_text_is_told_to_be_in_no_known_format(tmp_path: Path, capfdbinary: Captured, content: bytes) -> None:
+    for name in ("plan", "plan.bin", "plan.dxf", "plan.ifc", "plan.sh3d"):
+        (tmp_path / name).write_bytes(content)
+        words = refused(capfdbinary, "import", str(tmp_path / name))
+        assert f"{name}: file: is in none of the formats that are read here, and no text in UTF-8 (allowed: a file of" in words
+        assert "codec" not in words and "control characters" not in words
+
+
 @pytest.mark.parametrize(
     ("name", "content"),
     [
