@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect, sync_playwright
 
 from tests.browser.service_process import ServiceProcess, running
-from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, WINDOW, Visit
+from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, PROBE, WINDOW, Visit
 from tests.browser.ways import Touch, Way
 from tests.chromium import FLAGS, executable
 from tests.conftest import OPENED_ANEW
@@ -22,6 +22,9 @@ PIXEL_RATIO = 0.5
 
 JAGGED = "--webgl-antialiasing-mode=none"
 """Smooth edges cost as much as all else that is drawn, and no test looks at them."""
+
+ONE_PROCESS = "--process-per-site"
+"""Pages of one window share a process, so that only the first has to start one and to compile what all of them load."""
 
 NO_TRIANGLES = """{
     const counted = {drawArrays: [2], drawElements: [1], drawArraysInstanced: [2, 3], drawElementsInstanced: [1, 4]};
@@ -56,7 +59,7 @@ def browser() -> Iterator[Browser]:
     """A headless Chromium with WebGL, one for the whole run."""
     path = executable()
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=path, args=[*FLAGS, JAGGED], timeout=ANSWER_MS)
+        chromium = playwright.chromium.launch(executable_path=path, args=[*FLAGS, JAGGED, ONE_PROCESS], timeout=ANSWER_MS)
         yield chromium
         chromium.close()
 
@@ -64,6 +67,11 @@ def browser() -> Iterator[Browser]:
 def window(browser: Browser, size: ViewportSize = WINDOW, **more: Any) -> BrowserContext:
     """Where pages of a size open that show no flights, and what else a browser can be told of itself."""
     return browser.new_context(viewport=size, device_scale_factor=PIXEL_RATIO, reduced_motion="reduce", **more)
+
+
+def keep_open(context: BrowserContext, service: ServiceProcess) -> None:
+    """Keeps a window and the process of its pages, by a page that stays: a new one of either costs as much as a page."""
+    context.new_page().goto(service.address + PROBE.removeprefix("/"))
 
 
 @contextmanager
@@ -76,11 +84,11 @@ def visiting(browser: Browser, address: str, size: ViewportSize = WINDOW, **more
 
 
 @pytest.fixture(scope="session")
-def context(browser: Browser) -> Iterator[BrowserContext]:
+def context(browser: Browser, service: ServiceProcess) -> Iterator[BrowserContext]:
     """Where pages of 1000 x 600 open that show no flights; what they load stays compiled, what they remember ends with each."""
     context = window(browser)
+    keep_open(context, service)
     context.add_init_script(SHOWN)
-    context.new_page()  # keeps the window open: a new one, with its frame and its address bar, costs as much as a page in it
     yield context
     context.close()
 

@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Route, expect
 
 from tests.architecture.tree import ROOT
-from tests.browser.conftest import DESK, NO_TRIANGLES, PHONE, SHOWN, close, window
+from tests.browser.conftest import DESK, NO_TRIANGLES, PHONE, SHOWN, close, keep_open, window
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import OVER, found_in, in_conflict, refusing
 from tests.browser.test_editing import ONE, OTHER, crate, den
@@ -50,12 +50,12 @@ COMPARE = 4
 
 
 @pytest.fixture(scope="module")
-def large(browser: Browser) -> Iterator[BrowserContext]:
+def large(browser: Browser, service: ServiceProcess) -> Iterator[BrowserContext]:
     """A window with room for all panels, in which nothing is drawn whole."""
     context = window(browser, DESK)
+    keep_open(context, service)
     for script in (SHOWN, NO_TRIANGLES):
         context.add_init_script(script)
-    context.new_page()  # keeps the window open
     yield context
     context.close()
 
