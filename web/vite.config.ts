@@ -12,8 +12,12 @@ const CALLS = [
 
 const GUARD_MS = 600_000;
 
+/** Shaders are text, which no minifier shortens: how their lines are set in says nothing. */
+const SHADERS = { name: "shaders", transform: { filter: { id: /node_modules.three/ }, handler: (code: string) => code.replaceAll(/(\n|\\n)(?:[\t ]|\\t)+/g, "$1") } };
+
 export default defineConfig({
   base: "./",
+  plugins: [SHADERS],
   build: {
     outDir: STATIC_DIRECTORY,
     emptyOutDir: true,
