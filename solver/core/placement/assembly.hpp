@@ -9,6 +9,8 @@ namespace placement {
 //
 // A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last problem
 // began with in the same way is kept.
-bool assemble(const Room& room, const Work& work, const Decisions& decisions);
+//
+//   give_up: whether it ends, false, at the first choice that cannot hold; what was laid out is then of no use but to the next problem.
+bool assemble(const Room& room, const Work& work, const Decisions& decisions, bool give_up = false);
 
 }  // namespace placement
