@@ -27,16 +27,20 @@ def spaces_in(scene: Scene) -> Callable[[Room], Space]:
     return lambda room: space_of(room, scene.wall_thickness, robot_width, tuple(beyond.get(room.id, {}).values()))
 
 
+def entrances_of(rooms: Iterable[Room]) -> set[tuple[int, str]]:
+    """Returns level and id of each storey's main entrance; where it has none, of all its doors to the outside."""
+    ways = [(room.level, one) for room in rooms for one in room.openings if one.kind != "window"]
+    main = {(level, one.id) for level, one in ways if one.main_entrance}
+    with_main = {level for level, _ in main}
+    return main | {(level, one.id) for level, one in ways if one.connects_to == EXTERIOR and level not in with_main}
+
+
 def as_walked_in(scene: Scene) -> Callable[[RoomProblem], RoomProblem]:
     """Returns what leaves in a room's problem the doors that the rule `unreachable` asks for.
 
     One comes in by one of the storey's entrances, whichever. What else leads outside, or to no room of the storey, need not be come to.
     """
-    levels = {room.id: room.level for room in scene.rooms}
-    ways = [(room.level, one) for room in scene.rooms for one in room.openings if one.kind != "window"]
-    main = {(level, one.id) for level, one in ways if one.main_entrance}
-    with_main = {level for level, _ in main}
-    entrances = main | {(level, one.id) for level, one in ways if one.connects_to == EXTERIOR and level not in with_main}
+    levels, entrances = {room.id: room.level for room in scene.rooms}, entrances_of(scene.rooms)
 
     def use(door: Doorway, level: int) -> Walked:
         if (level, door.id) in entrances:

@@ -4,12 +4,12 @@ Required pieces are searched best-first over prefixes; optional ones follow by i
 throughout. Limits are counts; ties go to the earlier. The work is the kernel's; here is what to ask it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from solver.geometry import Rect
-from solver.pieces import Candidate, Piece, Space
+from solver.pieces import Candidate, Doorway, Piece, Space
 from solver.placement import kernel
 from solver.placement.budget import Budget, is_call_spent
 from solver.placement.core import Core, Limits, rounded
@@ -191,6 +191,19 @@ def walkable_when_empty(space: Space) -> bool:
     """Tells whether a person can walk through all doors of the empty room."""
     core = Core(encode(space, ()))
     return core.evaluate(core.blank(), 10, Budget(is_known=True), True)
+
+
+def with_joined_doors(space: Space, entrances: Collection[str]) -> Space:
+    """Returns the space with those doors to be joined that its empty floor joins: where one comes in, by ids of doors, else the most."""
+    if len(space.doorways) < 2 or walkable_when_empty(space):
+        return space
+
+    def joins(*doors: Doorway) -> bool:
+        return walkable_when_empty(replace(space, doorways=doors))
+
+    parts = [[other for other in space.doorways if other is door or joins(door, other)] for door in space.doorways if joins(door)]
+    best = max(parts, key=lambda part: (any(door.id in entrances for door in part), len(part)), default=space.doorways)
+    return replace(space, doorways=tuple(door if door in best else door._replace(walked="not") for door in space.doorways))
 
 
 def _found_by_freeing(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:

@@ -135,3 +135,20 @@ def test_what_is_missing_is_named_though_another_keeps_its_distance_from_it(othe
     assert set(conflict.ids) == members
     assert conflict.repairs[0] == {"action": "leave_out", "id": "bed"}
     assert place(hall, [replace(shy, relations=()), wishes[2]]).conflicts == ()
+
+
+@pytest.mark.parametrize("front_door", [True, False])
+@pytest.mark.parametrize("depth", [2.6, 3.2, 4.0])
+def test_a_door_that_even_the_empty_room_does_not_join_leaves_the_others_to_be_joined(depth: float, front_door: bool) -> None:
+    south = depth - 1.0  # of the leg, which is 0.4 m wide: nobody can walk in it
+    outline = ((0.0, 0.0), (3.0, 0.0), (3.0, south), (3.4, south), (3.4, depth), (0.0, depth))
+    openings = (
+        Opening("in the leg", width=0.38, position=3.2, edge=4, connects_to="cellar"),
+        Opening("in", width=0.9, position=0.8, edge=5, connects_to="EXTERIOR", main_entrance=front_door),
+        Opening("hall", width=0.9, position=0.7, edge=0, connects_to="hall"),
+    )
+    kinds = ("wardrobe", "sofa", "bed", "desk", "bookshelf", "treadmill", "stove", "deck_chair", "armchair", "tv_stand")
+    wanted = [PieceRequest(kind, required=not k) for k, kind in enumerate(kinds)]
+    found = place(Room("den", width=3.4, depth=depth, outline=outline, openings=openings), wanted).best
+    assert [one for one in found.issues if one.severity == "error"] == []
+    assert len(found.scene.rooms[0].furniture) >= 2
