@@ -17,8 +17,8 @@ from solver.placement.budget import Budget, charge, is_call_spent
 from solver.placement.core import Core, Limits
 from solver.placement.encode import encode
 
-SEARCH = Limits(required=300, required_qps=300)
-"""What one neighbourhood may try."""
+SEARCH = Limits(required=30, required_qps=300)
+"""What one neighbourhood may try, first the cheapest ways, then, as often, the farthest that was come to: it helps soon or seldom."""
 BETTER_WORK = 10000.0
 """What the search goes on for once something was found, in QPs of a small room."""
 PAIR_WORK = 0.0025

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 
 import pytest
@@ -77,3 +78,23 @@ def test_chairs_do_not_stay_behind_where_their_table_goes(seed: int) -> None:
     chairs = [piece for piece in now.values() if piece.under == table.id]
     assert chairs
     assert all(footprint(chair).overlaps(footprint(now[table.id]).shrunk(-AT_TABLE_MM)) for chair in chairs)
+
+
+THROWN = 32
+"""Times that each dining room is thrown about."""
+
+
+@pytest.mark.parametrize("seed", [11, 59])
+def test_a_dining_room_thrown_about_and_turned_is_put_right(seed: int) -> None:
+    scene = generate(Request(seed=seed, program="large", decorate=False)).scene
+    room = next(room for room in scene.rooms if sum(piece.name == "dining_chair" for piece in room.furniture) == 6)
+    for k in range(THROWN):
+        chance = random.Random(k)
+        furniture = {piece.id: piece for piece in room.furniture}
+        thrown = chance.sample(room.furniture, len(room.furniture) * 2 // 5)
+        for piece in thrown:
+            x, z = (round(chance.uniform(0.2, side - 0.2), 3) for side in (room.width, room.depth))
+            furniture[piece.id] = replace(piece, x=x, z=z, rotation=chance.choice([0, 90, 180, 270]))
+        rooms = tuple(replace(one, furniture=tuple(furniture.values())) if one is room else one for one in scene.rooms)
+        answer = fix(replace(scene, rooms=rooms), moved=[piece.id for piece in thrown])
+        assert (k, [one.message for one in answer.conflicts], errors(answer.scene)) == (k, [], [])

@@ -77,17 +77,17 @@ def test_every_sentence_is_in_a_form(asked: dict[str, object], seed: int) -> Non
 
 
 def test_a_search_that_ended_at_its_limit_says_what_was_sought_and_what_may_help() -> None:
-    """A sofa is dragged from the living room into a kitchen where it can stand, but shuts ways."""
+    """A bed is dragged into a kitchen where it can stand, but shuts ways."""
     home = generate(Request(seed=3, program="studio")).scene
-    sofa = next(piece for room in home.rooms for piece in room.furniture if piece.name == "sofa")
-    dropped = replace(sofa, x=0.9, z=1.5, rotation=0, wall=None)
+    bed = next(piece for room in home.rooms for piece in room.furniture if piece.name == "bed")
+    dropped = replace(bed, x=0.9, z=1.0, rotation=0, wall=None)
     rooms = []
     for room in home.rooms:
-        others = tuple(piece for piece in room.furniture if piece is not sofa)
+        others = tuple(piece for piece in room.furniture if piece is not bed)
         rooms.append(replace(room, furniture=(*others, dropped) if room.type == "kitchen" else others))
-    first = fix(replace(home, rooms=tuple(rooms)), moved=[sofa.id]).conflicts[0]
+    first = fix(replace(home, rooms=tuple(rooms)), moved=[bed.id]).conflicts[0]
     kitchen = next(room.id for room in home.rooms if room.type == "kitchen")
-    name = f"sofa {sofa.width:.2f} x {sofa.depth:.2f} m"
+    name = f"bed {bed.width:.2f} x {bed.depth:.2f} m"
     assert first.message.startswith(f"not found: ways in {kitchen} by which somebody can get to {name}: it can stand there, but ")
     assert "with less in the room, or with it turned or smaller" in first.message
     assert {repair["action"] for repair in first.repairs} >= {"leave_out", "shrink"}
