@@ -19,6 +19,7 @@ def load(source: str | bytes | PathLike[str] | Mapping[str, object], format: str
 
     Raises:
         OSError: the file cannot be read.
+        RequestError: the source is of another type.
         SyntaxFault: the content is not of that format; or it is a .glb that Compose did not write.
         SceneError: the document is no scene; names the field and what is allowed.
 
@@ -29,7 +30,9 @@ def load(source: str | bytes | PathLike[str] | Mapping[str, object], format: str
         ('office_0', 4.0)
     """
     from solver.exchange import read_scene
+    from solver.scene_bodies import check_is
 
+    check_is("source", source, (str, bytes, PathLike, Mapping), "a path, a text or a mapping", RequestError)
     document = dict(source) if isinstance(source, Mapping) else _document(source, format)
     if isinstance(document, dict) and "scene" in document and "rooms" not in document:
         document = document["scene"]
@@ -70,8 +73,10 @@ def dump(scene: Scene, path: str | PathLike[str] | None = None, format: str | No
         True
     """
     from solver.exchange import dump_scene, format_of_name
+    from solver.scene_bodies import check_scene
     from solver.whole_files import write_whole
 
+    check_scene(scene)
     name = str(path or "")
     asked = format or PurePath(name).suffix.lower().removeprefix(".")
     if asked in EXPORTERS:

@@ -23,7 +23,7 @@ from solver.fields import GIVEN, STRICT, WHOLE, Flag, Record
 from solver.relations.rows import RELATION_WORDS
 from solver.relations.subject import Kind, as_its_size_says
 from solver.scene import Room, Scene
-from solver.scene_bodies import check_listed
+from solver.scene_bodies import check_is, check_listed
 
 if TYPE_CHECKING:
     from solver.relations.held import Traits
@@ -92,6 +92,8 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, ce
         RequestError: names the field and what is allowed.
     """
     check_listed("pieces", requests, PieceRequest, "a PieceRequest", RequestError)
+    for k, request in enumerate(requests):
+        _check_types(f"pieces[{k}]", request)
     if sum(request.count for request in requests) > MOST_PIECES:
         raise RequestError("pieces", f"are {sum(request.count for request in requests)}, copies counted", f"at most {MOST_PIECES}")
     taken = {piece.id for piece in room.furniture} | {thing.id for thing in room.decorations}
@@ -102,6 +104,13 @@ def checked(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, ce
     for k, request in enumerate(requests):
         _check_relations(f"pieces[{k}]", request, names)
     return tuple(all_of(partial(_sized, f"pieces[{k}]", request, catalogs, ceiling) for k, request in enumerate(requests)))
+
+
+def _check_types(field: str, request: PieceRequest) -> None:
+    for key in ("id", "name"):
+        check_is(f"{field}.{key}", getattr(request, key), str, "a text", RequestError)
+    check_is(f"{field}.count", request.count, int, f"a whole number from 1 to {MOST_PIECES}", RequestError)
+    check_listed(f"{field}.relations", request.relations, RelationSpec, "a RelationSpec", RequestError)
 
 
 def _check_identity(field: str, request: PieceRequest, taken: set[str]) -> None:
@@ -161,6 +170,7 @@ def _length(field: str, key: str, request: PieceRequest, usual: float | None) ->
     value = usual if given is None else given
     if value is None:
         raise RequestError(f"{field}.{key}", f"is missing, and {request.name!r} is no kind of the catalog", _range())
+    check_is(f"{field}.{key}", value, (int, float), _range(), RequestError)
     if not LEAST_LENGTH <= value <= MOST_LENGTH:
         raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
     return round(value * 1000) / 1000

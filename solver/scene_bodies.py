@@ -96,12 +96,30 @@ def check_listed(field: str, given: object, entry: type, called_so: str, error: 
     if isinstance(given, str) or not isinstance(given, Collection):
         raise error(field, f"is {called(given)}", "a list")
     for place, one in enumerate(given):
-        if not isinstance(one, entry):
-            raise error(f"{field}[{place}]", f"is {called(one)}", called_so)
+        check_is(f"{field}[{place}]", one, entry, called_so, error)
+
+
+def check_is(field: str, given: object, of: type | tuple[type, ...], called_so: str, error: type[FieldError] = SceneError) -> None:
+    """Refuses what is not of a type: true and false are no numbers.
+
+    Raises:
+        FieldError: names what is wrong, and that `called_so` is wanted.
+    """
+    if not isinstance(given, of) or isinstance(given, bool):
+        raise error(field, f"is {called(given)}", called_so)
+
+
+def check_scene(scene: object) -> None:
+    """Refuses what is no scene.
+
+    Raises:
+        SceneError: says what was given.
+    """
+    check_is("scene", scene, Scene, "a Scene, as `load` or `generate` gives it")
 
 
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
-    """Refuses ids, by the name of the field that lists them, that a scene does not have, and what is no list of ids.
+    """Refuses ids, by the name of the field that lists them, that a scene does not have, or has twice, and what is no list of ids.
 
     Raises:
         SceneError: names the entries and some ids that would do.
@@ -109,6 +127,9 @@ def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
     for field, ids in wanted.items():
         check_listed(field, ids, str, "a text")
     have = set(known)
+    if len(have) < len(known):
+        twice = next(one for k, one in enumerate(known) if one in known[:k])
+        raise SceneError("scene", f"{twice!r} is given twice", "ids that differ, also from those of what stands in the room")
     named = ((f"{field}[{k}]", one) for field, ids in wanted.items() for k, one in enumerate(ids) if one not in have)
     all_of(partial(check_id, field, one, known) for field, one in islice(named, MOST_TOLD))
 

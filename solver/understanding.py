@@ -10,6 +10,7 @@ from catalogs import Catalogs
 from catalogs.synonyms import own_names, synonyms_of
 from solver.body_rows import furniture_names
 from solver.scene import Decoration, Furniture, Room, Scene
+from solver.scene_bodies import check_scene
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,7 @@ class Understood:
 
 def understood(scene: Scene, catalogs: Catalogs) -> Understood:
     """Returns a scene with its furniture in the catalogs' words; the very scene where it is already."""
+    check_scene(scene)
     ours = own_names(catalogs)
     if all(ours.issuperset(furniture_names(room)) for room in scene.rooms):
         return Understood(scene, {}, {})

@@ -13,6 +13,7 @@ from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
 from solver.scene import Scene
+from solver.scene_bodies import check_scene
 from solver.validator import floors, validate
 
 LEAST_SIDE_M: Final = 0.001
@@ -101,6 +102,7 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
 
 
 def _check_sides(scene: Scene) -> None:
+    check_scene(scene)
     for k, room in enumerate(scene.rooms):
         for side in ("width", "depth"):
             if getattr(room, side) < LEAST_SIDE_M:

@@ -18,7 +18,7 @@ from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
 from solver.scene import Room, Scene
-from solver.scene_bodies import check_id, check_ids
+from solver.scene_bodies import check_id, check_ids, check_is, check_scene
 from solver.streams import Stream
 from solver.understanding import understood
 from solver.validator import validate
@@ -73,8 +73,10 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
         ('bedroom', True)
     """
     known = catalogs or load_catalogs()
+    check_scene(scene)
     ids = [room.id for room in scene.rooms]
     check_ids(ids, rooms=rooms)
+    check_is("types", types or {}, Mapping, "a mapping of rooms to types")
     for name in types or ():
         check_id(f"types.{name}", name, ids)
     if keep not in KEEPS:

@@ -17,6 +17,7 @@ from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
 from solver.scene import ROBOT_WIDTH, Room
+from solver.scene_bodies import check_is
 
 Asking: TypeAlias = Callable[[Sequence[PieceRequest]], PlaceTask]
 """Makes the task of other requests for the same room."""
@@ -57,6 +58,10 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         >>> [(held.piece, held.type, held.held) for held in answer.best.relations]
         [('shelf', 'in_corner', True)]
     """
+    check_is("room", room, Room, "a Room", RequestError)
+    check_is("alternatives", alternatives, int, f"a whole number from 1 to {MOST_ALTERNATIVES}", RequestError)
+    for field, given in (("wall_thickness", wall_thickness), ("robot_width", robot_width), ("height", height or 0.0)):
+        check_is(field, given, (int, float), "a number of metres", RequestError)
     if not 1 <= alternatives <= MOST_ALTERNATIVES:
         raise RequestError("alternatives", f"is {alternatives}", f"a whole number from 1 to {MOST_ALTERNATIVES}")
     timing = Timing(clock)

@@ -7,10 +7,11 @@ from typing import Any
 
 import pytest
 
-from solver import Request, Scene, fix, fix_frame, generate
+from compose_homes import dump, furnish
+from solver import Request, Scene, export, fix, fix_frame, generate, validate
 from solver.errors import SceneError
 from solver.exchange import dump_text, write_scene
-from solver.scene import Decoration, Opening
+from solver.scene import Decoration, Opening, Room
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
@@ -202,3 +203,16 @@ def test_an_unknown_id_is_told_the_likeliest_first() -> None:
     with pytest.raises(SceneError) as refused:
         fix(room_of(*known), moved=["den_2/sofa_1"])
     assert (refused.value.allowed or "").startswith("one of hall_3/sofa_1, den_2/lamp_1, kitchen_1/chair_0, ")
+
+
+@pytest.mark.parametrize("given", ["x", None, {"rooms": []}, Room("den", width=3, depth=3)], ids=["text", "null", "mapping", "room"])
+def test_what_is_no_scene_is_refused(given: Any) -> None:
+    for flow in (fix, validate, furnish, dump, lambda scene: export(scene, "glb")):
+        with pytest.raises(SceneError, match=r"^scene: is .*\(allowed: a Scene"):
+            flow(given)
+
+
+def test_two_bodies_of_one_id_are_refused() -> None:
+    chair = body("chair", 1.0, 1.0, (0.5, 0.5, 0.9))
+    with pytest.raises(SceneError, match=r"^scene: 'room_0/chair' is given twice"):
+        fix(room_of(chair, replace(chair, x=3.0)))

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from catalogs.schema import RelationSpec
 from solver import place
-from solver.requested import Answered
-from solver.scene import Furniture
+from solver.errors import RequestError
+from solver.requested import Answered, PieceRequest
+from solver.scene import Furniture, Room
 from tests.pipeline.place_lists import TASKS, drawn
 from tests.sweeps import seeds
 
@@ -94,3 +96,22 @@ def test_what_a_list_does_say_counts_alone() -> None:
     found = place(room, asked).best
     assert [one.held for one in found.relations] == [True]
     assert found.unplaced == ()
+
+
+@pytest.mark.parametrize(
+    ("pieces", "more", "words"),
+    [
+        ([], {"alternatives": "x"}, r"alternatives: is 'x' \(allowed: a whole number from 1 to 16\)"),
+        ([], {"alternatives": 2.5}, r"alternatives: is 2.5 \(allowed: a whole number"),
+        ([], {"robot_width": "x"}, r"robot_width: is 'x' \(allowed: a number of metres\)"),
+        ([], {"height": "x"}, r"height: is 'x' \(allowed: a number of metres\)"),
+        ([{"id": 3}], {}, r"pieces\[0\].id: is 3 \(allowed: a text\)"),
+        ([{"id": "bed", "width": "x"}], {}, r"pieces\[0\].width: is 'x'"),
+        ([{"id": "bed", "count": "x"}], {}, r"pieces\[0\].count: is 'x' \(allowed: a whole number"),
+        ([{"id": "bed", "relations": "x"}], {}, r"pieces\[0\].relations: is 'x' \(allowed: a list\)"),
+        ([{"id": "bed", "relations": RelationSpec(type="in_corner")}], {}, r"pieces\[0\].relations: is .*\(allowed: a list\)"),
+    ],
+)
+def test_values_of_a_wrong_type_are_refused_by_their_field(pieces: list[dict[str, Any]], more: dict[str, Any], words: str) -> None:
+    with pytest.raises(RequestError, match=f"^{words}"):
+        place(Room("den", width=4, depth=3), [PieceRequest(**piece) for piece in pieces], **more)
