@@ -27,7 +27,7 @@ def ends(opening: Opening) -> tuple[int, int]:
 
 
 def is_broken(room: Room, wall: str, at: int, depth: int) -> bool:
-    """Tells whether a window is in a wall there, or a door's square on the floor before it: by a raster, cells of 1 cm."""
+    """Tells whether a window is in a wall there, or a door's square on the floor before it: by a raster of 1 by 5 cm."""
     width, length = round(room.width * 1000), round(room.depth * 1000)
     for opening in room.openings:
         low, high = ends(opening)
@@ -36,7 +36,7 @@ def is_broken(room: Room, wall: str, at: int, depth: int) -> bool:
                 return True
             continue
         deep = min(high - low, SQUARE)
-        for off in range(5, depth, 10):
+        for off in range(5, depth, 50):
             x, z = {"north": (at, off), "south": (at, length - off), "west": (off, at), "east": (width - off, at)}[wall]
             across, into = (x, z) if opening.wall in ("north", "south") else (z, x)
             into = into if opening.wall in ("north", "west") else (length if opening.wall == "south" else width) - into
@@ -58,17 +58,17 @@ def longest(room: Room, depth: int) -> int:
 
 @pytest.mark.parametrize(
     ("program", "kind", "depth", "length", "more"),
-    [("family", "bedroom_master", 2100, 2800, 2), ("studio", "living_room", 2100, 2800, 6), ("one_bed", "foyer", 400, 1500, 6)],
+    [("family", "bedroom_master", 2100, 2800, 3), ("studio", "living_room", 2100, 2800, 30), ("one_bed", "foyer", 400, 1500, 30)],
 )
 def test_a_bed_a_sofa_and_coats_find_a_whole_wall(program: str, kind: str, depth: int, length: int, more: int) -> None:
     """A wide bed between its nightstands takes 2.8 m; where plans keep no walls, fewer rooms have such."""
 
     def count(catalogs: Catalogs) -> int:
-        homes = (draw(Request(seed=seed, program=program), catalogs) for seed in range(310, 322))
+        homes = (draw(Request(seed=seed, program=program), catalogs) for seed in range(310, 370))
         return sum(longest(room, depth) >= length for home in homes for room in home.rooms if room.type == kind)
 
     kept = count(KNOWN)
-    assert kept >= 10
+    assert kept >= 50
     assert count(without_keeping()) <= kept - more
 
 

@@ -106,7 +106,7 @@ def test_the_whole_message_names_bodies_by_the_ids_of_the_scene() -> None:
     """Kitchens have counters by several labels of the search; in the scene they are counted together."""
     floors = 0
     for seed in range(42, 52):
-        house = generate(Request(seed=seed, program="family")).scene
+        house = generate(Request(seed=seed, program="studio")).scene
         kitchen = next(room for room in house.rooms if room.type == "kitchen")
         for hold in (hold for piece in kitchen.furniture for hold in explain(house, piece.id).holds if hold.what == "floor"):
             assert hold.by in {piece.id for piece in kitchen.furniture}

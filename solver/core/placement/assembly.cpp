@@ -88,30 +88,28 @@ static bool drop_options(const Work& work, i64 first) {
   return narrowed;
 }
 
-// Appends the choices of the parts from number `first` on: against zones, against the parts before them. False where it gives up.
-static bool add_choices(const Room& room, const Work& work, i64 first, bool give_up) {
+// Appends the choices of the parts from number `first` on: against zones, against the parts before them.
+static void add_choices(const Room& room, const Work& work, i64 first) {
   const i64 known = work.counts->choices;
   i64& choice = work.counts->choices;
   bool narrowed = false;
   const auto add = [&](const ChoiceParts& parts) {
     work.choice_parts[choice] = parts;
-    narrowed |= narrow_by(work, choice);
-    return work.choice_size[choice++] > 0 || !give_up;
+    narrowed |= narrow_by(work, choice++);
   };
   for (i64 b = first; b < work.counts->parts; b++) {
     const Part& part = work.parts[b];
     for (i64 k = 0; k < room.zones.size; k++) {
       const Zone& zone = room.zones[k];
       if (zone.is_wall == 0 && (part.stand != 0 || part.high <= zone.above)) continue;
-      if (keep_clear(work, choice, part, zone) && !add({{b, -1 - k}})) return false;
+      if (keep_clear(work, choice, part, zone)) add({{b, -1 - k}});
     }
     for (i64 a = 0; a < b; a++) {
       const Part& other = work.parts[a];
-      if (must_part(room, work, other, part) && keep_apart(work, choice, other, part) && !add({{a, b}})) return false;
+      if (must_part(room, work, other, part) && keep_apart(work, choice, other, part)) add({{a, b}});
     }
   }
   for (i64 round = 0; round < ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
-  return true;
 }
 
 static bool bounds_hold(const Work& work) {
@@ -169,7 +167,7 @@ static void reach_bounds(const Work& work, const i64 (&known)[2]) {
   }
 }
 
-bool assemble(const Room& room, const Work& work, const Decisions& decisions, bool give_up) {
+bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
   i64& last = work.counts->assembled;
   i64 piece = go_back(work, decisions);
   for (i64 k = piece; k < last; k++) work.taken_candidate[k] = ABSENT;
@@ -186,11 +184,7 @@ bool assemble(const Room& room, const Work& work, const Decisions& decisions, bo
       add_barriers(room, work, known.parts);
       reach_bounds(work, sizes);
       for (i64 k = known.rows; k < work.counts->rows; k++) tighten(work.least, work.most, work.rows[k]);
-      if (!add_choices(room, work, known.parts, give_up)) {
-        work.taken_candidate[piece] = ABSENT;
-        last = piece;  // the next problem goes on from the pieces before
-        return false;
-      }
+      add_choices(room, work, known.parts);
     }
     note(work, piece, decisions[piece]);
   }

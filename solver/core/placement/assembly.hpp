@@ -9,8 +9,6 @@ namespace placement {
 //
 // A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last problem
 // began with in the same way is kept.
-//
-//   give_up: whether it ends, false, at the first choice that cannot hold; what was laid out is then of no use but to the next problem.
-bool assemble(const Room& room, const Work& work, const Decisions& decisions, bool give_up = false);
+bool assemble(const Room& room, const Work& work, const Decisions& decisions);
 
 }  // namespace placement

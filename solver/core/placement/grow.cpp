@@ -38,8 +38,8 @@ static bool evaluate(
     const Engine& engine, const Decisions& decisions, i64& limit, f64 ceiling, bool walk, Effort& effort, bool all = false) {
   *engine.nodes.result.data = {};
   engine.nodes.result->exhausted = 1;
-  effort = {1.0, 0.0};
-  if (!assemble(engine.room, engine.work, decisions, true)) return false;
+  effort = {};
+  if (!assemble(engine.room, engine.work, decisions)) return false;
   effort = effort_of(engine, walk);
   limit = least(limit, affordable_qps(engine, effort));
   search(engine, limit, ceiling, walk);
