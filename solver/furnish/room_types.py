@@ -134,7 +134,9 @@ def as_low_as(height: float, catalogs: Catalogs) -> LowRooms:
         there = {piece.piece for piece in pieces}
         gone = (piece for piece in room.pieces if piece.piece not in there and not piece.without)
         left_out[name] = tuple((f"{piece.piece}_1", _why_too_high(piece, height, catalogs)) for piece in gone)
-    return LowRooms(catalogs.model_copy(update={"rooms": rooms}), left_out) if left_out else LowRooms(catalogs, {})
+    if not left_out:
+        return LowRooms(catalogs, {})
+    return LowRooms(catalogs.model_copy(update={"rooms": rooms, "home": f"{catalogs.home} {height} m high"}), left_out)
 
 
 def _why_too_high(piece: PieceSpec, height: float, catalogs: Catalogs) -> str:
