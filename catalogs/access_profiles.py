@@ -15,15 +15,17 @@ class AccessRule(Entry):
     """One demand: `what` is asked for in which `rooms`, never in `not_in`, or of which `pieces` there, by which `clause`.
 
     `min` is the length asked for, m; `deep` how deep a rectangle before a piece is; `other` what the narrower of two strips
-    has; `frame` what a leaf in its frame takes of a door; `beside` what may stand in strips. With `one` a single room will do.
+    has; `frame` what a leaf in its frame takes of a door; `latch` how far the floor before a door reaches beyond the end without the hinge;
+    `beside` what may stand in strips. With `one` a single room will do.
     """
 
-    what: Literal["turning", "door", "hallway", "before", "deep", "along"]
+    what: Literal["turning", "door", "hallway", "before", "deep", "along", "approach"]
     clause: str
     min: Metres
     deep: Metres | None = None
     other: Metres | None = None
     frame: Annotated[float, Field(ge=0, le=0.5)] = 0.0
+    latch: Annotated[float, Field(ge=0, le=2)] = 0.0
     rooms: tuple[RoomName, ...] = ()
     not_in: tuple[RoomName, ...] = ()
     pieces: tuple[PieceName, ...] = ()
@@ -33,6 +35,8 @@ class AccessRule(Entry):
     """Of a door: the main entrance alone is meant."""
     out: bool = False
     """Of a door: its leaf must not swing into the room."""
+    pull: bool | None = None
+    """Of the floor before a door: where the leaf comes towards one, or where it goes away."""
 
     def is_about(self, room: str) -> bool:
         """Tells whether rooms of a type, indoors, are meant."""
@@ -45,6 +49,8 @@ class AccessRule(Entry):
             raise ValueError("what asks for room before or along pieces names them, and nothing else does")
         if (self.what == "before") != (self.deep is not None) or (self.what == "along") != (self.other is not None):
             raise ValueError("`deep` goes with before, `other` with along")
+        if (self.what == "approach") != (self.pull is not None) or (self.latch and self.what != "approach"):
+            raise ValueError("`pull` goes with approach, and `latch` with nothing else")
         return self
 
 
@@ -66,6 +72,17 @@ class AccessProfile(Entry):
     def turning(self, room: str) -> float:
         """Returns the side of the square to be kept empty in a room of a type, m; 0 where there is none."""
         return max((rule.min for rule in self.rules if rule.what == "turning" and rule.is_about(room)), default=0.0)
+
+    @property
+    def hallway(self) -> float:
+        """How wide hallways are at least, m: what is asked for of them, and before the doors in them."""
+        asked = ("hallway", "approach")
+        return max((rule.min for rule in self.rules if rule.what in asked and rule.is_about("hallway")), default=0.0)
+
+    @property
+    def latches_behind(self) -> bool:
+        """Tells whether floor beside a door's latch is asked for on the side that the leaf does not sweep, too."""
+        return any(rule.latch for rule in self.rules if rule.pull is False)
 
     def swings_out(self, room: str) -> bool:
         """Tells whether leaves must not swing into rooms of a type."""

@@ -93,6 +93,8 @@ class Space:
     """Optional pieces are added while less floor than this is covered, mm2; 0: whatever is covered."""
     openings: tuple[Opened, ...] = ()
     """Those of the room's openings whose wall it tells."""
+    approaches: tuple[Rect, ...] = ()
+    """The floor before doors that a standard asks for."""
 
     @kept
     def rows(self) -> tuple[bytes, bytes]:

@@ -19,7 +19,7 @@ from solver.floorplan.openings import OpenedHouse, open_walls
 from solver.floorplan.plan import Drawing, FloorPlan, written
 from solver.floorplan.programme import plan_home
 from solver.floorplan.spine import carve
-from solver.floorplan.tiling import LATTICE_MM, LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
+from solver.floorplan.tiling import CLEAR_HALLWAY_MM, LATTICE_MM, LEAF_MM, WALL_MM, HouseWalls, Joint, Layout, joints, set_apart, trimmed
 from solver.geometry import Rect, to_m, to_mm
 from solver.request import Request
 
@@ -52,7 +52,8 @@ def _walls_of(request: Request, catalogs: Catalogs) -> HouseWalls:
         raise RequestError("outer_wall_thickness", f"{outer} m is less than the {inner} m of inner walls", f"at least {inner}")
     asked = to_mm(catalogs.profile.leaf(main=False)) if catalogs.profile else 0
     robot = -(-to_mm(request.robot_width) // LATTICE_MM) * LATTICE_MM
-    return HouseWalls(to_mm(inner), to_mm(outer), max(LEAF_MM, asked, robot))
+    clear = max(CLEAR_HALLWAY_MM, to_mm(catalogs.profile.hallway) if catalogs.profile else 0)
+    return HouseWalls(to_mm(inner), to_mm(outer), max(LEAF_MM, asked, robot), clear)
 
 
 def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:

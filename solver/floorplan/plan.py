@@ -117,7 +117,7 @@ def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], height
         height=heights[0],
         sill=heights[1],
         connects_to=ids[partner] if partner is not None else EXTERIOR,
-        hinge=_hinge(cut, drawing.rects[cut.room if cut.leaf is None else cut.leaf]) if cut.kind == "door" else None,
+        hinge=_hinge(cut, drawing) if cut.kind == "door" else None,
         swing=("in" if cut.leaf == room else "out") if cut.kind == "door" else None,
         main_entrance=cut.main,
         render_panel=partner is None or room < partner,
@@ -131,9 +131,15 @@ def _heights(drawing: Drawing, cut: Cut) -> tuple[float, float]:
     return (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
 
 
-def _hinge(cut: Cut, swept: Rect) -> str:
-    """The leaf hangs at the end nearer to the corner of the room it sweeps, so that it opens against the wall there."""
-    low, high = swept.along(cut.wall)
+def _hinge(cut: Cut, drawing: Drawing) -> str:
+    """The leaf hangs at the end nearer to the corner of the room it sweeps, so that it opens against the wall there.
+
+    Where homes are made for a profile that asks for floor beside the latch on both sides, a corner of either room.
+    """
+    profile, swept = drawing.catalogs.profile, cut.room if cut.leaf is None else cut.leaf
+    rooms = cut.sides if profile and profile.latches_behind else (swept,)
+    low = max(drawing.rects[room].along(cut.wall)[0] for room in rooms)
+    high = min(drawing.rects[room].along(cut.wall)[1] for room in rooms)
     return "start" if cut.centre - low <= high - cut.centre else "end"
 
 

@@ -24,11 +24,12 @@ LEAST_JAMB_MM: Final = 50
 
 
 class HouseWalls(NamedTuple):
-    """How thick inner walls and outer ones are, and how wide a door's opening is, mm; what that asks of a plan drawn by walls' lines."""
+    """How thick inner and outer walls are, how wide doors and hallways, mm; what that asks of a plan that is drawn by walls' lines."""
 
     thickness: int = WALL_MM
     outer: int = WALL_MM
     leaf: int = LEAF_MM
+    clear_hallway: int = CLEAR_HALLWAY_MM
 
     @property
     def more(self) -> int:
@@ -43,7 +44,7 @@ class HouseWalls(NamedTuple):
     @property
     def hallway(self) -> int:
         """Width of a hallway between wall lines, mm."""
-        return -(-(max(CLEAR_HALLWAY_MM, self.leaf + 2 * JAMB_MM) + self.thickness) // LATTICE_MM) * LATTICE_MM
+        return -(-(max(self.clear_hallway, self.leaf + 2 * JAMB_MM) + self.thickness) // LATTICE_MM) * LATTICE_MM
 
     @property
     def jamb(self) -> int:

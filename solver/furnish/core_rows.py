@@ -12,7 +12,7 @@ from solver.relations.rows import RELATION_WORDS, SIDES, WALLS_ASKED, opened_row
 from solver.relations.subject import NO_SIDES, Kind
 from solver.scene import WALLS, Room
 
-_ROOM: Final = Struct("<Qd5q4i")
+_ROOM: Final = Struct("<Qd5q6i")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
@@ -26,7 +26,8 @@ _STANCES: Final = (None, *map(Stance, WALL_BEHIND), *starmap(Stance, WALL_BEHIND
 _FLOOR: Final = "floor"
 """The kind of floor that is better kept free."""
 _FLOORS: Final = ("floor at the", "floor opened over at the", "floor asked for at the")
-_TURNING: Final = 12
+_RECT: Final = Struct("<4q")
+_TURNING, _APPROACH = 12, 13
 _PERSON_MM: Final = 1800
 """Height of the space to be kept free there."""
 _PLACE: Final = Struct("<3q")
@@ -49,8 +50,9 @@ def room_rows(room: Room, space: Space, area: float, state: int, counts_only: bo
     """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's. `counts_only`: pieces are only counted."""
     exterior = room.exterior_walls or NO_SIDES
     walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
-    counts = len(space.openings), len(space.zones), counts_only
-    return _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts) + opened_rows(space.openings) + space.rows[0]
+    counts = len(space.openings), len(space.zones), counts_only, len(space.approaches), 0
+    rows = _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts), opened_rows(space.openings), space.rows[0]
+    return b"".join([*rows, *starmap(_RECT.pack, space.approaches)])
 
 
 def place_rows(space: Space) -> bytes:
@@ -75,14 +77,15 @@ def label_of(known: CompiledType, rows: Sequence[tuple[int, int, int]], at: int)
     Args:
         known: the room's type.
         rows: of each wanted piece its spec, the number of the copy, and -1; of floor at a side of a piece that piece's place among them and
-            the side, four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in.
+            the side, four more where fronts open over it, eight more where a standard asks for it; twelve of floor to turn in,
+            thirteen of floor before a door.
         at: its place among them.
     """
     spec, number, side = rows[at]
     if side < 0:
         return f"{known.specs[spec].piece}_{number}"
     if side >= _TURNING:
-        return "floor to turn in"
+        return "floor to turn in" if side == _TURNING else f"floor before door {number + 1}"
     return f"{_FLOORS[side // len(SIDES)]} {SIDES[side % len(SIDES)]} of {label_of(known, rows, number)}"
 
 

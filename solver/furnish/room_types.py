@@ -4,6 +4,7 @@ The work is the core's: solver/core/furnish. Of what a type lists, rooms under a
 """
 
 from collections.abc import Mapping, Sequence, Set
+from dataclasses import replace
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from catalogs.schema import Catalogs, PieceSpec, RoomType
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
 from solver.furnish.core_rows import Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
+from solver.furnish.zones import floor_before_doors
 from solver.pieces import Piece, Space, WantedRows
 from solver.scene import Room
 from solver.streams import Stream
@@ -29,7 +31,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     if room_type is None:
         return ()
     known = compiled_type(room_type, catalogs, room.type)
-    answer = _asked(known, room_rows(room, space, room.floor_m2, stream.state))
+    answer = _asked(known, room_rows(room, _with_approaches(room, space, catalogs), room.floor_m2, stream.state))
     stream.state = answer.state
     return pieces_of(answer, known)
 
@@ -37,7 +39,7 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
 def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
     """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
     known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
-    rows = room_rows(room, space, room.floor_m2, stream.state)
+    rows = room_rows(room, _with_approaches(room, space, catalogs), room.floor_m2, stream.state)
     told = partial(label_of, known), partial(candidate_in, known)
     return WantedRows(space, known.data, rows + place_rows(space), known.named, known.looks, *told)
 
@@ -64,6 +66,13 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
         elif copies < spec.count:
             found.append((spec.piece, _why_fewer(spec, area, copies)))
     return tuple(found)
+
+
+def _with_approaches(room: Room, space: Space, catalogs: Catalogs) -> Space:
+    """Returns a room's space with the floor before doors that what the home is made for asks for."""
+    indoors = room.type in catalogs.rooms and not catalogs.rooms[room.type].outdoor
+    floors = floor_before_doors(room, space.clear, catalogs.profile) if indoors else []
+    return replace(space, approaches=tuple(floors)) if floors else space
 
 
 def _type_of(room: Room, catalogs: Catalogs) -> RoomType | None:

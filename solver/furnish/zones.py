@@ -3,10 +3,12 @@
 import math
 from collections.abc import Sequence
 
+from catalogs.access_profiles import AccessProfile
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, edges_round, strip_at, tiles_between, to_mm
 from solver.pieces import Doorway, Opened, Space, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS, Opening, Room, Sides
+from solver.wall_fittings import WIDEST_LEAF
 
 DOOR_SQUARE_MM = 900
 """A door's square is as deep as the door is wide, but at most this (docs/scene.md, blocks_door)."""
@@ -163,6 +165,24 @@ def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
     low, high = _down(centre - width / 2) - side, _up(centre + width / 2) + side
     rect = _clipped(strip_at(line[0], line[1], (low, high), depth), room)
     return None if rect is None else Zone(rect, above, opening.id)
+
+
+def floor_before_doors(room: Room, clear: Rect, profile: AccessProfile | None) -> list[Rect]:
+    """Returns what of a room's clear floor a profile asks for before the leaves of its doors: so deep, and so far beside their latches."""
+    rules = [rule for rule in profile.rules if rule.what == "approach" and rule.is_about(room.type)] if profile else []
+    lines, edges = bounds_of(room), outline_edges(room) if rules else []
+    half, found = clear.x0 - lines.x0, list[Rect]()
+    for opening in room.openings if rules else ():
+        line = _line_among(lines, edges, opening)
+        if opening.kind != "door" or line is None:
+            continue
+        wall, across, (low, high) = line[0], line[1] + INWARDS[line[0]] * half, _opened(opening, line).interval
+        for rule in (one for one in rules if one.pull == (opening.swing == "in")):
+            beside = to_mm(rule.latch) if opening.hinge and opening.width <= WIDEST_LEAF else 0
+            span = (low, high + beside) if opening.hinge == "start" else (low - beside, high)
+            if floor := _clipped(strip_at(wall, across, span, to_mm(rule.min)), clear):
+                found.append(floor)
+    return found
 
 
 def _clipped(rect: Rect, room: Rect) -> Rect | None:

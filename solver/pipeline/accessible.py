@@ -9,6 +9,7 @@ from catalogs import Catalogs
 from catalogs.access_profiles import AccessProfile
 from solver.certificate import ACCESS
 from solver.free_places import footprint
+from solver.furnish.zones import bounds_of, floor_before_doors
 from solver.geometry import Rect, strip_at, to_mm, wall_faced, wall_turned
 from solver.records import changed
 from solver.request import NO_ACCESS, Request
@@ -51,12 +52,14 @@ def access_in(scene: Scene) -> str:
 def floors_asked_for(scene: Scene, catalogs: Catalogs) -> dict[str, list[Rect]]:
     """Returns by room the floor on which nothing may come to stand, mm, for what a scene's profile asks for to stay met.
 
-    That is the largest empty square of each room where it is to be turned in, as large as asked for, and the strips about pieces.
+    That is the largest empty square of each room where it is to be turned in, as large as asked for, the strips about pieces, and the floor
+    before doors.
     """
     name = access_in(scene)
     if name not in catalogs.access:
         return {}
-    floors: dict[str, list[Rect]] = {room.id: list(_strips(room, catalogs.access[name])) for room in scene.rooms}
+    profile, half = catalogs.access[name], (to_mm(scene.wall_thickness) + 1) // 2
+    floors = {room.id: [*_strips(room, profile), *floor_before_doors(room, bounds_of(room).shrunk(half), profile)] for room in scene.rooms}
     bare = replace(scene, rooms=tuple(replace(room, decorations=()) for room in scene.rooms))
     for finding in turning_squares(bare, name, catalogs):
         if finding.place and not finding.missing:

@@ -13,13 +13,14 @@ from catalogs import Catalogs, load_catalogs
 from catalogs.access_profiles import AccessProfile, AccessRule
 from solver.demanded import demand
 from solver.errors import RequestError
-from solver.geometry import extents
+from solver.geometry import INWARDS, OPPOSITE, extents
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.understanding import understood
 from solver.validator.bare_floor import deepest_before, depth_before, largest_square, turned
 from solver.validator.checking import check
 from solver.validator.lattice import PER_METRE, ExactBox, exact, metres
 from solver.validator.world import DOOR_KINDS, FLAT, PlacedRoom, World, side_of, world_of
+from solver.wall_fittings import WIDEST_LEAF
 
 HEADROOM: Final = exact(2.0)
 """What hangs higher is in nobody's way."""
@@ -27,6 +28,8 @@ PROTRUDES: Final = (exact(0.685), exact(0.1))
 """Above this height, what reaches no further from its wall than this is in nobody's way: pictures, towel bars (ADA 307.2)."""
 LEAST_CM: Final = 10
 """The narrowest square that is tried, cm."""
+AFTER: Final = {"north": "east", "south": "east", "east": "south", "west": "south"}
+"""Where along a wall its coordinate grows."""
 REACH: Final = "reach"
 """What is asked for beside a profile's rules: that its walker comes everywhere."""
 BODY_WORK: Final = 0.5
@@ -232,4 +235,32 @@ def _along(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[Access
             yield AccessFinding(rule.what, place.room.id, piece.id, rule.clause, needs, metres(has))
 
 
-_RULES: Final = {"turning": _turning, "door": _door, "hallway": _hallway, "before": _before, "deep": _before, "along": _along}
+def _approach(rule: AccessRule, place: PlacedRoom, world: World) -> Iterator[AccessFinding]:
+    """Yields how deep the floor before each leaf is empty, and how far beside its latch."""
+    leaves = [hole for hole in place.holes if hole.opening.kind == "door" and (hole.opening.swing == "in") == rule.pull]
+    taken = [box for _, box in _taken(place, world)] if leaves else []
+    demand(BODY_WORK * len(leaves) * len(taken))
+
+    def empty(floor: ExactBox, side: str) -> int:
+        box = turned(floor, side)
+        return depth_before(turned(_clear(place, world), side), [turned(one, side) for one in taken], box.z1, (box.x0, box.x1))
+
+    for opening, edge, *_ in leaves:
+        face = edge._replace(line=edge.line + INWARDS[edge.side] * world.half_wall)
+        deep = empty(face.strip(face.start, face.end, 0), OPPOSITE[face.side])
+        yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.min, metres(deep))
+        if rule.latch and opening.hinge and opening.width <= WIDEST_LEAF:
+            at, side = (face.end, AFTER[face.side]) if opening.hinge == "start" else (face.start, OPPOSITE[AFTER[face.side]])
+            beside = empty(face.strip(at, at, min(deep, exact(rule.min))), side)
+            yield AccessFinding(rule.what, place.room.id, opening.id, rule.clause, rule.latch, metres(beside))
+
+
+_RULES: Final = {
+    "turning": _turning,
+    "door": _door,
+    "hallway": _hallway,
+    "before": _before,
+    "deep": _before,
+    "along": _along,
+    "approach": _approach,
+}

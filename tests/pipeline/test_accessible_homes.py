@@ -70,6 +70,29 @@ def test_doors_are_cut_for_their_clear_width(profile: str, inner: float, main: f
     assert {one.width for one in doors if not one.main_entrance} == {inner}
 
 
+@pytest.mark.parametrize("profile", ["din_18040_2_r", "ada"])
+def test_floor_before_doors_stays_free_of_what_is_furnished_and_laid_down(profile: str) -> None:
+    found = [one for seed in range(70, 78) for one in access_of(family(seed, access=profile, decorate=True).scene, profile).findings]
+    asked = [one.missing for one in found if one.what == "approach"]
+    assert len(asked) > 100
+    assert sum(missing > 0 for missing in asked) <= 0.01 * len(asked)
+
+
+@pytest.mark.parametrize(("profile", "clear"), [("din_18040_2", 1.2), ("din_18040_2_r", 1.5), ("ada", 1.22)])
+def test_hallways_are_as_wide_as_the_floor_before_their_doors(profile: str, clear: float) -> None:
+    scenes = [family(seed, access=profile).scene for seed in range(4)]
+    widths = [min(room.width, room.depth) - scene.wall_thickness for scene in scenes for room in scene.rooms if room.type == "hallway"]
+    assert len(widths) >= 4
+    assert clear - 1e-9 <= min(widths) < clear + 0.1
+
+
+@pytest.mark.parametrize("wrong", ["what: approach, min: 1.2", "what: door, min: 0.8, pull: true", "what: door, min: 0.8, latch: 0.5"])
+def test_a_rule_says_on_which_side_of_a_door_it_is_and_no_other_rule_does(wrong: str, tmp_path: Path) -> None:
+    (tmp_path / "access.yaml").write_text(f"mine: {{description: x, walker: 0.7, rules: [{{{wrong}, clause: ours}}]}}\n")
+    with pytest.raises(CatalogError, match="pull"):
+        load_catalogs(tmp_path)
+
+
 def test_a_bathrooms_leaf_swings_out_of_it_where_another_has_none_to_meet() -> None:
     rooms = [room for seed in range(6) for room in family(seed, access="din_18040_2").scene.rooms if room.type == "bathroom"]
     swings = [one.swing for room in rooms for one in room.openings if one.kind == "door"]

@@ -76,6 +76,29 @@ def test_strips_along_a_toilet_go_to_the_next_body_or_wall() -> None:
     assert narrow.missing == 0.05
 
 
+@pytest.mark.parametrize("wall", ["north", "south", "east", "west"])
+@pytest.mark.parametrize("hinge", ["start", "end"])
+@pytest.mark.parametrize(("swing", "needs"), [("in", 1.5), ("out", 1.2)])
+def test_the_floor_before_a_leaf_and_beside_its_latch_is_measured_at_each_wall(wall: str, hinge: str, swing: str, needs: float) -> None:
+    """The door is 1 m wide, in the middle of a wall of 4 m; a crate of 1 m stands just off the floor asked for, or 2 cm in it."""
+    door = Opening("door", wall=wall, position=2.0, width=1.0, connects_to="EXTERIOR", main_entrance=True, hinge=hinge, swing=swing)
+    for near in (0.0, 0.02):
+        beside = (1.5 - near) * (1 if hinge == "start" else -1)
+        for aside, off, asked in ((0.0, needs - near + 0.5, needs), (beside, 0.5, 0.5)):
+            along, across = 2.0 + aside, off if wall in ("north", "west") else 4 - off
+            x, z = (along, across) if wall in ("north", "south") else (across, along)
+            room = bath(body("crate", x, z, (1.0, 1.0)), width=4.0, depth=4.0, openings=(door,))
+            short = [(one.needs, one.missing) for one in found(room, "approach", "din_18040_2_r") if one.missing]
+            assert short == ([(asked, near)] if near else [])
+
+
+def test_without_a_hinge_no_floor_is_asked_for_beside_a_latch() -> None:
+    door = Opening("door", wall="south", position=0.6, width=1.0, connects_to="EXTERIOR", main_entrance=True, swing="in")
+    assert [one.needs for one in found(bath(openings=(door,)), "approach", "din_18040_2_r")] == [1.5]
+    hung = [(one.needs, one.missing) for one in found(bath(openings=(replace(door, hinge="end"),)), "approach", "din_18040_2_r")]
+    assert hung == [(1.5, 0.0), (0.5, 0.4)]
+
+
 @pytest.mark.parametrize("rotation", [0, 90, 180, 270])
 def test_the_floor_before_a_piece_is_measured_whichever_way_it_looks(rotation: int) -> None:
     x, z = {0: (1.2, 0.24), 90: (0.24, 1.2), 180: (1.2, 2.16), 270: (2.16, 1.2)}[rotation]

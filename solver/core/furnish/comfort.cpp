@@ -11,9 +11,10 @@ constexpr i64 NOTHING_MM = 2;
 constexpr f64 WEIGHT = 0.02;
 // What it costs a required piece that its fronts do not open half of their way.
 constexpr f64 BLOCKED = 12.0;
-// Added to the side of floor that fronts open over; of floor that a standard asks for; in place of a side: of a square to turn in.
-constexpr i32 OPENED = 4, ASKED = 8, TURNING = 12;
-// What doing without floor costs that a standard asks for, at a side and to turn in: more than any piece that is not required.
+// Added to the side of floor that fronts open over; of floor that a standard asks for; in place of a side: of a square to turn in, of floor
+// before a door.
+constexpr i32 OPENED = 4, ASKED = 8, TURNING = 12, APPROACH = 13;
+// What doing without floor costs that a standard asks for, at a side or a door and to turn in: more than any piece that is not required.
 constexpr f64 UNMET = 40.0, NO_TURNING = 60.0;
 
 namespace {
@@ -35,6 +36,7 @@ class Comforted {
     }
     for (const Comfortable& one : added) add_asked(one);
     add_turning();
+    add_approaches();
     for (const Comfortable& one : added) add_floors(one, true);
     for (const Comfortable& one : added) add_floors(one, false);
   }
@@ -184,16 +186,30 @@ class Comforted {
     const Rect& clear = scope_.clear;
     const i64 side = type_.turning;
     if (side == 0 || wanted_.pieces.size == 0 || least(clear.x1 - clear.x0, clear.z1 - clear.z0) < side) return;
-    Candidate& square = candidates_.add(free_candidate(-1, 0.0));
-    square.anchor = {(clear.x0 + clear.x1) / 2, (clear.z0 + clear.z1) / 2};
-    square.weight = WEIGHT;
-    square.floor = {side, side};
-    Candidate& without = candidates_.add(free_candidate(-1, NO_TURNING));
-    without.anchor = square.anchor;
+    add_free(clear, {side, side}, 0, TURNING, NO_TURNING);
+  }
+
+  // Adds the floor before doors that a standard asks for.
+  void add_approaches() {
+    for (i32 k = 0; k < scope_.approaches.size && wanted_.pieces.size > 0; k++) {
+      const Rect& floor = scope_.approaches[k];
+      add_free(floor, {floor.width(), floor.depth()}, k, APPROACH, UNMET);
+    }
+  }
+
+  // Adds floor of an extent within a rectangle of the room, which stays empty or costs so much.
+  void add_free(const Rect& within, Extent extent, i32 number, i32 floor_side, f64 cost) {
+    Candidate& floor = candidates_.add(free_candidate(-1, 0.0));
+    floor.anchor = {(within.x0 + within.x1) / 2, (within.z0 + within.z1) / 2};
+    floor.weight = WEIGHT;
+    floor.floor = extent;
+    floor.within = within;
+    Candidate& without = candidates_.add(free_candidate(-1, cost));
+    without.anchor = floor.anchor;
     without.bottom = NOWHERE_MM;
     without.weight = WEIGHT;
     without.floor = {NOTHING_MM, NOTHING_MM};
-    pieces_.add({wanted_.pieces[0].spec, 0, -1, 2, 0, TURNING, 1, 0, NO_TURNING});
+    pieces_.add({wanted_.pieces[0].spec, number, -1, 2, 0, floor_side, 1, 0, cost});
   }
 
   // Adds the floor at the sides of a piece that is worth enough to be weighed, or all other.

@@ -18,6 +18,7 @@ struct AnswerHeader {
 Scope read_room(Reader& reader, RoomHeader& header) {
   header = reader.take<RoomHeader>(1)[0];
   Scope scope{header.clear, header.gap, header.exterior, reader.take<Opened>(header.openings), reader.take<Zone>(header.zones)};
+  scope.approaches = reader.take<Rect>(header.approaches);
   for (const Opened& one : scope.openings) {
     const i32 wall = static_cast<i32>(one.wall);
     if (wall < 0 || wall > 3) fail(Failure::bad_request);

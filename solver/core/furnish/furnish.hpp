@@ -14,7 +14,7 @@ struct Wanted {
   WantedRows rows;
 };
 
-// Reads a room: RoomHeader, openings, zones (room.hpp).
+// Reads a room: RoomHeader, openings, zones, floor before doors (room.hpp).
 Scope read_room(Reader& reader, RoomHeader& header);
 
 Wanted wanted_in(const RoomType& type, const RoomHeader& room, const Scope& scope);

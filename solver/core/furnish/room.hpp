@@ -24,7 +24,7 @@ struct Zone {
   i64 is_wall;
 };
 
-// What Python sends; openings and zones follow.
+// What Python sends; openings, zones and the floor that a standard asks for before doors follow.
 struct RoomHeader {
   u64 stream;
   f64 area;
@@ -34,6 +34,8 @@ struct RoomHeader {
   i32 openings;
   i32 zones;
   i32 counts_only;
+  i32 approaches;
+  i32 unused;
 };
 
 struct Scope {
@@ -42,6 +44,7 @@ struct Scope {
   i32 exterior;
   Span<Opened> openings;
   Span<Zone> zones;
+  Span<Rect> approaches = {};
 
   // Passages are doors here, and so is the front door.
   static bool is(const Opened& one, Opening kind) {

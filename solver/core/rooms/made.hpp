@@ -48,7 +48,7 @@ struct LeftOutRow {
 // Makes a room.
 //
 //   type_rows: TypeHeader and its tables (room_type.hpp of furnish).
-//   room_rows: RoomHeader, openings, zones (room.hpp of furnish), PlaceHeader, doorways.
+//   room_rows: RoomHeader, openings, zones, floor before doors (room.hpp of furnish), PlaceHeader, doorways.
 //   tidy: whether slivers are tidied away.
 //   budget: work that each width of its ways may cost.
 Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy, f64 budget);
