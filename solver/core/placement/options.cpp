@@ -73,6 +73,16 @@ static f64 too_near(f64 apart, const Rect& own, const Rect& other) {
   return most(0.0, apart - length(x, z) / 1000);
 }
 
+// How far two pieces at places of one piece, which do not slide there, are out of line, m2: what the terms know nothing of.
+static f64 out_of_line(const CandidateRow& own, const CandidateRow& other) {
+  if (own.parent < 0 || own.parent != other.parent) return 0.0;
+  const bool across = floor_mod(other.turn, 180) == 0;
+  const auto &mine = across ? own.across : own.along, &its = across ? other.across : other.along;
+  if (mine[0] != mine[1] || its[0] != its[1]) return 0.0;
+  const f64 off = static_cast<f64>(mine[0] - its[0]) / 1000;
+  return off * off;
+}
+
 f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 candidate) {
   const CandidateRow& own = room.candidates[candidate];
   if (!fits_parent(room, decisions, piece, own)) return RULED_OUT;
@@ -93,6 +103,7 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
       if (link.required) return RULED_OUT;
       total += cost.cost;
     }
+    total += cost.align * out_of_line(own, other);
     if (cost.apart_cost > 0) {
       total += cost.apart_cost * too_near(cost.apart, wished(room, decisions, own).footprint, wished(room, decisions, other).footprint);
     }
