@@ -21,7 +21,22 @@ Holds holds_in(const ProofNode& node, const DifferenceRow& row);
 enum class Step { IMPOSSIBLE, SAME, CHANGED };
 
 // Narrows two intervals to p_j - p_i >= s.
-Step tighten(const Table<i64>& low, const Table<i64>& high, const DifferenceRow& row);
+inline Step tighten(const Table<i64>& low, const Table<i64>& high, const DifferenceRow& row) {
+  if (row.i == row.j) return row.s > 0 ? Step::IMPOSSIBLE : Step::SAME;
+  const i64 first = row.i == ORIGIN ? 0 : low.at(row.axis, row.i);
+  const i64 last = row.j == ORIGIN ? 0 : high.at(row.axis, row.j);
+  if (last - first < row.s) return Step::IMPOSSIBLE;
+  Step step = Step::SAME;
+  if (row.j != ORIGIN && low.at(row.axis, row.j) < first + row.s) {
+    low.at(row.axis, row.j) = first + row.s;
+    step = Step::CHANGED;
+  }
+  if (row.i != ORIGIN && high.at(row.axis, row.i) > last - row.s) {
+    high.at(row.axis, row.i) = last - row.s;
+    step = Step::CHANGED;
+  }
+  return step;
+}
 
 // Narrows the intervals until nothing changes; false where a row or a choice cannot hold.
 bool narrow(const Work& work, const ProofNode& node);

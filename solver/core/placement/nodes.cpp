@@ -1,18 +1,6 @@
 #include "placement/nodes.hpp"
 
-#include "plain/pairs.hpp"
-
 namespace placement {
-
-void copy_axis(const Engine& engine, i64 parent, i64 slot, i64 axis) {
-  const Nodes& nodes = engine.nodes;
-  const Span<f64> x = nodes.x.row(parent, axis), own_x = nodes.x.row(slot, axis);
-  for (i32 v = 0; v < engine.programs[axis].width; v += 2) pair_at(own_x, v) = pair_at(x, v);
-  for (i32 k = 0; k < nodes.axes.at(parent, axis).active; k++) {
-    nodes.active.at(slot, axis, k) = nodes.active.at(parent, axis, k);
-    nodes.multiplier.at(slot, axis, k) = nodes.multiplier.at(parent, axis, k);
-  }
-}
 
 void sort_family(const Nodes& nodes, i64 count) {
   for (i64 k = 1; k < count; k++) {

@@ -1,23 +1,8 @@
 #include "placement/program.hpp"
 
-#include "placement/dual.hpp"
 #include "plain/pairs.hpp"
 
 namespace placement {
-
-static f64 metres(i64 mm) { return static_cast<f64>(mm) / 1000; }
-
-bool write_row(const Program& program, i32 at, const DifferenceRow& row) {
-  const i32 origin = program.column.size - 1;
-  i32 i = origin, j = origin;
-  if (row.i != row.j) {
-    if (row.i != ORIGIN) i = static_cast<i32>(row.i);
-    if (row.j != ORIGIN) j = static_cast<i32>(row.j);
-  }
-  const FreeRow found = {program.column[i], program.column[j], program.value[j] - metres(row.s) - program.value[i]};
-  program.rows[at] = found;
-  return found.i != found.j || found.rest >= -FEASIBLE;
-}
 
 // Numbers the free variables of an axis, writes their bounds, and fixes the others.
 static void split(const Work& work, Program& program, i64 axis) {

@@ -4,12 +4,24 @@
 // variables), so that the inversion skips most of it.
 #pragma once
 
-#include "placement/engine.hpp"
+#include "placement/dual.hpp"
 
 namespace placement {
 
+inline f64 metres(i64 mm) { return static_cast<f64>(mm) / 1000; }
+
 // Writes a row over all variables of an axis as its row number `at`; false where it can never hold.
-bool write_row(const Program& program, i32 at, const DifferenceRow& row);
+inline bool write_row(const Program& program, i32 at, const DifferenceRow& row) {
+  const i32 origin = program.column.size - 1;
+  i32 i = origin, j = origin;
+  if (row.i != row.j) {
+    if (row.i != ORIGIN) i = static_cast<i32>(row.i);
+    if (row.j != ORIGIN) j = static_cast<i32>(row.j);
+  }
+  const FreeRow found = {program.column[i], program.column[j], program.value[j] - metres(row.s) - program.value[i]};
+  program.rows[at] = found;
+  return found.i != found.j || found.rest >= -FEASIBLE;
+}
 
 // Adds a row that holds at every node; false where it can never hold.
 bool fix_row(const Engine& engine, const DifferenceRow& row);

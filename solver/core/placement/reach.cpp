@@ -4,8 +4,6 @@
 
 namespace placement {
 
-constexpr f64 ROUNDING = 1e-7;  // an option is given up only if it misses by more than this, m
-
 // Narrows how far variables go by the rows from one to before another; tells whether that changed anything.
 static bool sweep(const Program& program, i32 first, i32 end) {
   const i32 n = program.size;
@@ -48,25 +46,6 @@ void propagate(Program& program, i32 count) {
   const bool changed = sweep(program, fixed_end, end);
   // More than two sweeps sharpen the bounds for more than that saves (measured).
   if (changed || program.swept == Swept::CHANGED) sweep(program, first, end);
-}
-
-// A variable's number among the free ones, and where it is if it is fixed.
-struct Place {
-  i32 column;
-  f64 value;
-};
-
-static Place place_of(const Program& program, i64 variable) {
-  const i64 at = variable == ORIGIN ? program.column.size - 1 : variable;
-  return {program.column[at], program.value[at]};
-}
-
-bool possible(const Engine& engine, const DifferenceRow& row) {
-  if (row.i == row.j) return row.s <= 0;
-  const Program& program = engine.programs[row.axis];
-  const Place i = place_of(program, row.i), j = place_of(program, row.j);
-  const f64 room = static_cast<f64>(-row.s) / 1000 + (program.most[j.column] + j.value) - (program.least[i.column] + i.value);
-  return room >= -ROUNDING;
 }
 
 }  // namespace placement
