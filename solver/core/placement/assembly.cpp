@@ -21,8 +21,7 @@ static bool must_part(const Room& room, const Work& work, const Part& a, const P
 // Tells whether a row may hold.
 static bool is_within_reach(const Work& work, const DifferenceRow& row) {
   if (row.i == row.j) return row.s <= 0;
-  const i64 first = row.i == ORIGIN ? 0 : work.least.at(row.axis, row.i), last = row.j == ORIGIN ? 0 : work.most.at(row.axis, row.j);
-  return last - first >= row.s;
+  return bound_of(work.most, row.axis, row.j) - bound_of(work.least, row.axis, row.i) >= row.s;
 }
 
 // Adds an option to the `size` ones that a choice has where it is within reach.
@@ -30,37 +29,21 @@ static inline void offer(const Work& work, i64 choice, i64& size, const Differen
   if (is_within_reach(work, row)) work.options[OPTIONS * choice + size++] = row;
 }
 
-// Writes the options that keep two parts apart, a left of, right of, north of, south of b; false where the bounds do.
+// Writes the options that keep a part apart from another, or from what does not move: left of, right of, north of, south of it; false where
+// the bounds do.
 static bool keep_apart(const Work& work, i64 choice, const Part& a, const Part& b) {
   i64 a_first[2], b_first[2];
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 u = a.variable[axis], v = b.variable[axis], shift = a.offset[axis] - b.offset[axis];
     a_first[axis] = a.extent[axis] + shift, b_first[axis] = b.extent[axis] - shift;
-    const i64 after = u == v ? 0 : work.low.at(axis, v) - work.high.at(axis, u);
-    const i64 before = u == v ? 0 : work.low.at(axis, u) - work.high.at(axis, v);
+    const i64 after = u == v ? 0 : bound_of(work.low, axis, v) - work.high.at(axis, u);
+    const i64 before = u == v ? 0 : work.low.at(axis, u) - bound_of(work.high, axis, v);
     if (after >= a_first[axis] || before >= b_first[axis]) return false;
   }
   i64 size = 0;
   for (i64 axis = 0; axis < 2; axis++) {
     offer(work, choice, size, {axis, a.variable[axis], b.variable[axis], a_first[axis]});
     offer(work, choice, size, {axis, b.variable[axis], a.variable[axis], b_first[axis]});
-  }
-  work.choice_size[choice] = size;
-  return true;
-}
-
-// Writes the options that keep a part out of a zone; false where the bounds do.
-static bool keep_clear(const Work& work, i64 choice, const Part& part, const Zone& zone) {
-  i64 before[2], behind[2];
-  for (i64 axis = 0; axis < 2; axis++) {
-    const i64 v = part.variable[axis], offset = part.offset[axis];
-    before[axis] = part.extent[axis] + offset - zone.low[axis], behind[axis] = zone.high[axis] - offset;
-    if (-work.high.at(axis, v) >= before[axis] || work.low.at(axis, v) >= behind[axis]) return false;
-  }
-  i64 size = 0;
-  for (i64 axis = 0; axis < 2; axis++) {
-    offer(work, choice, size, {axis, part.variable[axis], ORIGIN, before[axis]});
-    offer(work, choice, size, {axis, ORIGIN, part.variable[axis], behind[axis]});
   }
   work.choice_size[choice] = size;
   return true;
@@ -102,7 +85,7 @@ static void add_choices(const Room& room, const Work& work, i64 first) {
     for (i64 k = 0; k < room.zones.size; k++) {
       const Zone& zone = room.zones[k];
       if (zone.is_wall == 0 && (part.stand != 0 || part.high <= zone.above)) continue;
-      if (keep_clear(work, choice, part, zone)) add({{b, -1 - k}});
+      if (keep_apart(work, choice, part, unmoved(zone))) add({{b, -1 - k}});
     }
     for (i64 a = 0; a < b; a++) {
       const Part& other = work.parts[a];

@@ -20,6 +20,12 @@ struct Part {
   i64 low, high;
 };
 
+// A zone as a part.
+inline Part unmoved(const Zone& zone) {
+  const auto& [x, z] = zone.low;
+  return {-1, 0, {ORIGIN, ORIGIN}, {x, z}, {zone.high[0] - x, zone.high[1] - z}, zone.above, MANY};
+}
+
 // A wish for the distance between two variables: weight (p_j - p_i - offset)^2.
 struct PullRow {
   i64 axis, i, j;
@@ -284,6 +290,9 @@ struct Engine {
 inline const DifferenceRow& row_of(const Work& work, i64 option) {
   return option < work.options.size ? work.options[option] : work.wide[option - work.options.size];
 }
+
+// A bound of a variable; the origin does not move.
+inline i64 bound_of(const Table<i64>& bounds, i64 axis, i64 variable) { return variable == ORIGIN ? 0 : bounds.at(axis, variable); }
 
 // A position of a table (axis, variable) whose last column is the origin's.
 template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 variable) {

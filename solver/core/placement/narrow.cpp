@@ -6,15 +6,8 @@ constexpr i64 ROUNDS = 40;  // passes over the rows at a node, at most; fewer on
 
 Holds holds_in(const ProofNode& node, const DifferenceRow& row) {
   if (row.i == row.j) return row.s <= 0 ? Holds::EVERYWHERE : Holds::NOWHERE;
-  i64 lowest = 0, highest = 0;
-  if (row.j != ORIGIN) {
-    lowest = node.low.at(row.axis, row.j);
-    highest = node.high.at(row.axis, row.j);
-  }
-  if (row.i != ORIGIN) {
-    lowest -= node.high.at(row.axis, row.i);
-    highest -= node.low.at(row.axis, row.i);
-  }
+  const i64 lowest = bound_of(node.low, row.axis, row.j) - bound_of(node.high, row.axis, row.i);
+  const i64 highest = bound_of(node.high, row.axis, row.j) - bound_of(node.low, row.axis, row.i);
   return lowest >= row.s ? Holds::EVERYWHERE : highest < row.s ? Holds::NOWHERE : Holds::DEPENDS;
 }
 

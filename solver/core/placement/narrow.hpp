@@ -23,8 +23,7 @@ enum class Step { IMPOSSIBLE, SAME, CHANGED };
 // Narrows two intervals to p_j - p_i >= s.
 inline Step tighten(const Table<i64>& low, const Table<i64>& high, const DifferenceRow& row) {
   if (row.i == row.j) return row.s > 0 ? Step::IMPOSSIBLE : Step::SAME;
-  const i64 first = row.i == ORIGIN ? 0 : low.at(row.axis, row.i);
-  const i64 last = row.j == ORIGIN ? 0 : high.at(row.axis, row.j);
+  const i64 first = bound_of(low, row.axis, row.i), last = bound_of(high, row.axis, row.j);
   if (last - first < row.s) return Step::IMPOSSIBLE;
   Step step = Step::SAME;
   if (row.j != ORIGIN && low.at(row.axis, row.j) < first + row.s) {

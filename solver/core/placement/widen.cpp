@@ -27,9 +27,7 @@ constexpr i32 AT_LOW = -1, AT_HIGH = -2;
 // Adds a wider row to those found, where the bounds leave room for it; rows that were asked for before keep their numbers.
 static void add_wide(const Work& work, List<i64>& found, const DifferenceRow& row) {
   if (row.i == row.j) return;
-  i64 highest = row.j != ORIGIN ? work.high.at(row.axis, row.j) : 0;
-  if (row.i != ORIGIN) highest -= work.low.at(row.axis, row.i);
-  if (highest < row.s) return;
+  if (bound_of(work.high, row.axis, row.j) - bound_of(work.low, row.axis, row.i) < row.s) return;
   i64& count = work.counts->wide;
   i64 at = 0;
   while (at < count && !same(work.wide[at], row)) at++;
@@ -45,15 +43,6 @@ static void between_parts(const Work& work, List<i64>& found, const WalkGrid& gr
     const i64 shift = a.offset[axis] - b.offset[axis];
     add_wide(work, found, {axis, u, v, a.extent[axis] + shift + width});
     add_wide(work, found, {axis, v, u, b.extent[axis] - shift + width});
-  }
-}
-
-static void from_zone(const Work& work, List<i64>& found, const WalkGrid& grid, const Part& part, const Zone& zone) {
-  const i64 width = grid.state->width;
-  for (i64 axis = 0; axis < 2; axis++) {
-    const i64 v = part.variable[axis], offset = part.offset[axis];
-    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - zone.low[axis] + width});
-    add_wide(work, found, {axis, ORIGIN, v, zone.high[axis] - offset + width});
   }
 }
 
@@ -74,12 +63,11 @@ static void from_wall(const Room& room, const Work& work, List<i64>& found, cons
 // Adds the rows that make room between two blocks.
 static void between_blocks(const Room& room, const Work& work, List<i64>& found, const WalkGrid& grid, const Link& link) {
   const NumberedRect &a = grid.blocks[link.block], &b = grid.blocks[link.other];
-  if (a.number >= 0 && b.number >= 0) {
-    between_parts(work, found, grid, work.parts[a.number], work.parts[b.number]);
-  } else if (a.number >= 0) {
-    from_zone(work, found, grid, work.parts[a.number], room.zones[-1 - b.number]);
+  const auto part = [&](i64 number) { return number >= 0 ? work.parts[number] : unmoved(room.zones[-1 - number]); };
+  if (a.number >= 0) {
+    between_parts(work, found, grid, part(a.number), part(b.number));
   } else if (b.number >= 0) {
-    from_zone(work, found, grid, work.parts[b.number], room.zones[-1 - a.number]);
+    between_parts(work, found, grid, part(b.number), part(a.number));
   }
 }
 
