@@ -42,7 +42,7 @@ Rect opened_within(const Scope& scope, i64 height) {
 }
 
 List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
-  stable_sort(blocked, [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  stable_sort(blocked, begins_before);
   List<Interval> free;
   i64 at = whole.low;
   for (const Interval& one : blocked) {

@@ -19,9 +19,7 @@ struct Broken {
   void add(Wall wall, i64 low, i64 high) { of[static_cast<i32>(wall)].add({low, high}); }
   Span<Interval> at(Wall wall) { return of[static_cast<i32>(wall)].all(); }
   void sort() {
-    for (Pieces& wall : of) {
-      stable_sort(wall.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    }
+    for (Pieces& wall : of) stable_sort(wall.all(), begins_before);
   }
 };
 

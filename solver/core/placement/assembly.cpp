@@ -95,7 +95,7 @@ static void add_choices(const Room& room, const Work& work, i64 first) {
   for (i64 round = 0; round < ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
 }
 
-static bool bounds_hold(const Work& work) {
+bool bounds_hold(const Work& work) {
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) {
       if (work.low.at(axis, v) > work.high.at(axis, v)) return false;

@@ -11,4 +11,7 @@ namespace placement {
 // began with in the same way is kept.
 bool assemble(const Room& room, const Work& work, const Decisions& decisions);
 
+// Tells whether all variables have a place within their bounds.
+bool bounds_hold(const Work& work);
+
 }  // namespace placement

@@ -1,5 +1,6 @@
 #include "placement/program.hpp"
 
+#include "placement/assembly.hpp"
 #include "plain/pairs.hpp"
 
 namespace placement {
@@ -128,10 +129,8 @@ bool fix_row(const Engine& engine, const DifferenceRow& row) {
 
 bool prepare(const Engine& engine) {
   const Work& work = engine.work;
+  if (!bounds_hold(work)) return false;
   for (i64 axis = 0; axis < 2; axis++) {
-    for (i64 v = 0; v < work.sizes[axis]; v++) {
-      if (work.low.at(axis, v) > work.high.at(axis, v)) return false;
-    }
     Program& program = engine.programs[axis];
     split(work, program, axis);
     write_objective(work, program, axis);

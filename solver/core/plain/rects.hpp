@@ -39,6 +39,9 @@ struct Interval {
   constexpr i64 middle() const { return floor_div(low + high, 2); }
 };
 
+// As Python orders tuples; of a type of its own, so that a sort by it calls no pointer.
+constexpr auto begins_before = [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; };
+
 // Extents along x and z.
 struct Extent {
   i64 x;
@@ -125,9 +128,9 @@ constexpr i64 inner_line(Wall wall, const Rect& a, const Rect& b) {
 }
 
 // By west edge, then north, east, south: as Python orders tuples.
-constexpr bool goes_before(const Rect& a, const Rect& b) {
+constexpr auto goes_before = [](const Rect& a, const Rect& b) {
   return a.x0 != b.x0 ? a.x0 < b.x0 : a.z0 != b.z0 ? a.z0 < b.z0 : a.x1 != b.x1 ? a.x1 < b.x1 : a.z1 < b.z1;
-}
+};
 
 // The rectangle over an interval of a wall whose line is given, `depth` deep into its room.
 constexpr Rect strip_at(Wall wall, i64 line, Interval over, i64 depth) {

@@ -39,7 +39,7 @@ static i64 uncovered(i64 start, i64 end, List<Interval>& parts) {
   for (const Interval& part : parts) {
     if (part.low <= start && end <= part.high) return 0;  // as nearly always
   }
-  stable_sort(parts.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  stable_sort(parts.all(), begins_before);
   i64 missing = 0, at = start;
   for (const Interval& part : parts) {
     if (part.high <= at || part.low >= end) continue;

@@ -93,7 +93,7 @@ static void ways_through(const List<Edge>& ways, Span<Rect> bridges, const Edge&
     if ((across.low != edge.line && across.high != edge.line) || along.low >= edge.end || edge.start >= along.high) continue;
     found.add({most(along.low, edge.start), least(along.high, edge.end)});
   }
-  stable_sort(found.all(), [](const Interval& a, const Interval& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+  stable_sort(found.all(), begins_before);
 }
 
 static List<Rect> obstacles_of(const Storey& storey) {

@@ -38,7 +38,7 @@ void Around::effect(const Subject& subject, const Rule& rule, Effect& effect) co
   }
 }
 
-// Adds the candidates at a place around a parent; where a leg is in the way, beside it.
+// Adds the candidates at a place around a parent.
 void Around::add_seat(const Subject& subject, const Pair& pair, i64 shift, Interval gap, f64 cost, Effect& effect) const {
   const Extent parent = subject.type.kinds[pair.parent.kind].size(), own = turned(subject.type.kinds[pair.kind].size(), pair.rotation);
   Rect wish = at_side(parent, own, pair.side, gap, Align::centre), near = wish;
@@ -53,21 +53,9 @@ void Around::add_seat(const Subject& subject, const Pair& pair, i64 shift, Inter
     near.x1 = shift + SLIDE;
   }
   Candidate slot = free_candidate(pair.kind, cost);
-  slot.rotation = pair.rotation;
-  slot.parent = pair.parent.piece;
-  slot.parent_kind = pair.parent.kind;
   slot.slot = Slot::seat;
-  slot.slot_side = pair.side;
   slot.slot_number = shift;
-  slot.is_under = gap.low < 0;
-  List<Rect> places;
-  if (slot.is_under) places = tucked(subject, pair, wish, near);
-  else places.add(wish);
-  for (const Rect& place : places) {
-    slot.across = {place.x0, place.x1};
-    slot.along = {place.z0, place.z1};
-    effect.slots.add(slot);
-  }
+  add_places(subject, pair, slot, gap, wish, near, effect);
 }
 
 }  // namespace furnish

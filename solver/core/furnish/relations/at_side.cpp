@@ -105,16 +105,21 @@ void AtSide::add_at(const Subject& subject, const Rule& rule, const Pair& pair, 
   Align align = rule.align != Align::none ? rule.align : is_lateral(pair.side) ? Align::back : Align::centre;
   if (is_end(align) && !is_lateral(pair.side)) align = Align::centre;
   const Extent parent = subject.type.kinds[pair.parent.kind].size(), own = turned(subject.type.kinds[pair.kind].size(), pair.rotation);
-  const Rect wish = at_side(parent, own, pair.side, gap, align);
   Candidate slot = free_candidate(pair.kind, cost);
+  slot.slot = Slot::side;
+  const Rect wish = at_side(parent, own, pair.side, gap, align), near = at_side(parent, own, pair.side, gap, Align::none);
+  add_places(subject, pair, slot, gap, wish, near, effect);
+}
+
+void AtSide::add_places(
+    const Subject& subject, const Pair& pair, Candidate slot, Interval gap, const Rect& wish, const Rect& near, Effect& effect) const {
   slot.rotation = pair.rotation;
   slot.parent = pair.parent.piece;
   slot.parent_kind = pair.parent.kind;
-  slot.slot = Slot::side;
   slot.slot_side = pair.side;
   slot.is_under = gap.low < 0;
   List<Rect> places;
-  if (slot.is_under) places = tucked(subject, pair, wish, at_side(parent, own, pair.side, gap, Align::none));
+  if (slot.is_under) places = tucked(subject, pair, wish, near);
   else places.add(wish);
   for (const Rect& place : places) {
     slot.across = {place.x0, place.x1};

@@ -68,10 +68,13 @@ class AtSide : public Relation {
   Interval slot_gap(const Rule& rule) const;
   // Offers a slot for every variant, parent and side.
   void add_slots(const Subject& subject, const Rule& rule, bool turn, Effect& effect) const;
-  // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
-  const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
+  // Offers a slot at the place wished for; where it reaches under the other and a leg is in the way, at the nearest of those near.
+  void add_places(
+      const Subject& subject, const Pair& pair, Candidate slot, Interval gap, const Rect& wish, const Rect& near, Effect& effect) const;
 
  private:
+  // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
+  const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
   Interval asked_gap(const Fit& fit) const;
   void add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const;
   void add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const;
