@@ -1,6 +1,6 @@
 #include "placement/reshape.hpp"
 
-#include "plain/lists.hpp"
+#include "placement/piece_tables.hpp"
 
 namespace placement {
 
@@ -12,30 +12,11 @@ constexpr i64 FLOOR_KIND = 1 << 30;  // no kind of a room's pieces
 
 namespace {
 
-// A room's tables while they are written.
-struct Tables {
-  List<PieceRow> pieces;
-  List<f64> skip_costs;
-  List<SidesRow> sides;
-  List<f64> side_costs;
-  List<CandidateRow> candidates;
-  List<CandidateCost> candidate_costs;
-  List<LinkRow> links;
-  List<LinkCost> link_costs;
+struct Tables : PieceTables {
   List<i64> piece_numbers, candidate_numbers;
 
-  template <class T> static Rows<T> rows(const List<T>& own) { return {own.begin(), own.size(), sizeof(T) / 8}; }
-
-  NumberedRoom all(const Room& of) const {
-    Room room = of;
-    room.pieces = rows(pieces);
-    room.skip_costs = skip_costs.all();
-    room.sides = rows(sides);
-    room.side_costs = side_costs.all();
-    room.candidates = rows(candidates);
-    room.candidate_costs = rows(candidate_costs);
-    room.links = rows(links);
-    room.link_costs = rows(link_costs);
+  NumberedRoom all(Room room) const {
+    give_to(room);
     return {room, piece_numbers.all(), candidate_numbers.all()};
   }
 };
@@ -89,15 +70,11 @@ static void copy_pieces(Tables& into, const NumberedRoom& from, i64 out, i64 fir
     if (piece == out) continue;
     const PieceRow& row = from.room.pieces[piece];
     PieceRow own = row;
-    own.candidates[0] = into.candidates.size();
-    own.links[0] = into.links.size();
-    own.sides[0] = into.sides.size();
+    into.mark(own, 0);
     copy_candidates(into, from, row, out, first, by);
     copy_links(into, from, row, out, first, by);
     copy_sides(into, from, row);
-    own.candidates[1] = into.candidates.size();
-    own.links[1] = into.links.size();
-    own.sides[1] = into.sides.size();
+    into.mark(own, 1);
     own.group_end = row.group_end - 1 < first ? row.group_end : row.group_end + by;
     into.pieces.add(own);
     into.skip_costs.add(from.room.skip_costs[piece]);

@@ -1,7 +1,7 @@
 #include "rooms/asking.hpp"
 
+#include "placement/piece_tables.hpp"
 #include "plain/least_floor.hpp"
-#include "plain/lists.hpp"
 
 namespace rooms {
 
@@ -40,20 +40,11 @@ class Asked {
     static_assert(sizeof(furnish::Zone) == sizeof(placement::Zone));
     made.zones = {reinterpret_cast<placement::Zone*>(room_.scope.zones.data), room_.scope.zones.size, sizeof(placement::Zone) / 8};
     made.doors = doors();
-    made.pieces = rows(pieces_);
-    made.skip_costs = skip_costs_.all();
-    made.sides = rows(sides_);
-    made.side_costs = side_costs_.all();
-    made.candidates = rows(candidates_);
-    made.candidate_costs = rows(candidate_costs_);
-    made.links = rows(links_);
-    made.link_costs = rows(link_costs_);
+    tables_.give_to(made);
     return made;
   }
 
  private:
-  template <class T> static Rows<T> rows(const List<T>& own) { return {own.begin(), own.size(), sizeof(T) / 8}; }
-
   Span<placement::SpaceRow> space() const {
     const Rect& clear = room_.scope.clear;
     const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
@@ -80,17 +71,15 @@ class Asked {
 
   void add_pieces() {
     Range ways = {0, 0}, bonds = {0, 0};
-    pieces_.reserve(room_.wanted.pieces.size);
-    skip_costs_.reserve(room_.wanted.pieces.size);
-    candidates_.reserve(room_.wanted.candidates.size);
-    candidate_costs_.reserve(room_.wanted.candidates.size);
+    tables_.pieces.reserve(room_.wanted.pieces.size);
+    tables_.skip_costs.reserve(room_.wanted.pieces.size);
+    tables_.candidates.reserve(room_.wanted.candidates.size);
+    tables_.candidate_costs.reserve(room_.wanted.candidates.size);
     for (const furnish::PieceRow& piece : room_.wanted.pieces) {
       ways = {ways.first + ways.count, piece.candidates};
       bonds = {bonds.first + bonds.count, piece.links};
       placement::PieceRow own = {};
-      own.candidates[0] = candidates_.size();
-      own.links[0] = links_.size();
-      own.sides[0] = sides_.size();
+      tables_.mark(own, 0);
       add_candidates(part_of(room_.wanted.candidates, ways));
       for (const furnish::Link& link : part_of(room_.wanted.links, bonds)) add_link(link);
       const bool is_floor = piece.floor_side >= 0;
@@ -99,14 +88,12 @@ class Asked {
       } else {
         add_use(piece);
       }
-      own.candidates[1] = candidates_.size();
-      own.links[1] = links_.size();
-      own.sides[1] = sides_.size();
+      tables_.mark(own, 1);
       own.required = piece.required;
-      own.group_end = pieces_.size() + 1;
+      own.group_end = tables_.pieces.size() + 1;
       own.empty = is_floor ? placement::EMPTY_FLOOR : 0;
-      pieces_.add(own);
-      skip_costs_.add(piece.skip_cost);
+      tables_.pieces.add(own);
+      tables_.skip_costs.add(piece.skip_cost);
     }
   }
 
@@ -137,13 +124,13 @@ class Asked {
       own.on = way.is_on ? way.parent : -1;
       own.slack = -1;
       own.kin = kin;
-      candidates_.add(own);
-      candidate_costs_.add({{way.weight, way.weight}, way.cost});
+      tables_.candidates.add(own);
+      tables_.candidate_costs.add({{way.weight, way.weight}, way.cost});
     }
   }
 
   void add_place_at(const Candidate& way, CandidateRow& own) const {
-    if (way.parent >= pieces_.size()) fail(Failure::bad_request);
+    if (way.parent >= tables_.pieces.size()) fail(Failure::bad_request);
     own.parent = way.parent;
     own.parent_kind = way.parent_kind;
     own.across[0] = way.across.low, own.across[1] = way.across.high;
@@ -175,13 +162,13 @@ class Asked {
 
   void add_link(const furnish::Link& link) {
     constexpr i64 WALLS[] = {placement::ANY_WALLS, placement::SAME, placement::OPPOSITE, placement::ADJACENT, placement::OTHER};
-    links_.add({link.of, link.turn, WALLS[static_cast<i32>(link.walls)], link.required});
-    link_costs_.add({link.cost, link.align, link.near, link.apart_m, link.apart_cost});
+    tables_.links.add({link.of, link.turn, WALLS[static_cast<i32>(link.walls)], link.required});
+    tables_.link_costs.add({link.cost, link.align, link.near, link.apart_m, link.apart_cost});
   }
 
   void add_sides(const SidesRow& row, f64 cost) {
-    sides_.add(row);
-    side_costs_.add(cost);
+    tables_.sides.add(row);
+    tables_.side_costs.add(cost);
   }
 
   // Adds the choices of use sides of a piece: all of them at once, or one of them, the first of them best.
@@ -202,18 +189,18 @@ class Asked {
 
   // Joins optional pieces that stand only together with the one after them, if that one can only stand with them or those before them.
   void group_pieces() {
-    for (i32 k = pieces_.size() - 2; k >= 0; k--) {
-      if (!is_with_next(k) || pieces_[k].required) continue;
+    for (i32 k = tables_.pieces.size() - 2; k >= 0; k--) {
+      if (!is_with_next(k) || tables_.pieces[k].required) continue;
       i32 first = k;
       while (first > 0 && is_with_next(first - 1)) first--;
       bool carried = true, bound = false;
-      for (i64 way = pieces_[k + 1].candidates[0]; way < pieces_[k + 1].candidates[1]; way++) {
-        carried = carried && candidates_[way].parent >= first && candidates_[way].parent <= k;
+      for (i64 way = tables_.pieces[k + 1].candidates[0]; way < tables_.pieces[k + 1].candidates[1]; way++) {
+        carried = carried && tables_.candidates[way].parent >= first && tables_.candidates[way].parent <= k;
       }
-      for (i64 link = pieces_[k + 1].links[0]; link < pieces_[k + 1].links[1]; link++) {
-        bound = bound || (links_[link].required && links_[link].of == k);
+      for (i64 link = tables_.pieces[k + 1].links[0]; link < tables_.pieces[k + 1].links[1]; link++) {
+        bound = bound || (tables_.links[link].required && tables_.links[link].of == k);
       }
-      if (carried || bound) pieces_[k].group_end = pieces_[k + 1].group_end;
+      if (carried || bound) tables_.pieces[k].group_end = tables_.pieces[k + 1].group_end;
     }
   }
 
@@ -221,14 +208,7 @@ class Asked {
 
   const WantingRoom& room_;
   i64 robot_, ways_;
-  List<placement::PieceRow> pieces_;
-  List<f64> skip_costs_;
-  List<SidesRow> sides_;
-  List<f64> side_costs_;
-  List<CandidateRow> candidates_;
-  List<placement::CandidateCost> candidate_costs_;
-  List<placement::LinkRow> links_;
-  List<placement::LinkCost> link_costs_;
+  placement::PieceTables tables_;
 };
 
 }  // namespace
