@@ -99,7 +99,8 @@ def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSet
     for piece in room.furniture:
         root = floor.get(root_of(piece.id, parents))
         if piece.id in parents and root is not None:
-            pieces.append(_piece(piece, _ways_upon(piece, root, parents[piece.id]), settings))
+            own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
+            pieces.append(_piece(piece, _ways_upon(own, root, parents[piece.id]), settings))
     return pieces
 
 

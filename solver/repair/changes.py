@@ -40,10 +40,9 @@ def written_back(problem: RoomProblem, placed: Iterable[Placed]) -> Room:
 
 
 def _posed(body: Body, to: Placed, carried: bool) -> Body:
-    """Returns the body at its placed pose; what is carried keeps its own angle in the frame of what carries it."""
+    """Returns the body at its placed pose."""
     turn = to.rotation - squared(body.rotation)
-    rotation: float = (body.rotation + turn) % 360 if carried else to.rotation
-    pose = replace(body, x=half_m(to.footprint.x0 + to.footprint.x1), z=half_m(to.footprint.z0 + to.footprint.z1), rotation=rotation)
+    pose = replace(body, x=half_m(to.footprint.x0 + to.footprint.x1), z=half_m(to.footprint.z0 + to.footprint.z1), rotation=to.rotation)
     if not isinstance(pose, Furniture) or pose.wall is None or carried:
         return pose
     if to.wall is not None or to.chosen.attach is not None:

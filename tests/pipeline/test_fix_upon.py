@@ -57,6 +57,20 @@ def test_one_of_any_kind_comes_back_from_near_and_is_set_down_from_far() -> None
         assert errors(scene) == [] and fix(scene).scene == scene
 
 
+@pytest.mark.parametrize(("sent", "there"), [(30, 0), (100, 90), (315.0, 0)])
+def test_one_at_an_odd_angle_is_squared_up(sent: float, there: int) -> None:
+    fixed = fix(room_of(BENCH, replace(CASE, rotation=sent), body("crate", 2.2, 2.5, (0.6, 0.6, 0.5))))
+    assert one(fixed.scene, CASE).rotation == there and errors(fixed.scene) == []
+    assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_one_at_an_odd_angle_for_which_there_is_no_room_so_turns_as_its_carrier_is() -> None:
+    """Across the stand the TV would be in the wall; turned back by as much as that, it stood at 320 degrees."""
+    fixed = fix(room_of(STAND, replace(TV, rotation=50)))
+    assert one(fixed.scene, TV) == TV and fixed.conflicts == ()
+    assert fix(fixed.scene).scene == fixed.scene
+
+
 def test_it_goes_along_with_its_carrier() -> None:
     scene = room_of(at(BENCH, 2.0, 3.2), CASE)
     fixed = fix(scene, moved=[BENCH.id]).scene
