@@ -98,9 +98,9 @@ class Space:
 
     @kept
     def rows(self) -> tuple[bytes, bytes]:
-        """Its zones and doorways as the core reads them."""
+        """Its zones, and the doorways to be joined, as the core reads them."""
         zones = [ZONE.pack(*rect, above, cause == "outline") for rect, above, cause in self.zones]
-        return b"".join(zones), b"".join([door.row() for door in self.doorways])
+        return b"".join(zones), b"".join([door.row() for door in self.doorways if door.walked != "not"])
 
     @property
     def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:

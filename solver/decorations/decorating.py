@@ -10,7 +10,7 @@ from solver.decorations.compiled_decorating import CompiledDecorating, Decoratio
 from solver.demanded import demand
 from solver.free_places import RECT, furniture_as_told
 from solver.geometry import to_mm
-from solver.pieces import Space
+from solver.pieces import DOORWAY, Space
 from solver.scene import WALL_NUMBERS, Opening, Room
 from solver.streams import Stream
 
@@ -61,7 +61,7 @@ def decorated_rows(room: Room, space: Space, known: CompiledDecorating, settings
     numbers = [manners.setdefault(one, len(manners)) for one in furniture_turns(room)]
     openings = [_opening(opening) for opening in room.openings if opening.wall is not None]
     kept = settings.kept.get(room.id, ())
-    counts = len(numbers), len(openings), len(space.zones), len(space.doorways), len(kept), len(manners)
+    counts = len(numbers), len(openings), len(space.zones), len(space.rows[1]) // DOORWAY.size, len(kept), len(manners)
     flags = known.words.get(room.type, -1), room.outdoor, not room.outline, bool(room.accent)
     lines = to_mm(room.width), to_mm(room.depth)
     rows = [_ROOM.pack(state, *space.clear, room.width, room.depth, *lines, to_mm(settings.height), space.robot_mm, *flags, *counts)]

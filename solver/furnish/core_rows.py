@@ -7,7 +7,7 @@ from typing import Any, Final, NamedTuple
 
 from solver.furnish.compiled_types import CompiledType
 from solver.geometry import WALL_BEHIND, Rect
-from solver.pieces import Attach, Candidate, Link, Piece, Space, Stance, Stand
+from solver.pieces import DOORWAY, Attach, Candidate, Link, Piece, Space, Stance, Stand
 from solver.relations.rows import RELATION_WORDS, SIDES, WALLS_ASKED, opened_rows
 from solver.relations.subject import NO_SIDES, Kind
 from solver.scene import WALLS, Room
@@ -57,7 +57,7 @@ def room_rows(room: Room, space: Space, area: float, state: int, counts_only: bo
 
 def place_rows(space: Space) -> bytes:
     """Returns what placement is asked of a room, as bytes behind its own: PlaceHeader of solver/core/rooms/asking.hpp, and its doorways."""
-    return _PLACE.pack(space.robot_mm, space.cover_mm2, len(space.doorways)) + space.rows[1]
+    return _PLACE.pack(space.robot_mm, space.cover_mm2, len(space.rows[1]) // DOORWAY.size) + space.rows[1]
 
 
 def answer_of(data: bytes) -> Answer:

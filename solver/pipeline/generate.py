@@ -21,7 +21,7 @@ from solver.pipeline.accessible import with_access, with_fronts, with_walker
 from solver.pipeline.inhabited import arranged, decorated, home_catalogs, inhabited, needed, parted
 from solver.pipeline.insisted import demanded, insisted_in, insisting
 from solver.pipeline.reasons import with_lengths
-from solver.pipeline.room_spaces import cover_mm2, spaces_in
+from solver.pipeline.room_spaces import as_joined, cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
@@ -181,7 +181,7 @@ def _space(room: Room, setting: _Setting) -> Space:
     known = setting.spaces.get(room.id)
     if known is None or known[0] is not room:
         space = space_of(room, setting.thickness, setting.robot_width, setting.others, cover_mm2(room, setting.catalogs, setting.seed))
-        known = setting.spaces[room.id] = room, space
+        known = setting.spaces[room.id] = room, as_joined(room, space, setting.others)
     return known[1]
 
 

@@ -1,6 +1,6 @@
 """The space that each room of a scene has, doors that the room beyond alone lists among it; and rooms as they are to be repaired."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from math import inf
 
@@ -9,6 +9,7 @@ from solver.answers import Issue
 from solver.furnish import space_of
 from solver.furnish.zones import bounds_of, outline_edges
 from solver.pieces import Doorway, Space, Walked
+from solver.placement import with_joined_doors
 from solver.repair import RepairSettings, RoomProblem, Walls
 from solver.scene import EXTERIOR, WALLS, Room, Scene, robot_width_of
 from solver.scene_bodies import said_height
@@ -24,7 +25,31 @@ def spaces_in(scene: Scene) -> Callable[[Room], Space]:
             if opening.connects_to and (opening.id, opening.connects_to) not in listed:
                 beyond.setdefault(opening.connects_to, {})[room.id] = room
     robot_width = robot_width_of(scene)
-    return lambda room: space_of(room, scene.wall_thickness, robot_width, tuple(beyond.get(room.id, {}).values()))
+
+    def space(room: Room) -> Space:
+        return as_joined(room, space_of(room, scene.wall_thickness, robot_width, tuple(beyond.get(room.id, {}).values())), scene.rooms)
+
+    return space
+
+
+def as_joined(room: Room, space: Space, rooms: Sequence[Room]) -> Space:
+    """Returns a room's space with those doors to be joined that its empty floor joins: those to which the others lead."""
+    return with_joined_doors(space, _led_to(room, rooms)) if room.outline and len(space.doorways) > 1 else space
+
+
+def _led_to(room: Room, rooms: Sequence[Room]) -> set[str]:
+    """Returns the ids of the doors that one comes to from a storey's entrances without walking through a room."""
+    ends: dict[str, set[str]] = {}
+    for one in rooms:
+        for opening in one.openings:
+            if one.level == room.level and opening.kind != "window":
+                ends.setdefault(opening.id, set()).update({one.id, opening.connects_to or EXTERIOR} - {room.id, EXTERIOR})
+    found, more = set[str](), {name for level, name in entrances_of(rooms) if level == room.level}
+    while more:
+        found |= more
+        inside = {name for door in more for name in ends[door]}
+        more = {door for door, either in ends.items() if not either.isdisjoint(inside)} - found
+    return found
 
 
 def entrances_of(rooms: Iterable[Room]) -> set[tuple[int, str]]:

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import pytest
+
+from solver import reroll
 from solver.pipeline.own_plan import furnish
-from solver.scene import Scene
+from solver.scene import Opening, Room, Scene
 from tests.pipeline.stepped_rooms import stepped_room
 from tests.sweeps import seeds
 
@@ -39,3 +44,33 @@ def _is_inner(corners: tuple[tuple[float, float], ...], edge: int) -> bool:
     axis, at = (0, x0) if x0 == x1 else (1, z0)
     along = [corner[axis] for corner in corners]
     return at not in (min(along), max(along))
+
+
+def _halves(neck: float, kind: str, second_leads_out: bool) -> Scene:
+    """A room of two halves between which only who is no wider than the neck can go, a door in each; beyond the second a storage room."""
+    low, high = 1.5 - neck / 2, 1.5 + neck / 2
+    outline = ((0, 0), (3, 0), (3, low), (4, low), (4, 0), (7, 0), (7, 3), (4, 3), (4, high), (3, high), (3, 3), (0, 3))
+    first = Opening("first", position=1.5, edge=11, connects_to="hall")
+    second = Opening("second", position=1.5, edge=5, connects_to="store")
+    out = Opening("out", wall="west", position=1.5, connects_to="EXTERIOR")
+    hall = (replace(first, edge=None, wall="east"), *(() if second_leads_out else (out,)))
+    store = (replace(second, edge=None, wall="west"), *((replace(out, wall="east"),) if second_leads_out else ()))
+    rooms = (
+        Room("hall", type="hallway", width=2.0, depth=3.0, openings=hall),
+        Room("halves", type=kind, x=2.0, width=7.0, depth=3.0, outline=outline, openings=(first, second)),
+        Room("store", type="storage", x=9.0, width=2.0, depth=3.0, openings=store),
+    )
+    return Scene(wall_thickness=0.1, rooms=rooms)
+
+
+@pytest.mark.parametrize("kind", ["bedroom", "living_room", "kitchen", "office"])
+@pytest.mark.parametrize("second_leads_out", [False, True])
+def test_where_the_doors_of_a_room_are_not_joined_all_can_be_used_from_that_by_which_one_comes_in(
+    kind: str, second_leads_out: bool
+) -> None:
+    """Nobody can walk from door to door, even in the empty room: no ways at all were asked for, and pieces stood out of reach."""
+    plan = _halves(0.5, kind, second_leads_out)
+    for made in (furnish(plan, rooms=["halves"], decorate=True, seed=1), reroll(plan, ["halves"], seed=2)):
+        pieces = made.scene.rooms[1].furniture
+        assert len(pieces) >= 3
+        assert [issue.message for issue in made.issues if issue.severity == "error" and issue.ids] == []
