@@ -15,8 +15,8 @@ from solver.geometry import Rect
 from solver.pieces import Piece, Space
 from solver.pipeline.judged_again import judged_again
 from solver.pipeline.reasons import at_limit
-from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length
-from solver.placement import Budget, charge, is_call_spent, minimal_conflict
+from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
+from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
 from solver.placement.lengths import Shortfall, centimetres, metres, sentence
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
 from solver.scene import Furniture, Room
@@ -311,14 +311,26 @@ def _repaired(goal: RepairGoal, repair: Repair | None) -> Room | None:
     for problem in goal.problems:
         if goal.budget.spent or is_call_spent():
             return None
-        changed = _with(problem, repair) if repair else problem
-        pieces = pieces_as_sent(changed)
-        charge(PIECE_WORK * len(pieces) + BODY_WORK * len(all_bodies(problem.room)))
-        arrangement = least_moved(problem.space, pieces, Budget(problem.settings.work, of=goal.budget))
-        if not is_repaired(changed, arrangement) or not _is_clean(goal, room := written_back(changed, arrangement.placed)):
+        room = _whole(_with(problem, repair) if repair else problem, goal.budget, thoroughly=found is not None)
+        if room is None or not _is_clean(goal, room):
             return None
         found = found or room
     return found
+
+
+def _whole(problem: RoomProblem, budget: Budget, thoroughly: bool) -> Room | None:
+    """Returns a room with all pieces placed with least movement, or with `thoroughly` as /fix repairs it; None where one finds no place."""
+    pieces = pieces_as_sent(problem)
+    charge(PIECE_WORK * len(pieces) + BODY_WORK * len(all_bodies(problem.room)))
+    arrangement = least_moved(problem.space, pieces, Budget(problem.settings.work, of=budget))
+    if is_repaired(problem, arrangement):
+        return written_back(problem, arrangement.placed)
+    if not thoroughly:
+        return None
+    with work_of_call(budget.left) as call:
+        repair = repair_room(problem)
+    budget.left -= call.done
+    return repair.room if repair.whole else None
 
 
 def _is_clean(goal: RepairGoal, room: Room) -> bool:
