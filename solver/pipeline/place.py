@@ -128,7 +128,7 @@ def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Askin
     conflicts, budget = [], Budget(ROOM_WORK)
     for piece in required:
         if piece.label in given_up:
-            conflicts.append(Conflict((piece.label,), _not_held(_sized(task, piece)), ()))
+            conflicts.append(Conflict((piece.label,), _not_held(_sized(task, piece)), (_leaving_out(piece.label),)))
         elif piece.label in missing and (parents := _asked_beside(task, piece.label, before[piece.label])):
             words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(parents)}, for which there is no place"
             conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
@@ -147,7 +147,7 @@ def _asked_beside(task: PlaceTask, label: str, missing: set[str]) -> Sequence[st
 
 
 def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
-    """Explains a piece by the fewest that cannot stand, or be reached, together; each of them that helps may be left out.
+    """Explains a piece by the fewest that cannot stand, or be reached, together; each without which all others are reached may be left out.
 
     Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
     is tried.
@@ -162,12 +162,12 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
             sized = _sized(task, missing)
             return Conflict((missing.label,), _not_held(sized) if bound else at_limit(sized, False), (_leaving_out(missing.label),))
     if members is None:
-        return Conflict((missing.label,), at_limit(_sized(task, missing), walk), (_leaving_out(missing.label),) * walk)
+        return Conflict((missing.label,), at_limit(_sized(task, missing), walk), (_leaving_out(missing.label),))
     by_label = {piece.label: piece for piece in pieces}
     removals = tuple(
         _leaving_out(member)
         for member in members
-        if member == missing.label or feasible(related, [piece for piece in held if piece.label != member], budget, walk)
+        if member == missing.label or feasible(related, [piece for piece in held if piece.label != member], budget, walk=True)
     )
     names = " and ".join(_sized(task, by_label[member]) for member in members)
 

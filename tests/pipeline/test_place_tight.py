@@ -152,3 +152,31 @@ def test_a_door_that_even_the_empty_room_does_not_join_leaves_the_others_to_be_j
     found = place(Room("den", width=3.4, depth=depth, outline=outline, openings=openings), wanted).best
     assert [one for one in found.issues if one.severity == "error"] == []
     assert len(found.scene.rooms[0].furniture) >= 2
+
+
+def test_what_is_offered_to_be_left_out_leaves_a_way_to_all_others() -> None:
+    """Without the fire pit the island can stand, but not be come to."""
+    openings = (
+        Opening("d", width=0.9, wall="north", position=1.1, connects_to="EXTERIOR"),
+        Opening("w", "window", "east", position=1.03, width=1.2, height=1.2, sill=0.9),
+    )
+    room = Room("den", width=1.94, depth=2.06, openings=openings)
+    near = (RelationSpec(type="near_door", required=True),)
+    wanted = [
+        PieceRequest("small_desk"),
+        PieceRequest("fire_pit", relations=near),
+        PieceRequest("narrow_counter", relations=near),
+        PieceRequest("nightstand"),
+        PieceRequest("small_kitchen_island"),
+    ]
+    (conflict,) = place(room, wanted).conflicts
+    assert "fire_pit" in conflict.ids and conflict.repairs
+    for repair in conflict.repairs:
+        assert place(room, [one for one in wanted if one.id != repair["id"]]).best.unplaced == ()
+
+
+def test_a_piece_for_which_a_limit_ended_the_search_may_be_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All others stand in the answer, so that helps."""
+    monkeypatch.setattr("solver.pipeline.place.ROOM_WORK", 0.0)
+    (conflict,) = place(Room("den", width=2.2, depth=2.4), [PieceRequest("bed"), PieceRequest("single_bed")]).conflicts
+    assert conflict.message.startswith("not found") and conflict.repairs == ({"action": "leave_out", "id": conflict.ids[0]},)
