@@ -84,15 +84,23 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
 def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest]) -> tuple[PlaceTask, Round]:
     """Returns the best placement, and the task that it solves.
 
-    Where not all can stand it counts what matters most, where something required cannot no distance from the walls, then that what has to
-    stand by something may do so free of walls, and then no wish.
+    Where not all can stand it counts what matters most: before all, that of the list which is required and was left out first. Where one
+    cannot, no distance from the walls counts, then that what has to stand by something may do so free of walls, and then no wish.
     """
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
         listed = in_room(pieces, setting=task.setting._replace(flush=found.score[0] > 0), as_sent=True)
         other = best_placement(listed, listed.pieces)
-        if other.score[0] <= found.score[0]:
+        if other.score[:3] <= found.score[:3]:
             task, found = listed, other
+    gone = {label for label, _ in found.arrangement.left_out}
+    first = next((k for k, piece in enumerate(pieces) if piece.required and not gone.isdisjoint(piece.labels)), len(pieces))
+    firm = [replace(piece, required=piece.required and k <= first) for k, piece in enumerate(pieces)]
+    if firm != [*pieces] and not is_call_spent():
+        listed = replace(in_room(firm, setting=task.setting, as_sent=True), requests=task.requests)
+        other = best_placement(listed, listed.pieces)
+        if other.score < found.score:
+            task, found = listed, replace(other, whole=False)
     gone = {label for label, _ in found.arrangement.left_out}
     apart = [without_partings(request, gone) for request in pieces]
     if apart != [*pieces] and not is_call_spent():

@@ -33,17 +33,17 @@ NEARLY_BEST = 3.0
 SLIDES_MM = 100
 """What every candidate counts for at least along each axis."""
 
-Score = tuple[int, int, float, float]
+Score = tuple[int, int, float, float, float]
 
 
 @dataclass(frozen=True)
 class Round:
     """An arrangement as it was drafted, and its rank, less being better.
 
-    The rank: required pieces that are missing or break a required relation, whether it cannot be walked, the cost of relations that
-    are not held, the solver's cost. `lost` pairs a piece with a relation of it that is not held. `whole`: all candidates were there
-    to choose from, or those that were not could only have cost more. `given_up`: pieces left out since their required relations were
-    not held.
+    The rank: required pieces that are missing or break a required relation, whether it cannot be walked, how early these are in the list,
+    the cost of relations that are not held, the solver's cost. `lost` pairs a piece with a relation of it that is not held. `whole`: all
+    candidates were there to choose from, or those that were not could only have cost more. `given_up`: pieces left out since their required
+    relations were not held.
     """
 
     draft: SolvedRoom
@@ -56,7 +56,7 @@ class Round:
     @property
     def perfect(self) -> bool:
         """Whether all stands and all is held."""
-        return self.score[:3] == (0, 0, 0.0)
+        return self.score[:4] == (0, 0, 0.0, 0.0)
 
     @property
     def breaking(self) -> list[str]:
@@ -89,7 +89,7 @@ def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
         if is_call_spent():
             return best
         found = best if best.perfect else _mended(task, wanted, best)
-        if found.score[:3] >= best.score[:3]:
+        if found.score[:4] >= best.score[:4]:
             break
         best = found
     if not best.is_best and not is_call_spent():
@@ -102,7 +102,7 @@ def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
     for listed in (task.listing.nearly_all, task.listing.few):
         if listed is not None and not is_call_spent():
             thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed)
-            if thorough.is_best and thorough.score[:3] <= best.score[:3]:
+            if thorough.is_best and thorough.score[:4] <= best.score[:4]:
                 return thorough
             best = min(best, thorough, key=lambda one: one.score)
     return best
@@ -168,11 +168,13 @@ def _as_it_stands(piece: Piece, placed: Placed) -> Piece:
 
 def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
     arrangement = finish([draft], "search")[0]
-    required = {piece.label for piece in task.pieces if piece.required}
     missed = lost(task, arrangement)
-    found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0), False)
-    missing = sum(label in required for label, _ in arrangement.left_out) + len({*found.breaking})
-    return replace(found, score=(missing, len(arrangement.notes), round(sum(spec.cost for _, spec in missed), 6), arrangement.cost))
+    found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0, 0.0), False)
+    gone = {*found.breaking, *(label for label, _ in arrangement.left_out)}
+    listed = [label for request in task.requests if request.required for label in request.labels]
+    early = sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in gone)
+    missing, cost = len(gone.intersection(listed)), round(sum(spec.cost for _, spec in missed), 6)
+    return replace(found, score=(missing, len(arrangement.notes), early, cost, arrangement.cost))
 
 
 def _to_be_tried_again(found: Round) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from random import Random
 
 import pytest
 
@@ -11,6 +12,7 @@ from catalogs.schema import RelationSpec
 from solver import place
 from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Opening, Room
+from tests.sweeps import seeds
 from tests.told_forms import has_form
 
 Wishes = tuple[tuple[str, str], ...]
@@ -180,3 +182,18 @@ def test_a_piece_for_which_a_limit_ended_the_search_may_be_left_out(monkeypatch:
     monkeypatch.setattr("solver.pipeline.place.ROOM_WORK", 0.0)
     (conflict,) = place(Room("den", width=2.2, depth=2.4), [PieceRequest("bed"), PieceRequest("single_bed")]).conflicts
     assert conflict.message.startswith("not found") and conflict.repairs == ({"action": "leave_out", "id": conflict.ids[0]},)
+
+
+def test_of_two_that_cannot_both_stand_the_first_does_where_it_can_alone() -> None:
+    """The list is in order of importance; the larger one went, wherever it stood in it."""
+    kinds, both = ("bed", "single_bed", "sofa", "wardrobe", "desk", "bathtub", "dining_table", "dresser", "piano", "bookshelf"), 0
+    for seed in seeds(range(150), 5):
+        chance = Random(seed)
+        width, depth = round(chance.uniform(1.8, 3), 2), round(chance.uniform(1.8, 3), 2)
+        first, second = (PieceRequest(kind) for kind in chance.sample(kinds, 2))
+        door = Opening("d", wall="south", position=round(chance.uniform(0.5, width - 0.5), 2), width=0.8, connects_to="EXTERIOR")
+        room = Room("den", width=width, depth=depth, openings=(door,))
+        gone = {one.id for one in place(room, [first, second]).best.unplaced}
+        both += not gone
+        assert first.id not in gone or place(room, [first]).best.unplaced, (seed, first.id, second.id)
+    assert both
