@@ -12,6 +12,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 import numpy.typing as npt
 from PIL import Image, ImageDraw
+from scipy.ndimage import uniform_filter
 
 from solver.body_parts import BodyPart
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint
@@ -171,24 +172,10 @@ def _shadow(heights: Heights, scale: float) -> npt.NDArray[np.bool_]:
 
 def _blurred(values: Heights, radius: float) -> Heights:
     """Returns values, each the mean of those around it: two box blurs, edges repeated."""
-    width = max(1, round(radius))
-    for turned in (False, True, False, True):
-        blurred = np.empty_like(values)
-        before, after = (values.T, blurred.T) if turned else (values, blurred)
-        for start in range(0, before.shape[1], _STRIP):
-            strip = np.pad(before[:, start : start + _STRIP], ((width, width), (0, 0)), mode="edge")
-            np.divide(_summed(strip, 2 * width + 1), np.float32(2 * width + 1), out=after[:, start : start + _STRIP])
-        values = blurred
+    width = 2 * max(1, round(radius)) + 1
+    for _ in range(2):
+        values = uniform_filter(values, width, mode="nearest")
     return values
-
-
-def _summed(rows: Heights, count: int) -> Heights:
-    """Returns the sum of each so many rows that follow each other: that of half as many, twice."""
-    if count == 1:
-        return rows
-    half = _summed(rows, count // 2)
-    even = half[: len(half) - count // 2] + half[count // 2 :]
-    return even if count % 2 == 0 else even[:-1] + rows[count - 1 :]
 
 
 CUT: Final = 2.05

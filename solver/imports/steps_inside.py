@@ -1,8 +1,7 @@
 """A room with slanted or curved walls, or one that crosses itself, as the largest rectilinear floor inside it, in steps of 0.1 m."""
 
 import math
-from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -79,22 +78,13 @@ def _largest(inside: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Cel
     return best
 
 
-def connected(free: Cells) -> Iterator[NDArray[np.int64]]:
-    """Yields the places of each connected part, that of the first free place first."""
-    left = free.copy()
-    for column, row in np.argwhere(left).tolist():
-        if not left[column, row]:
-            continue
-        found, ahead = [(column, row)], deque([(column, row)])
-        left[column, row] = False
-        while ahead:
-            at, to = ahead.popleft()
-            for x, z in ((at + 1, to), (at - 1, to), (at, to + 1), (at, to - 1)):
-                if 0 <= x < left.shape[0] and 0 <= z < left.shape[1] and left[x, z]:
-                    left[x, z] = False
-                    found.append((x, z))
-                    ahead.append((x, z))
-        yield np.array(found)
+def connected(free: Cells) -> list[NDArray[np.int64]]:
+    """Returns the places of each connected part, that of the first free place first."""
+    from scipy.ndimage import label  # noqa: PLC0415 - it takes 0.2 s to import, and most plans need none of it
+
+    parts, count = label(free)
+    spots = np.argwhere(parts)[np.argsort(parts[free], kind="stable")]
+    return np.split(spots, np.cumsum(np.bincount(parts[free])[1:-1])) if count else []
 
 
 def outline_of_cells(part: Cells, xs: NDArray[np.int64], zs: NDArray[np.int64]) -> FloorCorners:
