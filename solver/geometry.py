@@ -90,6 +90,16 @@ def edges_round(corners: Sequence[Corner]) -> Iterator[tuple[Corner, Corner]]:
     return zip(corners, (*corners[1:], *corners[:1]), strict=True)
 
 
+def walls_round(corners: Sequence[tuple[Number, Number]]) -> Iterator[tuple[str, Number, Number, Number]]:
+    """Yields each edge between corners, whichever way these go round: the wall that it is, its line across itself, from where to where."""
+    clockwise = doubled_area(corners) >= 0
+    for (x0, z0), (x1, z1) in edges_round(corners):
+        if abs(x1 - x0) >= abs(z1 - z0):
+            yield "north" if (x1 > x0) == clockwise else "south", z0, min(x0, x1), max(x0, x1)
+        else:
+            yield "east" if (z1 > z0) == clockwise else "west", x0, min(z0, z1), max(z0, z1)
+
+
 def walls_beside(wall: str) -> tuple[str, str]:
     """Returns the two walls that meet a wall: at its west or north end, then at its other end."""
     return ("west", "east") if wall in ALONG_X else ("north", "south")

@@ -20,6 +20,7 @@ from solver.geometry import (
     wall_faced,
     wall_turned,
     walls_beside,
+    walls_round,
 )
 from solver.scene import WALLS
 
@@ -84,3 +85,10 @@ def test_gaps_are_what_no_interval_covers(whole: list[int], blocked: list[list[i
     assert [at for start, end in found for at in range(start, end)] == free
     assert all(start < end for start, end in found)
     assert all(end <= start for (_, end), (start, _) in pairwise(found))
+
+
+def test_the_walls_round_a_floor_are_the_same_whichever_way_its_corners_go() -> None:
+    corners = [(0, 0), (5, 0), (5, 2), (3, 2), (3, 4), (0, 4)]
+    walls = {("north", 0, 0, 5), ("east", 5, 0, 2), ("south", 2, 3, 5), ("east", 3, 2, 4), ("south", 4, 0, 3), ("west", 0, 0, 4)}
+    assert set(walls_round(corners)) == set(walls_round(corners[::-1])) == walls
+    assert [wall for wall, *_ in walls_round(corners)] == ["north", "east", "south", "east", "south", "west"]

@@ -7,7 +7,7 @@ from typing import Final, Literal
 
 from solver.exports.model import FloorPlate, PlacedOpening
 from solver.exports.plan_rooms import Dimension, PlanBox, number_box
-from solver.geometry import edges_round
+from solver.geometry import INWARDS, walls_round
 
 NEAREST: Final = 0.05
 """Marks of a chain that are closer than this, m, are one."""
@@ -72,13 +72,8 @@ def _openings(facades: Facades, side: Facade, low: float, high: float) -> tuple[
 
 def _rooms(facades: Facades, side: Facade, low: float, high: float) -> tuple[float, ...]:
     """Returns where the rooms end that one sees from a side: the lines of the walls between them, outer faces at the ends."""
-    along, across = (0, 1) if side in ("north", "south") else (1, 0)
-    sign = 1 if side in ("north", "west") else -1
-    edges = []
-    for plate in facades.plates:
-        for a, b in edges_round(plate.corners):
-            if a[across] == b[across] and (b[along] - a[along]) * (1 if across == 1 else -1) * sign > 0:
-                edges.append((min(a[along], b[along]), max(a[along], b[along]), a[across] * sign, plate.id))
+    walls = ((plate.id, *wall) for plate in facades.plates for wall in walls_round(plate.corners))
+    edges = [(start, end, line * INWARDS[side], room) for room, wall, line, start, end in walls if wall == side]
     cuts = sorted({end for edge in edges for end in edge[:2]})
     stops, last = [low, high], None
     for start, end in pairwise(cuts):

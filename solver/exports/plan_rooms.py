@@ -6,7 +6,7 @@ from itertools import combinations, pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.exports.model import FloorPlate, WallPanel
-from solver.geometry import bounds_of_points, doubled_area, edges_round, square_metres
+from solver.geometry import ALONG_X, INWARDS, bounds_of_points, doubled_area, edges_round, square_metres, walls_round
 
 PlanBox = tuple[float, float, float, float]
 """West, north, east and south, m."""
@@ -107,11 +107,8 @@ def clear_corners(plate: FloorPlate, panels: Iterable[WallPanel], half: float) -
     walls = [panel for panel in panels if panel.level == plate.level]
     corners = _turning(plate.corners)
     lines = []
-    for (x0, z0), (x1, z1) in edges_round(corners):
-        along_x = abs(x1 - x0) >= abs(z1 - z0)
-        line, low, high = (z0, min(x0, x1), max(x0, x1)) if along_x else (x0, min(z0, z1), max(z0, z1))
-        inward = (1 if x1 > x0 else -1) if along_x else (-1 if z1 > z0 else 1)
-        axis = "x" if along_x else "z"
+    for side, line, low, high in walls_round(corners):
+        axis, inward = "x" if side in ALONG_X else "z", INWARDS[side]
         least = min(_CORNER, (high - low) / 2)
         near = [
             w for w in walls if w.axis == axis and abs(w.line - line) <= w.thickness / 2 and min(w.end, high) - max(w.start, low) > least

@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Final, Literal, NamedTuple
 
 from solver.demanded import demand
-from solver.geometry import doubled_area, edges_round
+from solver.geometry import ALONG_X, walls_round
 from solver.scene import Room
 
 PlanAxis = Literal["x", "z"]
@@ -42,20 +42,14 @@ def on_lattice(metres: float) -> float:
 
 def edges_of(room: Room) -> list[OutlineEdge]:
     """Returns a room's edges in the order of its outline's points: north, east, south, west for a rectangle."""
-    corners = room.corners
-    clockwise = doubled_area(corners) >= 0
-    return [_edge(room, a, b, clockwise, number) for number, (a, b) in enumerate(edges_round(corners))]
-
-
-def _edge(room: Room, a: tuple[float, float], b: tuple[float, float], clockwise: bool, number: int) -> OutlineEdge:
-    along_x = abs(b[0] - a[0]) >= abs(b[1] - a[1])
-    forwards = (b[0] > a[0] if along_x else b[1] > a[1]) == clockwise
-    origin, across = (room.x, room.z + a[1]) if along_x else (room.z, room.x + a[0])
-    ends = (a[0], b[0]) if along_x else (a[1], b[1])
-    side = ("north" if forwards else "south") if along_x else ("east" if forwards else "west")
-    line: Line = (room.level, "x" if along_x else "z", on_lattice(across))
-    inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
-    return OutlineEdge(line, on_lattice(origin + min(ends)), on_lattice(origin + max(ends)), inward, side, room, number)
+    made = []
+    for number, (side, across, low, high) in enumerate(walls_round(room.corners)):
+        along_x = side in ALONG_X
+        along, aside = (room.x, room.z) if along_x else (room.z, room.x)
+        line: Line = (room.level, "x" if along_x else "z", on_lattice(aside + across))
+        inward: Literal[1, -1] = 1 if side in ("north", "west") else -1
+        made.append(OutlineEdge(line, on_lattice(along + low), on_lattice(along + high), inward, side, room, number))
+    return made
 
 
 THICKEST: Final = 0.6

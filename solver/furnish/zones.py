@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from catalogs.access_profiles import AccessProfile
-from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, doubled_area, edges_round, strip_at, tiles_between, to_mm
+from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, edges_round, strip_at, tiles_between, to_mm, walls_round
 from solver.pieces import Doorway, Opened, Space, Zone
 from solver.relations.subject import Scope
 from solver.scene import WALLS, Opening, Room, Sides
@@ -135,18 +135,7 @@ def _line_among(lines: Rect, edges: Sequence[WallLine], opening: Opening) -> Wal
 
 def outline_edges(room: Room) -> list[WallLine]:
     """Returns the edges of a room's outline, from its first point on; empty without an outline."""
-    if not room.outline:
-        return []
-    points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
-    following = points[1:] + points[:1]
-    clockwise = doubled_area(points) > 0
-    edges: list[WallLine] = []
-    for (x0, z0), (x1, z1) in zip(points, following, strict=True):
-        if z0 == z1:
-            edges.append(("north" if (x1 > x0) == clockwise else "south", z0, min(x0, x1), max(x0, x1)))
-        else:
-            edges.append(("east" if (z1 > z0) == clockwise else "west", x0, min(z0, z1), max(z0, z1)))
-    return edges
+    return list(walls_round([(to_mm(x), to_mm(z)) for x, z in room.outline or ()]))
 
 
 def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:

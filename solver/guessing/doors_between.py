@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Final
 
-from solver.geometry import doubled_area, edges_round, encloses
+from solver.geometry import encloses, walls_round
 from solver.scene import Opening, Room
 
 HouseSpot = tuple[float, float]
@@ -62,26 +62,16 @@ def _behind(rooms: Sequence[Room], place: int, opening: Opening) -> int | None:
 
 def _centre(room: Room, opening: Opening) -> tuple[HouseSpot, HouseSpot] | None:
     """Returns the middle of an opening in the house, and the way out of the room there."""
-    at, edges = opening.position, list(_edges(room.corners))
+    at, edges = opening.position, list(walls_round(room.corners))
     if opening.edge is not None:
-        here = [(low + at, line, out) for low, _, line, out in edges[opening.edge : opening.edge + 1]]
+        here = [(low + at, line, _OUT[wall]) for wall, line, low, _ in edges[opening.edge : opening.edge + 1]]
     else:
-        here = [(at, line, out) for low, high, line, out in edges if out == _OUT.get(opening.wall or "") and low <= at <= high]
+        here = [(at, line, _OUT[wall]) for wall, line, low, high in edges if wall == opening.wall and low <= at <= high]
     if not here:
         return None
     along, line, (dx, dz) = max(here, key=lambda one: one[1] * sum(one[2]))
     x, z = (line, along) if dx else (along, line)
     return (room.x + x, room.z + z), (dx, dz)
-
-
-def _edges(corners: Sequence[HouseSpot]) -> Iterator[tuple[float, float, float, HouseSpot]]:
-    """Yields of each edge where it begins and ends along its axis, its line across that, and the way out of the room."""
-    turn = 1 if doubled_area(corners) > 0 else -1
-    for (x0, z0), (x1, z1) in edges_round(corners):
-        if abs(x1 - x0) > abs(z1 - z0):
-            yield min(x0, x1), max(x0, x1), z0, (0, -turn if x1 > x0 else turn)
-        else:
-            yield min(z0, z1), max(z0, z1), x0, (turn if z1 > z0 else -turn, 0)
 
 
 def _holds(room: Room, spot: HouseSpot) -> bool:

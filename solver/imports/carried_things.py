@@ -4,8 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Final
 
-from solver.geometry import WALL_BEHIND, to_mm
-from solver.imports.rectilinear import PlanEdge, edges_of_corners
+from solver.geometry import ALONG_X, INWARDS, WALL_BEHIND, to_mm, walls_round
 from solver.scene import Decoration, Furniture, Room, WallName
 
 RESTING: Final = 0.06
@@ -14,8 +13,6 @@ LYING: Final = 0.01
 """Where it stands in a piece, m."""
 HANGING: Final = 0.1
 """A thing above the floor whose back is so near a wall's face, m, hangs there."""
-NAMES: Final[dict[tuple[str, int], WallName]] = {("x", -1): "north", ("x", 1): "south", ("z", -1): "west", ("z", 1): "east"}
-"""A room's wall by the axis that its edge runs along and the side that points out."""
 
 
 def with_carriers(rooms: Sequence[Room], wall_thickness: float) -> list[Room]:
@@ -49,14 +46,8 @@ def _walls(one: Decoration, room: Room, half_wall: float) -> Iterator[tuple[floa
     behind, reach = WALL_BEHIND[round(one.rotation / 90) % 4 * 90], (one.width, one.depth)
     if round(one.rotation / 90) % 2:
         reach = reach[::-1]
-    for edge in _edges(room):
-        along, across = (one.x, one.z) if edge.axis == "x" else (one.z, one.x)
-        if edge.low <= along * 1000 <= edge.high:
-            half = reach[1] / 2 if edge.axis == "x" else reach[0] / 2
-            face = edge.at / 1000 - edge.out * half_wall
-            name = NAMES[edge.axis, edge.out]
-            yield abs(face - edge.out * half - across), name != behind, name
-
-
-def _edges(room: Room) -> list[PlanEdge]:
-    return edges_of_corners(0, [(to_mm(x), to_mm(z)) for x, z in room.corners])
+    for name, line, low, high in walls_round([(to_mm(x), to_mm(z)) for x, z in room.corners]):
+        along, across, half = (one.x, one.z, reach[1] / 2) if name in ALONG_X else (one.z, one.x, reach[0] / 2)
+        if low <= along * 1000 <= high:
+            face = line / 1000 + INWARDS[name] * half_wall
+            yield abs(face + INWARDS[name] * half - across), name != behind, name

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from solver.geometry import doubled_area, edges_round
+from solver.geometry import ALONG_X, INWARDS, doubled_area, walls_round
 
 FloorCorner = tuple[int, int]
 FloorCorners = list[FloorCorner]
@@ -67,14 +67,11 @@ def _is_passed(before: FloorCorner, here: FloorCorner, after: FloorCorner) -> bo
 
 
 def edges_of_corners(room: int, corners: Sequence[FloorCorner]) -> list[PlanEdge]:
-    """Returns the edges of a room whose corners go clockwise."""
-    found = []
-    for index, ((x, z), (next_x, next_z)) in enumerate(edges_round(corners)):
-        if z == next_z:
-            found.append(PlanEdge(room, index, "x", z, min(x, next_x), max(x, next_x), -1 if next_x > x else 1))
-        else:
-            found.append(PlanEdge(room, index, "z", x, min(z, next_z), max(z, next_z), 1 if next_z > z else -1))
-    return found
+    """Returns the edges of a room."""
+    return [
+        PlanEdge(room, side, "x" if wall in ALONG_X else "z", at, low, high, -INWARDS[wall])
+        for side, (wall, at, low, high) in enumerate(walls_round(corners))
+    ]
 
 
 def is_simple(corners: Sequence[FloorCorner]) -> bool:
