@@ -164,8 +164,6 @@ class PlanNotes:
 MOST_ROOMS: Final = 500
 MOST_POINTS: Final = 5_000
 """FloorCorners of all rooms together; and walls, openings and pieces each. Our choices: a house has a hundredth of it."""
-MOST_CORNERS: Final = 1_000
-"""FloorCorners of one room."""
 
 
 def check_count(what: str, count: int, most: int) -> None:

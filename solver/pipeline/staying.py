@@ -6,7 +6,7 @@ A piece that stays takes the place of the wanted piece that it could be, so that
 before the locked sofa. One that could be none is wanted besides.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -17,7 +17,7 @@ from solver.errors import SceneError
 from solver.free_places import footprint
 from solver.geometry import Rect, to_mm
 from solver.pieces import Arrangement, Candidate, Link, Piece, Placed, Space, Stance, Stand, Zone
-from solver.repair import Body, all_bodies, as_it_stands, floor_bodies
+from solver.repair import Body, all_bodies, as_it_stands, floor_bodies, root_of
 from solver.scene import Decoration, Furniture, Room
 
 
@@ -58,20 +58,14 @@ def staying_in(room: Room) -> Staying:
     while more:
         stays |= more
         more = {below for label in more for below in (pieces[label].on, pieces[label].under) if below in pieces and below} - stays
-    things = {thing.id: thing for thing in room.decorations}
-    lying = tuple(thing for thing in room.decorations if _lies_on(thing, things) in stays)
+    carriers = _carriers(room.decorations)
+    lying = tuple(thing for thing in room.decorations if root_of(thing.id, carriers) in stays)
     return Staying(replace(room, furniture=tuple(piece for piece in room.furniture if piece.id in stays), decorations=()), lying)
 
 
-def _lies_on(thing: Decoration, things: Mapping[str, Decoration]) -> str | None:
-    """Returns the id of what a thing, and what carries it, lies on in the end; None for what hangs."""
-    seen = {thing.id}
-    while thing.mounted_on_wall is None:
-        if thing.parent not in things or thing.parent is None or thing.parent in seen:
-            return thing.parent
-        seen.add(thing.parent)
-        thing = things[thing.parent]
-    return None
+def _carriers(things: Iterable[Decoration]) -> dict[str, str]:
+    """Returns what carries each thing that does not hang, by its id."""
+    return {thing.id: thing.parent for thing in things if thing.parent is not None and thing.mounted_on_wall is None}
 
 
 def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Staying, Space, tuple[Piece, ...]]:
@@ -153,11 +147,11 @@ def rejoined(made: Sequence[Furniture], placed: Sequence[Placed], staying: Stayi
 def with_things(room: Room, staying: Staying) -> Room:
     """Returns a decorated room with what lay on the pieces that stay; where something new stands on one, what lies there is new."""
     anew = {piece.on for piece in room.furniture if piece.id not in staying.ids}
-    things = {thing.id: thing for thing in staying.things}
-    stays = tuple(thing for thing in staying.things if _lies_on(thing, things) not in anew)
+    carriers = _carriers(staying.things)
+    stays = tuple(thing for thing in staying.things if root_of(thing.id, carriers) not in anew)
     on = set(staying.ids) - {label for label in anew if label}
-    made = {thing.id: thing for thing in room.decorations}
-    fresh = [thing for thing in room.decorations if _lies_on(thing, made) not in on]
+    carriers = _carriers(room.decorations)
+    fresh = [thing for thing in room.decorations if root_of(thing.id, carriers) not in on]
     ids = _free_ids([thing.id for thing in fresh], {thing.id for thing in stays})
     renamed = (replace(thing, id=ids[thing.id], parent=ids.get(thing.parent or "", thing.parent)) for thing in fresh)
     return replace(room, decorations=(*stays, *renamed))

@@ -19,7 +19,6 @@ Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Seen = TypeVar("Seen")
 
-ORIGIN: Final = -1
 ABSENT: Final = -1
 
 # RoomArrays.space

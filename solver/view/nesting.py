@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final, NamedTuple
 
 from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
+from solver.scene_bodies import home_of
 
 DEEPEST: Final = 6
 """How many levels of things on things are indented; what lies deeper is shown at the last. Our choice."""
@@ -31,15 +32,10 @@ def sections(room: Room, people: Sequence[Dynamic], carried: Mapping[str, Sequen
     yield from (section for section in every if section.bodies)
 
 
-def people_in(scene: Scene, room: Room) -> list[Dynamic]:
-    """Returns the people and pets of a room."""
-    return [person for person in scene.dynamic if person.room == room.id]
-
-
 def strangers(scene: Scene) -> list[Dynamic]:
     """Returns the people and pets that are in no room of the scene."""
     known = {room.id for room in scene.rooms}
-    return [person for person in scene.dynamic if person.room not in known]
+    return [person for person in scene.dynamic if home_of(scene, person) not in known]
 
 
 def carried_by(room: Room) -> dict[str, list[Decoration]]:

@@ -10,7 +10,8 @@ from typing import Final
 
 from solver.geometry import square_metres
 from solver.scene import Decoration, Dynamic, Opening, Room, Scene
-from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
+from solver.scene_bodies import people_in
+from solver.view.nesting import ShownBody, carried_by, remarks, sections, strangers, together
 from solver.view.wording import TextLine, decimal, number, proofs, target_of, visible, written
 
 FLAT: Final = 0.02

@@ -11,8 +11,8 @@ from typing import Any, Final, NamedTuple
 
 from solver.answers import Issue
 from solver.scene import Dynamic, Furniture, Opening, Room, Scene
-from solver.scene_bodies import body_ids, counted
-from solver.view.nesting import ShownBody, carried_by, people_in, remarks, sections, strangers, together
+from solver.scene_bodies import body_ids, counted, people_in
+from solver.view.nesting import ShownBody, carried_by, remarks, sections, strangers, together
 from solver.view.wording import TextLine, is_changed, number, proofs, room_certificates, target_of, visible, written
 
 WRONG: Final = ">> "

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.scene import Decoration, Dynamic, Flooring, Furniture, Level, Opening, Room, Scene, Size
-from solver.view import view
+from solver.view import report, view
 
 TEXTS = st.text(st.characters(codec="utf-8"), max_size=8)
 
@@ -188,3 +188,10 @@ def test_whatever_names_hold_it_stays_yaml_line_by_line(names: list[str], place:
     assert read["rooms"][room]["type"] == kind
     assert next(iter(read["rooms"][room]["furniture"][0])) == name or name == "decorations"
     assert read["adjacency"] == [f"{room} ↔ {room}"]
+
+
+def test_who_says_no_room_is_in_the_only_one() -> None:
+    scene = Scene(rooms=(Room("den", width=4, depth=4),), dynamic=(Dynamic("cat_1", "cat", x=1.0, z=2.0),))
+    text, _ = view(scene, {"den": 16.0})
+    assert "    dynamic:\n      - cat: [1.00, 2.00]" in text and "\ndynamic:" not in text
+    assert "in no room" not in report(scene, {"den": 16.0}, ())[0]
