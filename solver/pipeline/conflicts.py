@@ -4,7 +4,7 @@ What would help is the cheapest changes with which the rest can stand, each of t
 """
 
 from bisect import bisect
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -17,7 +17,7 @@ from solver.pipeline.judged_again import judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
 from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
-from solver.placement.lengths import Shortfall, centimetres, metres, sentence
+from solver.placement.lengths import Shortfall, centimetres, least_that, metres, sentence
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
 from solver.scene import Furniture, Room
 from solver.validator import Checked
@@ -362,21 +362,10 @@ def _least_shrunk(goal: RepairGoal, body: Body) -> Repair | None:
     """Bisects for the least whole centimetres that must be taken off a body's width, or else off its depth."""
     for side in ("width", "depth"):
         most = int(getattr(body, side) * 1000 * (1 - LEAST_SHARE)) // STEP_MM
-        least = _least(most, lambda by, side=side: helps(goal, _shrunk(body, side, by * STEP_MM)))  # type: ignore[misc]
+        least = least_that(lambda by, side=side: helps(goal, _shrunk(body, side, by * STEP_MM)), most)  # type: ignore[misc]
         if least:
             return _shrunk(body, side, least * STEP_MM)
     return None
-
-
-def _least(most: int, helps: Callable[[int], bool]) -> int | None:
-    """Returns the least number in 1 ... most that helps, if the greatest does and helping is monotone."""
-    if most < 1 or not helps(most):
-        return None
-    low, high = 0, most
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if helps(middle) else (middle, high)
-    return high
 
 
 def _shrunk(body: Body, side: str, by_mm: int) -> Repair | None:

@@ -48,7 +48,11 @@ def shortfall(space: Space, pieces: Sequence[Piece], can_stand: CanStand, placin
     best: tuple[int, int] | None = None
     for axis in (0, 1):
         most = best[1] - 1 if best else _enough(space, pieces)
-        missing = _least(space, pieces, axis, most, can_stand)
+
+        def stands(by: int, axis: int = axis) -> bool | None:
+            return can_stand(longer_space(space, axis, by), longer_pieces(space, pieces, axis, by))
+
+        missing = least_that(stands, most)
         if missing is not None:
             best = axis, missing
     if best is None or best[1] > _span(space.clear, best[0]):
@@ -104,18 +108,14 @@ def _enough(space: Space, pieces: Sequence[Piece]) -> int:
     return sum(longest) + stands * space.robot_mm + 2 * (space.gap_mm + NEAR_MM + WALKING_MM)
 
 
-def _least(space: Space, pieces: Sequence[Piece], axis: int, most: int, can_stand: CanStand) -> int | None:
-    """Bisects for the least growth along an axis, up to `most`; None where that does not do or a limit was hit."""
-
-    def stands(by: int) -> bool | None:
-        return can_stand(longer_space(space, axis, by), longer_pieces(space, pieces, axis, by))
-
-    if most < 1 or not stands(most):
+def least_that(does: Callable[[int], bool | None], most: int) -> int | None:
+    """Bisects for the least number in 1 ... `most` that does, if doing is monotone; None where that does not or a limit was hit."""
+    if most < 1 or not does(most):
         return None
     low, high = 0, most
     while high - low > 1:
         middle = (low + high) // 2
-        verdict = stands(middle)
+        verdict = does(middle)
         if verdict is None:
             return None
         low, high = (low, middle) if verdict else (middle, high)
