@@ -15,7 +15,7 @@ from solver.exports.model import FloorPlate, HouseModel, ModelBody, PlacedOpenin
 from solver.exports.paints import PLAIN_WALL, channels
 from solver.exports.wall_bands import NEGLIGIBLE
 from solver.exports.writers import ExportSettings, Files
-from solver.geometry import FloorRectangle, edges_round, rectangles_of
+from solver.geometry import ALONG_X, FloorRectangle, rectangles_of, walls_round
 
 SCHEMA: Final = "1.0.0"
 SOLID: Final = "PureWhite"
@@ -106,10 +106,8 @@ def _room(room: FloorPlate) -> HouseJson:
 
 def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
     """Yields a room's outline cut where a neighbour's wall ends and between openings: AI2-THOR cuts one hole into a wall."""
-    for a, b in edges_round(room.corners):
-        axis = "x" if a[1] == b[1] else "z"
-        along = 0 if axis == "x" else 1
-        line, low, high = a[1 - along], min(a[along], b[along]), max(a[along], b[along])
+    for wall, line, low, high in walls_round(room.corners):
+        axis = "x" if wall in ALONG_X else "z"
         here = [
             one
             for one in model.openings
@@ -117,22 +115,22 @@ def _sides(room: FloorPlate, model: HouseModel) -> Iterator[_WallSide]:
             if low <= one.start and one.end <= high
         ]
         level = [other for other in model.rooms if other.level == room.level]
-        cuts = {low, high} | {at for other in level for at in _ends(other, along, line) if low < at < high}
+        cuts = {low, high} | {at for other in level for at in _ends(other, axis, line) if low < at < high}
         here.sort(key=lambda one: one.start)
         cuts |= {round((one.end + other.start) / 2, 4) for one, other in pairwise(here)}
         cuts = {at for at in cuts if not any(one.start < at < one.end for one in here)}
-        stops = sorted(cuts, reverse=b[along] < a[along])
+        stops = sorted(cuts, reverse=wall in ("south", "west"))
         for start, end in pairwise(stops):
             inside = [one for one in here if min(start, end) <= one.start and one.end <= max(start, end)]
             ends = [(at, line) if axis == "x" else (line, at) for at in (start, end)]
             yield _WallSide(room, ends[0], ends[1], inside[0] if inside else None)
 
 
-def _ends(room: FloorPlate, along: int, line: float) -> Iterator[float]:
-    """Yields where a room's walls on a line end."""
-    for a, b in edges_round(room.corners):
-        if a[1 - along] == b[1 - along] == line:
-            yield from (a[along], b[along])
+def _ends(room: FloorPlate, axis: str, line: float) -> Iterator[float]:
+    """Yields where a room's walls on a line along an axis end."""
+    for wall, at, low, high in walls_round(room.corners):
+        if at == line and (wall in ALONG_X) == (axis == "x"):
+            yield from (low, high)
 
 
 def _wall(name: str, room: FloorPlate, a: tuple[float, float], b: tuple[float, float]) -> HouseJson:
