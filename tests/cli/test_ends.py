@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import signal
 import subprocess
 from pathlib import Path
@@ -49,7 +50,7 @@ if __name__ == "__main__":
 
 def in_shell(words: str, given: bytes = SCENE, **environment: str) -> subprocess.CompletedProcess[bytes]:
     """Runs a command with the shell's redirections; HOME is left out where it is said to be empty."""
-    command = " ".join([*PROGRAM, words])
+    command = f"{shlex.join(PROGRAM)} {words}"
     known = {**os.environ, **environment}
     known = {name: value for name, value in known.items() if name != "HOME" or value}
     return subprocess.run(["sh", "-c", command], input=given, capture_output=True, check=False, timeout=GUARD_S, cwd=ROOT, env=known)
