@@ -34,6 +34,9 @@ from tests.dataset.pool_jobs import ends_always, ends_as_a_thing_goes, ends_once
 
 ENDED = "compose: ended\n"
 SMALL = ("dataset", "--width", "7", "--depth", "6", "--seeds", "3-19", "--shard-size", "6")
+FORMATS = ("--formats", "json,csv,boxes")
+ONE_ROOM = ("--width", "5", "--depth", "4", "--workers", "1")
+"""For what is about files alone: made in a fifth of the time."""
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -54,15 +57,15 @@ def rows(folder: Path, table: str) -> list[dict[str, Any]]:
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("datasets") / "alone"
-    made(path, "--workers", "1", "--formats", "json,csv,boxes")
+    made(path, "--workers", "1", *FORMATS)
     return path
 
 
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The set of scenes alone, made at once by one process."""
+    """The set of rooms alone, made at once by one process."""
     path = tmp_path_factory.mktemp("datasets") / "whole"
-    made(path, "--workers", "1")
+    made(path, *ONE_ROOM)
     return path
 
 
@@ -153,18 +156,18 @@ def test_archives_hold_each_home_once(folder: Path) -> None:
 
 
 def test_the_number_of_processes_changes_no_byte(folder: Path, tmp_path: Path) -> None:
-    assert made(tmp_path, "--workers", "3", "--formats", "json,csv,boxes") == contents(folder)
+    assert made(tmp_path, "--workers", "3", *FORMATS) == contents(folder)
 
 
-def test_killed_and_resumed_is_as_if_it_had_never_been_killed(whole: Path, tmp_path: Path) -> None:
+def test_killed_and_resumed_is_as_if_it_had_never_been_killed(folder: Path, tmp_path: Path) -> None:
     killed = tmp_path / "killed"
-    command = (sys.executable, "-m", "compose_homes", *SMALL, "--workers", "2", "--out", str(killed))
+    command = (sys.executable, "-m", "compose_homes", *SMALL, "--workers", "2", *FORMATS, "--out", str(killed))
     with started(*command, stderr=subprocess.PIPE) as run:
         until(lambda: bool(list(killed.glob("shards/*.json"))) or run.poll() is not None)
         run.kill()
         run.communicate(timeout=GUARD_S)  # until its processes have ended too, and write no more
     (killed / "tables" / "rooms" / "train-000009.parquet.elsewhere.1.part").write_bytes(b"half")
-    assert made(killed, "--workers", "1") == contents(whole)
+    assert made(killed, "--workers", "1", *FORMATS) == contents(folder)
 
 
 @pytest.mark.parametrize(("number", "told"), [(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)])
@@ -184,12 +187,12 @@ def test_told_to_end_it_ends_with_all_its_processes(tmp_path: Path, number: sign
 def test_a_file_that_is_gone_is_made_again(whole: Path, tmp_path: Path) -> None:
     shutil.copytree(whole, tmp_path / "set")
     next((tmp_path / "set" / "tables" / "houses").glob("train-000001*")).unlink()
-    assert made(tmp_path / "set", "--workers", "1") == contents(whole)
+    assert made(tmp_path / "set", *ONE_ROOM) == contents(whole)
 
 
 def test_a_set_that_grows_keeps_its_splits_and_its_homes(whole: Path, tmp_path: Path) -> None:
-    made(tmp_path / "grown", "--workers", "1", "--seeds", "3-9")
-    assert made(tmp_path / "grown", "--workers", "1", "--seeds", "8-19") == contents(whole)
+    made(tmp_path / "grown", *ONE_ROOM, "--seeds", "3-9")
+    assert made(tmp_path / "grown", *ONE_ROOM, "--seeds", "8-19") == contents(whole)
 
 
 def test_splits_are_of_the_seed_alone() -> None:
@@ -223,13 +226,13 @@ def test_a_folder_of_something_else_stays_as_it_is(tmp_path: Path, capfd: pytest
     assert sorted(contents(tmp_path)) == ["dataset.json", "thesis.txt"]
 
 
-def test_wherenothing_can_be_written_is_said(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_where_nothing_can_be_written_is_said(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
     assert main([*SMALL, "--out", str(tmp_path / "file" / "set")]) == 2
     assert f"no such folder: {tmp_path / 'file'}" in capfd.readouterr().err
 
 
-def test_a_full_disk_is_said_and_leavesnothing_half_written(
+def test_a_full_disk_is_said_and_leaves_nothing_half_written(
     whole: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write_table = pq.ParquetWriter.write_table
@@ -245,7 +248,7 @@ def test_a_full_disk_is_said_and_leavesnothing_half_written(
     monkeypatch.setattr(pq.ParquetWriter, "write_table", on_a_full_disk)
     told: list[object] = []
     monkeypatch.setattr(sys, "unraisablehook", told.append)
-    assert main([*SMALL, "--workers", "1", "--out", str(tmp_path)]) == 2
+    assert main([*SMALL, *ONE_ROOM, "--out", str(tmp_path)]) == 2
     words = capfd.readouterr().err
     gc.collect()
     assert told == [], "nothing is written once more as it is thrown away"
@@ -253,7 +256,7 @@ def test_a_full_disk_is_said_and_leavesnothing_half_written(
     assert list(tmp_path.rglob("*.part")) == []
     assert {re.sub(r".*-(\d+).*", r"\1", path.name) for path in tmp_path.rglob("*.parquet")} == {"000000"}
     monkeypatch.undo()
-    assert made(tmp_path, "--workers", "1") == contents(whole)
+    assert made(tmp_path, *ONE_ROOM) == contents(whole)
 
 
 def test_homes_that_break_rules_or_cannot_be_are_kept_and_marked(tmp_path: Path) -> None:
