@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import http.client
 import json
-import signal
 import socket
-import subprocess
 from collections.abc import Iterator
 from urllib.parse import urlsplit
 
@@ -17,10 +15,10 @@ from tests.cli.programs import GUARD_S, compose, said
 
 
 @pytest.fixture(scope="module")
-def server() -> Iterator[tuple[subprocess.Popen[str], int]]:
-    """A running service and its port."""
+def port() -> Iterator[int]:
+    """Where a service listens; no test ends it."""
     with running() as service:
-        yield service.process, urlsplit(service.address).port or 0
+        yield urlsplit(service.address).port or 0
 
 
 def asked(port: int, method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
@@ -32,22 +30,19 @@ def asked(port: int, method: str, path: str, body: bytes | None = None) -> tuple
     return content
 
 
-def test_it_says_where_and_answers(server: tuple[subprocess.Popen[str], int]) -> None:
-    _, port = server
+def test_it_says_where_and_answers(port: int) -> None:
     assert asked(port, "GET", "/healthz") == (200, b'{"status":"ok"}\n')
     status, content = asked(port, "POST", "/generate", b'{"seed": 42, "width": 6, "depth": 5}')
     assert (status, json.loads(content)["scene"]["seed"]) == (200, 42)
 
 
-def test_a_large_body_hears_its_refusal(server: tuple[subprocess.Popen[str], int]) -> None:
-    _, port = server
+def test_a_large_body_hears_its_refusal(port: int) -> None:
     status, content = asked(port, "POST", "/fix", b" " * (25 << 20))
     assert (status, json.loads(content)["status"]) == (413, 413)
     assert asked(port, "GET", "/healthz")[0] == 200
 
 
-def test_what_is_no_http_does_not_hurt(server: tuple[subprocess.Popen[str], int]) -> None:
-    _, port = server
+def test_what_is_no_http_does_not_hurt(port: int) -> None:
     for words in (
         b"\x00\xff\r\n\r\n",
         b"GET /" + b"a" * 100_000 + b" HTTP/1.1\r\n\r\n",
@@ -59,18 +54,7 @@ def test_what_is_no_http_does_not_hurt(server: tuple[subprocess.Popen[str], int]
     assert asked(port, "GET", "/healthz")[0] == 200
 
 
-def test_a_taken_port_is_bad_use(server: tuple[subprocess.Popen[str], int]) -> None:
-    run = compose("serve", "--port", str(server[1]))
+def test_a_taken_port_is_bad_use(port: int) -> None:
+    run = compose("serve", "--port", str(port))
     assert run.returncode == 2
     assert "compose: something listens at that address and port already: --port names another one" in said(run)
-
-
-def test_it_stops_when_told(server: tuple[subprocess.Popen[str], int]) -> None:
-    run, port = server
-    assert asked(port, "GET", "/healthz")[0] == 200  # before, it may not have begun to listen for signals
-    run.send_signal(signal.SIGINT)
-    _, words = run.communicate(timeout=GUARD_S)
-    assert run.returncode == 0, words
-    assert "Traceback" not in words
-    with pytest.raises(OSError):
-        asked(port, "GET", "/healthz")

@@ -51,9 +51,11 @@ def test_a_stop_answers_what_was_accepted() -> None:
     with running(0, *FEW) as service, ThreadPoolExecutor(1) as callers:
         call = callers.submit(asked, service, "POST", "/place", WISH)
         until(lambda: is_working(service))
-        service.process.send_signal(signal.SIGTERM)
+        service.process.send_signal(signal.SIGINT)
         assert call.result()[0] == 200
-        service.process.wait(GUARD_S)
+        _, words = service.process.communicate(timeout=GUARD_S)
+        assert service.process.returncode == 0, words
+        assert "Traceback" not in words and not is_listening(service)
 
 
 def test_who_listens_keeps_no_stop_waiting() -> None:
