@@ -52,6 +52,7 @@ OPEN_ANOTHER = """address => {
     const shuts = ['#palette:not([hidden]) .palette-head button', '#camera_split[aria-pressed=true]', '.fold[aria-expanded=false]',
         '#drawing:not([hidden]) [data-tool=close]'];
     for (const one of document.querySelectorAll('dialog[open]')) one.close();
+    for (const one of document.querySelectorAll('dialog details[open]')) one.open = false;
     const chosen = Object.keys(localStorage);
     for (const one of document.querySelectorAll(shuts)) one.click();
     document.querySelector('#camera_corner').click();
