@@ -128,7 +128,6 @@ class SavedHomes:
             _held(connection, owner, home, revisions)
             sizes = connection.scalar(select(func.sum(func.length(VERSIONS.c.scene))).where(VERSIONS.c.home == home)) or 0
             picture = connection.scalar(select(func.length(HOMES.c.picture)).where(HOMES.c.id == home)) or 0
-            connection.execute(delete(VERSIONS).where(VERSIONS.c.home == home))
             connection.execute(delete(HOMES).where(HOMES.c.id == home))
             self._take(connection, owner, -1, -int(sizes) - int(picture))
 

@@ -80,7 +80,6 @@ class SavedJobs:
         """
         with self._database.writing() as connection:
             _found_job(connection, owner, job)
-            connection.execute(delete(RESULTS).where(RESULTS.c.job == job))
             connection.execute(delete(JOBS).where(JOBS.c.id == job))
 
     def result(self, owner: str, job: str, number: int) -> JobResult:

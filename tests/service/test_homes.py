@@ -12,14 +12,14 @@ import pytest
 import yaml
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
-from sqlalchemy import text
+from sqlalchemy import select, text
 from starlette.testclient import TestClient
 
 from service.app import ComposeApp, create_app
 from service.kept_contract import HomeQuery
 from service.problems import StoreAway
 from service.service_settings import Settings
-from service.store.database import TABLES, Database
+from service.store.database import TABLES, VERSIONS, Database
 from service.store.saved_homes import ANY_REVISION, KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
@@ -370,6 +370,19 @@ def test_the_oldest_versions_go(place: str) -> None:
         numbers = [number for number, _ in homes.versions("emil", home)]
         assert numbers == list(range(KEPT_VERSIONS + 10, 10, -1))
         homes.remove("emil", home, ANY_REVISION)
+
+
+def test_a_home_goes_with_its_versions_and_no_others(place: str) -> None:
+    with closing(Database(place)) as database:
+        homes = SavedHomes(database, Keeping())
+        gone, stays = (homes.add("fay", {"name": "a", "notes": "", "tags": ()}, PackedScene(b"1", 1)).id for _ in range(2))
+        for home in (gone, stays):
+            homes.change("fay", home, {1}, {}, PackedScene(b"2", 1))
+        homes.remove("fay", gone, ANY_REVISION)
+        with database.reading() as connection:
+            left = connection.execute(select(VERSIONS.c.home, VERSIONS.c.number).where(VERSIONS.c.home.in_((gone, stays)))).all()
+        assert sorted(map(tuple, left)) == [(stays, 1), (stays, 2)]
+        homes.remove("fay", stays, ANY_REVISION)
 
 
 def test_the_migrations_make_the_tables_that_are_used(place: str) -> None:

@@ -11,10 +11,10 @@ from typing import Any
 
 import httpx2
 import pytest
-from sqlalchemy import update
+from sqlalchemy import select, update
 
 from service.app import ComposeApp
-from service.store.database import JOBS, Database
+from service.store.database import JOBS, RESULTS, Database
 from service.store.saved_jobs import LEASE_S, MOST_JOBS, JobResult, SavedJobs
 from solver.errors import FieldError
 from tests.browser.service_process import running
@@ -113,6 +113,21 @@ def test_a_silent_runners_job_is_carried_on_and_no_other(place: str) -> None:
             jobs.add("zoe", "generate", b"", 1)
         for one in jobs.list("zoe"):
             jobs.remove("zoe", one.id)
+
+
+def test_a_job_goes_with_its_results_and_no_others(place: str) -> None:
+    with closing(Database(place)) as database:
+        jobs = SavedJobs(database)
+        made = [jobs.add("xia", "generate", zlib.compress(b"[{}]"), 1).id for _ in range(2)]
+        for job in made:
+            taken = jobs.take("runner")
+            assert taken is not None and taken[0].id == job
+            assert jobs.put("runner", job, 0, JobResult(200, "application/json", job.encode()))
+        jobs.remove("xia", made[0])
+        with database.reading() as connection:
+            assert connection.execute(select(RESULTS.c.job, RESULTS.c.number).where(RESULTS.c.job.in_(made))).all() == [(made[1], 0)]
+        assert jobs.result("xia", made[1], 0).content == made[1].encode()
+        jobs.remove("xia", made[1])
 
 
 @pytest.mark.parametrize("jump_s", [-86_400 * 365, -3600, 3600, 86_400 * 365])
