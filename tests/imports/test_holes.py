@@ -44,6 +44,17 @@ def test_each_of_several_holes_is_cut_open_and_columns_and_round_ones_are_told()
     ] * 2
 
 
+def test_no_cut_goes_through_another_hole() -> None:
+    """The nearer hole is not cut open to the west, where the entrance is; from the other the shortest way there leads through it."""
+    near, far = [(0.3, 1.5), (1.1, 1.5), (1.1, 4.5), (0.3, 4.5)], [(1.3, 2.5), (2.3, 2.5), (2.3, 4.5), (1.3, 4.5)]
+    answer = read(collection(around(near, far), line("door", (0, 2.6), (0, 3.3))))
+    (room,) = answer.scene.rooms
+    assert room.outline is not None
+    cuts = [float(str(one["amount"])) for one in answer.changes if one["step"] == "read"]
+    assert cuts == pytest.approx([1.5, 0.2])
+    assert floor_area(room.outline) == pytest.approx(48 - 2.4 - 2 - CUT * sum(cuts))
+
+
 @pytest.mark.parametrize("first", range(9))
 def test_a_stub_of_wall_without_thickness_is_no_part_of_an_outline(first: int) -> None:
     """It goes out from a corner and back to it: the corner is there twice and stays once."""

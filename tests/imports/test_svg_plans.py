@@ -10,6 +10,7 @@ import pytest
 
 from catalogs import load_catalogs
 from compose_homes import import_plan
+from solver.errors import FieldError
 from solver.imported import PlanImport
 from tests.imports.plans import box, collection, opening, read, rooms_of
 
@@ -101,6 +102,26 @@ def test_transforms_uses_and_inner_drawings_are_worked_out() -> None:
     assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 2.0, 1.5), ("living_room", 2.0, 0.0, 2.0, 1.5), ("bathroom", 0.0, 1.5, 4.0, 3.0)]
     door = opening(answer.scene.rooms[0], "door_0")
     assert (door.wall, door.position, door.width) == ("east", 0.75, 0.9)
+
+
+@pytest.mark.parametrize(
+    ("transform", "corners"),
+    [
+        ("skewX(45)", "0 0 4 0 1 3 -3 3"),
+        ("skewY(45)", "0 0 4 -4 4 -1 0 3"),
+        ("rotate(90 4 0)", "4 4 4 0 7 0 7 4"),
+        ("translate(3) scale(.5 -1)", "-6 0 2 0 2 -3 -6 -3"),
+    ],
+)
+def test_every_step_of_a_transform_makes_a_room_of_four_by_three_metres(transform: str, corners: str) -> None:
+    body = f"<polygon id='kitchen' points='{corners}' transform='{transform}'/><rect id='bedroom' x='4' width='3' height='3'/>"
+    answer = drawn(body, "data-unit='m'")
+    assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 4.0, 3.0), ("bedroom", 4.0, 0.0, 3.0, 3.0)]
+
+
+def test_a_wrong_element_is_named_by_its_number_among_those_of_its_tag() -> None:
+    with pytest.raises(FieldError, match=r"rect\[2\] 'third'"):
+        drawn("<rect class='room' width='4' height='3'/><g/><rect/><rect id='third' transform='spin(3)'/>")
 
 
 def test_the_arc_of_a_leaf_is_a_door_and_rooms_between_walls_are_grown() -> None:
