@@ -92,6 +92,12 @@ def name_of(room: FloorPlate, called: Mapping[str, str] | None = None) -> str:
     return _capital(room.name) if room.name else words_of(room.type, called)
 
 
+def said_of_room(room: FloorPlate) -> dict[str, str]:
+    """Returns what formats that only show a room's `label` say of it in words of their own, for our import."""
+    own = {"name": room.name} if room.name else {}
+    return {"id": room.id, "type": room.type, "label": name_of(room), "outdoor": str(room.outdoor).lower(), **own}
+
+
 def words_of(room_type: str, called: Mapping[str, str] | None = None) -> str:
     """Returns a room type as a plan names it: as it is `called`, else in English."""
     return _capital((called or {}).get(room_type) or _SAID.get(room_type) or " ".join(room_type.replace("_", " ").split()))

@@ -5,8 +5,8 @@ Frame: x east, z south (readers of files whose y points north turn it round), in
 """
 
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, NamedTuple
 
 from solver.errors import FieldError
@@ -36,6 +36,15 @@ class DrawnRoom:
     id: str = ""
     floor: str | None = None
     holes: tuple[tuple[Spot, ...], ...] = ()
+
+    def as_exported(self, said: Mapping[str, str]) -> "DrawnRoom":
+        """Returns the room with what our own export says beside its `label`: `type`, `outdoor`, and a `name` if it has one.
+
+        One that was called by other words since is what these say.
+        """
+        if "type" not in said or self.label not in said.get("label", ""):
+            return self
+        return replace(self, type=said["type"], label=said.get("name", ""), outdoor=said.get("outdoor", "").lower() == "true")
 
     def holds(self, x: float, z: float) -> bool:
         """Tells whether a point is in the room."""

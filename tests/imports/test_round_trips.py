@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
-from io import StringIO
+from io import BytesIO, StringIO
+from zipfile import ZipFile
 
 import ezdxf
 import pytest
@@ -82,6 +83,53 @@ def test_a_house_reads_back(program: str, format: str) -> None:
     assert entrances[0] == entrances[1]
     changed = [change["of"] for change in answer.changes if change["step"] in ("straighten", "wall_lines", "join")]
     assert changed == (["plan"] if format == "ifc" else [])  # its spaces are drawn by their inner faces
+
+
+CALLED = ("Maria's", "Oma", "Küche alt", "Bureau de Paul", "x", "The room of those who come late and stay long")
+"""Names of rooms: some tell nothing, some another type."""
+
+
+def named(scene: Scene) -> Scene:
+    """The home, every second room called by a name that does not tell its type, one of them a loggia: a balcony indoors."""
+    rooms = [replace(room, name=CALLED[number // 2 % len(CALLED)]) if number % 2 else room for number, room in enumerate(scene.rooms)]
+    return replace(scene, rooms=(replace(rooms[0], type="balcony", outdoor=False), *rooms[1:]), certificate=None)
+
+
+@pytest.mark.parametrize("program", ["studio", "a U"])
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_rooms_that_people_named_read_back(program: str, format: str) -> None:
+    before = named(home(program))
+    (name, content), *_ = export(before, format).items()
+    answer = read(content, name)
+
+    def called(scene: Scene) -> dict[str, tuple[object, ...]]:
+        return {room.id: (room.type, room.name, room.outdoor) for room in scene.rooms}
+
+    assert called(answer.scene) == called(before)
+    assert [one for one in answer.guesses if one["what"] in ("type", "outdoor")] == []
+
+
+def renamed(content: bytes, format: str) -> bytes:
+    """The file with its living room called a library, as another program would."""
+    if format != "sh3d":
+        label = {"ifc": (b",'Living room',", b",'Library',"), "dxf": (b"\n  1\nLiving room\n", b"\n  1\nLibrary\n")}[format]
+        assert content.count(label[0]) == 1
+        return content.replace(*label)
+    made = BytesIO()
+    with ZipFile(BytesIO(content)) as before, ZipFile(made, "w") as after:
+        for name in before.namelist():
+            held = before.read(name)
+            assert name != "Home.xml" or held.count(b"<room name='Living room'") == 1
+            after.writestr(name, held.replace(b"<room name='Living room'", b"<room name='Library'"))
+    return made.getvalue()
+
+
+@pytest.mark.parametrize("format", ["sh3d", "ifc", "dxf"])
+def test_a_room_that_another_program_renamed_is_what_it_is_called_now(format: str) -> None:
+    (name, content), *_ = export(home("family"), format).items()
+    (was,) = (room.id for room in home("family").rooms if room.type == "living_room")
+    (room,) = (room for room in read(renamed(content, format), name).scene.rooms if room.id == was)
+    assert (room.type, room.name) == ("office", "Library")
 
 
 @pytest.mark.parametrize("program", PROGRAMMES)

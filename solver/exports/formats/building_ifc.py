@@ -13,7 +13,7 @@ from solver.body_parts import BodyPart
 from solver.exports.ifc_pieces import Entity, IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
-from solver.exports.plan_rooms import clear_corners, name_of, words_of
+from solver.exports.plan_rooms import clear_corners, name_of, said_of_room, words_of
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import doubled_area
 from solver.wall_fittings import FRAME, GLASS_THICKNESS
@@ -110,6 +110,8 @@ class _Building:
         kind = "EXTERNAL" if room.outdoor else "INTERNAL"
         space = one.rooted("IfcSpace", "space", room.id, **said, ObjectPlacement=at, Representation=shape, PredefinedType=kind)
         self.spaces[room.id] = space
+        own = {key.capitalize(): value for key, value in said_of_room(room).items()}
+        one.says(space, "space", room.id, "Compose_Room", own | {"Outdoor": room.outdoor})
         areas = {"NetFloorArea": doubled_area(corners) / 2, "GrossFloorArea": room.area}
         amounts = [one.new("IfcQuantityArea", Name=name, AreaValue=round(area, 6)) for name, area in areas.items()]
         amounts.append(one.new("IfcQuantityLength", Name="Height", LengthValue=round(height, 6)))

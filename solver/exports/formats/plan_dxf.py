@@ -15,7 +15,7 @@ from typing import Any, Final, NamedTuple
 
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
 from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel
+from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, said_of_room
 from solver.exports.plan_storeys import HIGH, PlanMark, PlanStorey, marks_of, open_leaf, opening_box, storeys_of
 from solver.exports.writers import ExportSettings, Files
 from solver.free_names import FreeNames
@@ -96,7 +96,7 @@ class _DxfPlan:
         for number, warning in enumerate(self.model.warnings, 1):
             self.doc.header.custom_vars.append(f"Warning {number}", dxf_text(warning))
         for room in storey.rooms:
-            _say(self._polygon(room.corners, "ROOMS"), room.id)
+            _say(self._polygon(room.corners, "ROOMS"), *said_of_room(room).values())
         self._walls(storey.walls)
         for box in storey.railings:
             self._polygon(_corners(box), "RAILINGS")
@@ -227,12 +227,13 @@ class _DxfPlan:
 
 def _say_opening(entity: Any, opening: PlacedOpening) -> None:
     lengths = (opening.sill, opening.head - opening.sill)  # a CAD programme scales them with the entity
-    _say(entity, opening.id, *((1041, _tidy(one)) for one in lengths), (1070, int(opening.is_main_entrance)))
+    _say(entity, opening.id, more=(*((1041, _tidy(one)) for one in lengths), (1070, int(opening.is_main_entrance))))
 
 
-def _say(entity: Any, name: str, *more: tuple[int, float]) -> None:
+def _say(entity: Any, *words: str, more: Sequence[tuple[int, float]] = ()) -> None:
     """Gives an entity extended data."""
-    entity.set_xdata(OWN, [(1000, dxf_text(name).encode()[:_LONGEST_SAID].decode(errors="ignore")), *more])
+    said = [(1000, dxf_text(word).encode()[:_LONGEST_SAID].decode(errors="ignore")) for word in words]
+    entity.set_xdata(OWN, [*said, *more])
 
 
 def _mark(block: Any, mark: PlanMark) -> None:

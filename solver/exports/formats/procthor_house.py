@@ -100,6 +100,7 @@ def _room(room: FloorPlate) -> HouseJson:
         "ceilings": [],
         "children": [],
         "compose": {"type": room.type, "area": room.area, "outdoor": room.outdoor, "level": room.level}
+        | ({"name": room.name} if room.name else {})
         | ({"wall_thickness": list(room.outer)} if room.outer else {}),
     }
 

@@ -12,7 +12,7 @@ from typing import Final
 from solver.body_parts import BodyPart
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import SURFACES, by_paint, channels
-from solver.exports.plan_rooms import name_of, words_of
+from solver.exports.plan_rooms import name_of, said_of_room, words_of
 from solver.exports.solid_meshes import surface_of
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.exports.xml_text import xml_text
@@ -219,8 +219,8 @@ def _room(room: FloorPlate, level: str) -> str:
     points = "".join(f"<point x='{_cm(x)}' y='{_cm(z)}'/>" for x, z in room.corners)
     floor = f"floorColor='FF{''.join(f'{channel:02X}' for channel in channels(room.paint.color))}'"
     ceiling = "" if not room.outdoor else " ceilingVisible='false'"
-    name = xml_text(name_of(room))
-    return f"<room{level} name='{name}' areaVisible='true' {floor}{ceiling}>{_property('id', room.id)}{points}</room>\n"
+    said = "".join(_property(key, value) for key, value in said_of_room(room).items())
+    return f"<room{level} name='{xml_text(name_of(room))}' areaVisible='true' {floor}{ceiling}>{said}{points}</room>\n"
 
 
 def _property(name: str, value: str) -> str:

@@ -6,7 +6,7 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 import math
 from codecs import BOM_UTF8
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from importlib import import_module
 from io import StringIO
@@ -18,7 +18,7 @@ from catalogs.synonyms import DrawnNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
-from solver.imports.drawn import DrawnPiece, DrawnPlan, Spot
+from solver.imports.drawn import DrawnPiece, DrawnPlan, DrawnRoom, Spot
 from solver.imports.plain_values import a_number
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
@@ -36,6 +36,7 @@ OF_BODIES: Final = (BODY, "ID", "SIZE", "Y")
 OWN: Final = "COMPOSE_HOMES"
 """The application of our export's extended data."""
 TEXT: Final = 1000
+OF_ROOMS: Final = ("id", "type", "label", "outdoor", "name")
 OF_OPENINGS: Final = {TEXT: ("id",), 1041: ("sill", "height"), 1070: ("main_entrance",)}
 """What that says, by its codes."""
 MOST_PARTS: Final = 150_000
@@ -296,15 +297,21 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, b
     unread = [Unread(f"layer {layer!r:.60}", f"{count} of {kind}, which is not read") for (layer, kind), count in sorted(passed.items())]
     plan = plan_of_shapes(side_by_side(sheets), told, metres, unread)
     return replace(
-        plan, rooms=tuple(_told_itself(one, said[one.where], {TEXT: ("id",)}) for one in plan.rooms),
-        openings=tuple(_told_itself(one, said[one.where], OF_OPENINGS) for one in plan.openings),
+        plan, rooms=tuple(_room_told_itself(one, said[one.where]) for one in plan.rooms),
+        openings=tuple(_told_itself(one, said[one.where]) for one in plan.openings),
     )  # fmt: skip
 
 
-def _told_itself(one: Any, said: Sequence[Any], meant: Mapping[int, Sequence[str]]) -> Any:
-    """Returns a room or an opening with what our export's extended data says of it."""
+def _room_told_itself(room: DrawnRoom, said: Sequence[Any]) -> DrawnRoom:
+    """Returns a room with what our export's extended data says of it."""
+    found = dict(zip(OF_ROOMS, (tag.value for tag in said if tag.code == TEXT), strict=False))
+    return replace(room, id=found.get("id", "")).as_exported(found)
+
+
+def _told_itself(one: Any, said: Sequence[Any]) -> Any:
+    """Returns an opening with what our export's extended data says of it."""
     found: dict[str, Any] = {}
-    for code, keys in meant.items():
+    for code, keys in OF_OPENINGS.items():
         values = [tag.value for tag in said if tag.code == code]
         found |= dict(zip(keys, values, strict=True)) if len(values) == len(keys) else {}
     return replace(one, **{key: value if key == "id" else a_number(found, key, one.where) for key, value in found.items()})

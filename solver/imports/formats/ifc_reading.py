@@ -61,7 +61,7 @@ HOLDERS: Final = {
 REVIT: Final = re.compile(r"([^:]+):.*:\d+")
 WITH: Final = re.compile(r"[\s_-]+w(?:ith)?[\s_/-]+")
 """Behind this a family's name says what there is besides."""
-OURS: Final = "Compose_Body"
+OURS: Final = ("Compose_Body", "Compose_Room")
 HEADER: Final = b"ISO-10303-21"
 Element = Any
 
@@ -173,7 +173,7 @@ class _ReadBuilding:
                 yield DrawnRoom(
                     tuple((x, -y) for x, y in solid.footprint), name, where, "", self._level(space), outdoor or None,
                     (space.Name or "") if self._is_ours() else "",
-                )  # fmt: skip
+                ).as_exported({key.lower(): str(value) for key, value in self._said(space).items()})  # fmt: skip
 
     def _is_ours(self) -> bool:
         return str(self.file.header.file_name.originating_system) == "Compose"
@@ -270,11 +270,11 @@ class _ReadBuilding:
             id=name if self._is_ours() else "", unsaid=kind == "passage",
         )  # fmt: skip
 
-    def _said(self, piece: Element) -> dict[str, Any]:
-        """Returns what our export's set of properties says of a piece."""
-        for relation in self._related(piece, "IsDefinedBy"):
+    def _said(self, element: Element) -> dict[str, Any]:
+        """Returns what our export's set of properties says of a piece or a space."""
+        for relation in self._related(element, "IsDefinedBy"):
             found = relation.RelatingPropertyDefinition if relation.is_a("IfcRelDefinesByProperties") else None
-            if found is not None and found.is_a("IfcPropertySet") and found.Name == OURS:
+            if found is not None and found.is_a("IfcPropertySet") and found.Name in OURS:
                 return {one.Name: one.NominalValue.wrappedValue for one in self._related(found, "HasProperties") if one.NominalValue}
         return {}
 

@@ -83,8 +83,8 @@ def _room(said: Json, where: str) -> DrawnRoom:
     ours = _ours(said, where)
     kind = a_text(said, "roomType", where)
     return DrawnRoom(
-        spots, "" if ours else kind, where, a_text(ours, "type", where) or kind, round(a_number(ours, "level", where, 0.0)),
-        bool(ours.get("outdoor")) if ours else None, a_text(said, "id", where),
+        spots, a_text(ours, "name", where) if ours else kind, where, a_text(ours, "type", where) or kind,
+        round(a_number(ours, "level", where, 0.0)), bool(ours.get("outdoor")) if ours else None, a_text(said, "id", where),
     )  # fmt: skip
 
 

@@ -126,17 +126,8 @@ def _room(element: Element, where: str, level: int) -> DrawnRoom:
         (number_in(point, "x", f"{where} point[{at}]"), number_in(point, "y", f"{where} point[{at}]"))
         for at, point in enumerate(element.findall("point"))
     )
-    said = _said(element)
-    return DrawnRoom(
-        points,
-        element.get("name", "")[:LONGEST],
-        where,
-        said.get("type", ""),
-        level,
-        said.get("outdoor") == "true" if "type" in said else None,
-        said.get("id", ""),
-        _color(element.get("floorColor", "")),
-    )
+    said, name, floor = _said(element), element.get("name", "")[:LONGEST], _color(element.get("floorColor", ""))
+    return DrawnRoom(points, name, where, level=level, id=said.get("id", ""), floor=floor).as_exported(said)
 
 
 def _color(said: str) -> str | None:
