@@ -110,7 +110,7 @@ def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[D
     by_line: dict[tuple[str, int], list[DrawnLine]] = {}
     for one in walls:
         by_line.setdefault((one.axis, one.at), []).append(one)
-    made = list(walls)
+    made: list[DrawnLine] = []
     for parts in by_line.values():
         parts.sort(key=lambda one: (one.low, one.high))
         end = parts[0].high
@@ -119,7 +119,7 @@ def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[D
             if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in openings)):
                 made.append(gap)
             end = max(end, one.high)
-    return [*made, *_reaching(walls, openings)]
+    return [*walls, *made, *_reaching(walls, openings, made)]
 
 
 class WallRows:
@@ -196,8 +196,11 @@ def free_ends(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> int:
     return sum(not rows.is_met(one, end) for one in lines for end in (one.low, one.high))
 
 
-def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
-    """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings."""
+def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], closed: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
+    """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings.
+
+    None from a doorpost over the opening behind it, at the end of a hallway: the gap in that one's own wall is closed.
+    """
     rows = WallRows(walls)
     for one in walls:
         beside = [opening for opening in openings if opening.axis == one.axis and abs(opening.at - one.at) <= BESIDE]
@@ -210,8 +213,16 @@ def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> Iter
                     yield DrawnLine(crossed.axis, crossed.at, *sorted((one.at, far)))
             elif beside and (crossed := rows.ahead(one, end, None)):
                 gap = DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
-                if any(_fills(opening, gap) for opening in beside):
+                if any(_fills(opening, gap) and not any(_is_behind(own, opening, gap) for own in closed) for opening in beside):
                     yield gap
+
+
+def _is_behind(own: DrawnLine, opening: DrawnLine, gap: DrawnLine) -> bool:
+    """Tells whether an opening's own gap lies between it and a gap before it, and is narrower than that."""
+    away, farther = own.at - opening.at, gap.at - opening.at
+    is_between = 0 < away < farther or farther < away < 0
+    is_narrower = gap.low <= own.low and own.high <= gap.high and own.high - own.low < gap.high - gap.low - SAME_LINE
+    return is_between and is_narrower and _fills(opening, own)
 
 
 def _fills(opening: DrawnLine, gap: DrawnLine) -> bool:

@@ -66,6 +66,43 @@ def test_walls_of_a_home_enclose_its_rooms(program: str, scale: float, degrees: 
     assert not [issue for issue in answer.issues if issue.severity == "error"]
 
 
+POSTS = (0.1, 0.25, 0.4)
+"""How far before a hallway's end a doorpost stands, m: before 0.45 m it lies beside what opens at the end."""
+
+
+@pytest.mark.parametrize("post", POSTS)
+@pytest.mark.parametrize("wall", [0.1, 0.3])
+def test_a_hallway_reaches_the_wall_at_its_end_past_a_doorpost(post: float, wall: float) -> None:
+    """A hallway 1.2 m wide and 5 m long, at whose end lies a passage, and just before that a door to the side."""
+    drawing: Any = readers.new()
+    space = drawing.modelspace()
+
+    def block(x0: float, y0: float, x1: float, y1: float, layer: str = "Walls") -> None:
+        space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": layer})
+
+    block(-wall, -3 - wall, 0, 1.2 + wall)
+    block(0, 1.2, 9, 1.2 + wall)
+    block(0, -wall, 4.1 - post, 0)
+    block(5 - post, -wall, 5, 0)
+    block(0, -3 - wall, 9, -3)
+    block(5, -3, 5 + wall, 0.15)
+    block(5, 1.05, 5 + wall, 1.2)
+    block(9, -3 - wall, 9 + wall, 1.2 + wall)
+    block(4.1 - post, -wall, 5 - post, 0, "Doors")
+    block(5, 0.15, 5 + wall, 1.05, "Openings")
+    for name, x, y in (("Flur", 1, 0.6), ("Bedroom", 2, -1.5), ("Living room", 7, -1)):
+        space.add_text(name, dxfattribs={"layer": "Names", "insert": (x, y)})
+    drawing.header["$INSUNITS"] = 6
+    text = StringIO()
+    drawing.write(text)
+    scene = read(text.getvalue().encode()).scene
+    (hallway,) = (room for room in scene.rooms if room.type == "hallway")
+    assert len(scene.rooms) == 3
+    thick = scene.wall_thickness
+    assert abs(hallway.width - thick - 5) <= 0.011
+    assert abs(hallway.depth - thick - 1.2) <= 0.011
+
+
 def without_rooms(scene: Scene, format: str) -> bytes:
     """Our export of a home without its rooms, as other libraries take them out."""
     content = next(iter(export(scene, format).values()))
