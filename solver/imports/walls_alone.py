@@ -1,7 +1,7 @@
 """Walls without rooms -> the rooms between them, in the drawing's own unit."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from statistics import median
@@ -12,6 +12,7 @@ from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.rectilinear import FloorCorners
 from solver.imports.shape_openings import between
+from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
 from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
 from solver.imports.wall_gaps import PASSAGES, WallGap, fitted, gaps_of
@@ -51,7 +52,7 @@ class NamedSpot(NamedTuple):
 
 
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
-    """Returns a plan that draws walls and no room with the rooms that these enclose on each level; any other as it is.
+    """Returns a plan that draws walls and no room with the rooms that these enclose on each level, at any angle; any other as it is.
 
     `metres` is the length of its unit, where the caller says it.
     """
@@ -61,18 +62,31 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     unit = metres or told_by_doors(plan.openings, plan.metres).metres
     rooms: list[DrawnRoom] = []
     unread, openings, thick = list(plan.unread), list(plan.openings), [one.thickness for one in walls if one.thickness > 0]
+    turn = turn_of([_outline(one) for one in walls])
+
+    def back(spots: Iterable[Spot]) -> tuple[Spot, ...]:
+        return tuple(turned_by(spot, -turn) for spot in spots)
+
     for level in sorted({one.level for one in walls}):
-        outlines = [_outline(one) for one in walls if one.level == level]
-        drawn = [one for one in plan.openings if one.level == level]
+        outlines = [tuple(turned_by(spot, turn) for spot in _outline(one)) for one in walls if one.level == level]
+        drawn = [_turned(one, turn) for one in plan.openings if one.level == level]
         found = rooms_between(outlines, drawn, unit, fitted(drawn, gaps_of(outlines, unit), unit)[1])
-        rooms += (replace(room, level=level, where=f"{room.where} of level {level}") for room in found.rooms)
-        openings += (replace(one, level=level) for one in found.passages)
+        rooms += (
+            replace(one, level=level, where=f"{one.where} of level {level}", points=back(one.points), holes=tuple(map(back, one.holes)))
+            for one in found.rooms
+        )
+        openings += (_turned(replace(one, level=level), -turn) for one in found.passages)
         unread += (replace(one, place=f"walls of level {level}") for one in found.told)
         thick = thick or ([found.thickness] if found.thickness else [])
     return replace(
         plan, rooms=tuple(rooms), openings=tuple(openings), drawn="inner", wall_thickness=median(thick) if thick else None,
         unread=tuple(unread),
     )  # fmt: skip
+
+
+def _turned(one: DrawnOpening, degrees: float) -> DrawnOpening:
+    """Returns an opening whose ends are turned back by an angle about the origin."""
+    return replace(one, start=turned_by(one.start, degrees), end=turned_by(one.end, degrees))
 
 
 def _outline(wall: DrawnWall) -> tuple[Spot, ...]:

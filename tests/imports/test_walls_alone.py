@@ -103,13 +103,17 @@ def test_a_hallway_reaches_the_wall_at_its_end_past_a_doorpost(post: float, wall
     assert abs(hallway.depth - thick - 1.2) <= 0.011
 
 
-def without_rooms(scene: Scene, format: str) -> bytes:
-    """Our export of a home without its rooms, as other libraries take them out."""
+def without_rooms(scene: Scene, format: str, degrees: float) -> bytes:
+    """Our export of a home without its rooms, as other libraries take them out, its site (an IFC's) turned."""
     content = next(iter(export(scene, format).values()))
     if format == "ifc":
         building = ifcopenshell.file.from_string(content.decode())
         for space in building.by_type("IfcSpace"):
             ifcopenshell.api.root.remove_product(building, product=space)
+        (site,) = building.by_type("IfcSite")
+        turn = (math.cos(math.radians(degrees)), math.sin(math.radians(degrees)), 0.0)
+        site.ObjectPlacement.RelativePlacement.Axis = building.create_entity("IfcDirection", (0.0, 0.0, 1.0))
+        site.ObjectPlacement.RelativePlacement.RefDirection = building.create_entity("IfcDirection", turn)
         return str(building.to_string()).encode()
     with ZipFile(BytesIO(content)) as archive:
         root = ElementTree.fromstring(archive.read("Home.xml"))
@@ -118,10 +122,10 @@ def without_rooms(scene: Scene, format: str) -> bytes:
     return ElementTree.tostring(root)
 
 
-@pytest.mark.parametrize("format", ["ifc", "sh3d"])
-def test_walls_of_a_building_without_rooms_enclose_them(format: str) -> None:
+@pytest.mark.parametrize(("format", "degrees"), [("ifc", 0.0), ("ifc", 7.0), ("ifc", -31.5), ("sh3d", 0.0)])
+def test_walls_of_a_building_without_rooms_enclose_them(format: str, degrees: float) -> None:
     before = home("family")
-    answer = read(without_rooms(before, format))
+    answer = read(without_rooms(before, format, degrees))
     assert answer.format == format
     after = sizes(answer.scene)
     assert len(after) == len(before.rooms)
