@@ -304,7 +304,8 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, b
 
 def _room_told_itself(room: DrawnRoom, said: Sequence[Any]) -> DrawnRoom:
     """Returns a room with what our export's extended data says of it."""
-    found = dict(zip(OF_ROOMS, (tag.value for tag in said if tag.code == TEXT), strict=False))
+    plain = import_module("ezdxf.tools.text").caret_decode
+    found = dict(zip(OF_ROOMS, (plain(tag.value) for tag in said if tag.code == TEXT), strict=False))
     return replace(room, id=found.get("id", "")).as_exported(found)
 
 
