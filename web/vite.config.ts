@@ -1,4 +1,5 @@
 import { defineConfig } from "vitest/config";
+import { leanThree } from "./lean_three";
 
 /** Where the service looks for the built page: git-ignored, packed into the wheel. */
 const STATIC_DIRECTORY = "../service/static";
@@ -12,12 +13,9 @@ const CALLS = [
 
 const GUARD_MS = 600_000;
 
-/** Shaders are text, which no minifier shortens: how their lines are set in says nothing. */
-const SHADERS = { name: "shaders", transform: { filter: { id: /node_modules.three/ }, handler: (code: string) => code.replaceAll(/(\n|\\n)(?:[\t ]|\\t)+/g, "$1") } };
-
 export default defineConfig({
   base: "./",
-  plugins: [SHADERS],
+  plugins: [leanThree()],
   build: {
     outDir: STATIC_DIRECTORY,
     emptyOutDir: true,
