@@ -166,15 +166,41 @@ def test_what_is_refused_beside_houses_is_said_and_tried_again_alone(visit: Visi
         again.click()
     expect(notice).to_be_hidden()
     visit.line_of(piece).click()
-    for call, key in (("fix", "Delete"), ("floor", "o")):
-        refused(call, lambda key=key: page.keyboard.press(key))  # type: ignore[misc]
-        expect(again).to_be_visible(visible=call == "fix")
-        page.locator(".notice-close").click()
+    asks = {
+        "explain": lambda: page.keyboard.press("h"),
+        "floor": lambda: page.keyboard.press("o"),
+        "generate": page.locator("#others_now").click,
+    }
+    page.locator("#room_choice").select_option(index=1)
+    visit.line_of(piece).click()
+    for call, ask in asks.items():
+        refused(call, ask)
+        with page.expect_response(lambda response, call=call: response.url.endswith(f"/{call}")):  # type: ignore[misc]
+            again.click()
+        expect(notice).to_be_hidden()
+    expect(page.locator(".others-row button")).to_have_count(3)
+    page.keyboard.press("Escape")
+    visit.line_of(piece).click()
+    refused("fix", lambda: page.keyboard.press("Delete"))
+    page.locator(".notice-close").click()
     page.locator("#show_floor").uncheck()
     with page.expect_response(lambda response: response.url.endswith("/fix")):
         page.keyboard.press("Delete")
     expect(visit.line_of(piece)).to_have_count(0)
-    assert sum(url.endswith("/generate") for url in visit.requests) == 2
+    assert sum(url.endswith("/generate") for url in visit.requests) == 2 + 1 + 3
+
+
+@pytest.mark.own_page
+def test_a_palette_that_was_refused_is_filled_once_it_is_asked_for_again(visit: Visit) -> None:
+    page = visit.page
+    intercept(page, "**/catalog", lambda route: route.fulfill(status=500, body="gone"))
+    visit.open(SMALL.format(3))
+    page.keyboard.press("a")
+    expect(page.get_by_role("alert")).to_be_visible()
+    page.unroute("**/catalog")
+    page.get_by_role("button", name="Try again").click()
+    expect(page.locator("#palette li").first).to_be_visible()
+    expect(page.get_by_role("alert")).to_be_hidden()
 
 
 BARE = {413: "Too large", 429: "Too many requests", 503: "busy", 504: "slow", 500: "refused", 401: "wants a key"}

@@ -60,7 +60,7 @@ class Page {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
     portray: (scene, into) => this.#stage.portrayRoom(scene, into),
     take: (answer, before) => this.#remaking.take(answer, before),
-    failed: (reason) => this.#failed(reason),
+    failed: (reason, again) => this.#failed(reason, again),
   });
   readonly #imported = new ImportReport(element("imported"), element("imported_list"));
   readonly #drawing: Drawing;

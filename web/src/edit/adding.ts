@@ -26,7 +26,7 @@ export interface AddingWords {
   room(): string | undefined;
   /** The room in the middle of the view. */
   inView(): string | undefined;
-  failed(reason: unknown): void;
+  failed(reason: unknown, again: () => void): void;
 }
 
 /** The rooms of the types that the catalog furnishes with a kind, the largest first. */
@@ -74,16 +74,19 @@ export class Adding {
 
   /** Opens or closes the palette; asked for first, it is filled. */
   toggle(coming: () => Promise<Catalog>): void {
-    if (!this.#isFilled) {
-      this.#isFilled = true;
-      const known = coming();
-      known.then((catalog) => { this.#catalog = catalog; }, () => undefined); // said below
-      this.#palette.await(known).catch((reason: unknown) => {
-        this.#isFilled = false;
-        this.say.failed(reason);
-      });
-    }
+    this.#fill(coming);
     this.#palette.open(!this.#palette.isOpen);
+  }
+
+  #fill(coming: () => Promise<Catalog>): void {
+    if (this.#isFilled) return;
+    this.#isFilled = true;
+    const known = coming();
+    known.then((catalog) => { this.#catalog = catalog; }, () => undefined); // said below
+    this.#palette.await(known).catch((reason: unknown) => {
+      this.#isFilled = false;
+      this.say.failed(reason, () => this.#fill(coming));
+    });
   }
 
   /** Offers no other places any more. Tells whether any were. */

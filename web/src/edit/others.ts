@@ -13,7 +13,7 @@ export interface OthersWords {
   ask(scene: Scene, room: string, seed: number, signal: AbortSignal): Promise<GenerateAnswer>;
   portray(scene: Scene, into: HTMLCanvasElement): void;
   take(answer: GenerateAnswer, before: Scene): void;
-  failed(reason: unknown): void;
+  failed(reason: unknown, again: () => void): void;
 }
 
 export class OtherRooms {
@@ -35,7 +35,7 @@ export class OtherRooms {
     } catch (reason) {
       if (isAbort(reason)) return;
       this.hide();
-      this.say.failed(reason);
+      this.say.failed(reason, () => void this.show(scene, room));
     }
   }
 

@@ -1,6 +1,5 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
-import { isAbort } from "../service";
 import { awayWords } from "./why_lines";
 import { capital, say } from "../words/language";
 import { tell, theWords } from "../words/telling";
@@ -21,20 +20,15 @@ export class WhyPanel {
   onTake: (way: OtherWay, room: string) => void = () => undefined;
   #pending = new AbortController();
 
-  constructor(readonly host: HTMLElement, readonly ask: AskWhy, readonly failed: (reason: unknown) => void) {}
+  constructor(readonly host: HTMLElement, readonly ask: AskWhy) {}
 
-  /** Asks about a piece and shows the answer. */
+  /** Asks about a piece and shows the answer; throws what the service refuses. */
   async show(scene: Scene, id: string): Promise<void> {
     this.hide();
-    const { signal } = this.#pending;
-    try {
-      const answer = await this.ask(scene, id, signal);
-      this.host.replaceChildren(...this.#contents(answer, (message) => tell(message, scene)));
-      this.host.hidden = false;
-      this.onShow(answer);
-    } catch (reason) {
-      if (!isAbort(reason)) this.failed(reason);
-    }
+    const answer = await this.ask(scene, id, this.#pending.signal);
+    this.host.replaceChildren(...this.#contents(answer, (message) => tell(message, scene)));
+    this.host.hidden = false;
+    this.onShow(answer);
   }
 
   hide(): void {

@@ -78,10 +78,10 @@ export class Workbench {
     this.#adding = new Adding(home, stage, this.editor, { palette: element("palette"), places: element("places") }, {
       room: () => this.#roomChosen(),
       inView: () => this.#roomInView(),
-      failed: (reason) => words.failed(reason),
+      failed: (reason, again) => words.failed(reason, again),
     });
-    this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason));
-    this.#why = new WhyPanel(element("why"), explain, (reason) => words.failed(reason));
+    this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason, this.#floorSwitch.checked ? () => this.#showFloor() : undefined));
+    this.#why = new WhyPanel(element("why"), explain);
     this.#why.onChoose = (id) => home.select(id);
     this.#why.onShow = (answer) => {
       this.#numbers.explain(answer);
@@ -319,8 +319,10 @@ export class Workbench {
 
   /** Says why the chosen piece stands where it does. */
   #explain(): void {
-    const [scene, id] = [this.home.scene, this.home.selected];
-    if (scene && id !== null && this.home.find(id)) void this.words.beside(say("Finding out why"), () => this.#why.show(scene, id));
+    void this.words.beside(say("Finding out why"), async () => {
+      const [scene, id] = [this.home.scene, this.home.selected];
+      if (scene && id !== null && this.home.find(id)) await this.#why.show(scene, id);
+    });
   }
 
   /** The room that is chosen, or that of what is chosen. */
