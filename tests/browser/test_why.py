@@ -93,6 +93,29 @@ def test_its_numbers_are_explained_and_it_leaves_the_middle_of_the_house_free(vi
     assert around["left"] > (stage["left"] + stage["right"]) / 2
 
 
+def test_a_piece_that_the_panel_would_cover_comes_out_from_under_it(visit: Visit) -> None:
+    """Those that stand where the panel comes to lie are seen beside it, by pixels that are theirs."""
+    page = visit.page
+    page.set_viewport_size({"width": 1100, "height": 700})
+    pieces = furniture_of(visit.open(DECORATED))
+    asked(visit, pieces[0])
+    panel = page.locator("#why").evaluate(BOX)
+    page.keyboard.press("Escape")
+    page.locator("#camera_corner").click()
+    visit.settle()
+    places = {piece: page.evaluate("id => compose.whereIs(id)", piece) for piece in pieces}
+    under = [piece for piece, at in places.items() if at and at["x"] > panel["left"] and panel["top"] < at["y"] < panel["bottom"]]
+    assert len(under) >= 3
+    for piece in under[:3]:
+        asked(visit, piece)
+        expect(page.locator("#why")).to_be_visible()
+        visit.settle()
+        seen = page.evaluate("id => { const at = compose.whereIs(id); return at && document.elementFromPoint(at.x, at.y).tagName; }", piece)
+        assert seen == "CANVAS", piece
+        page.locator("#camera_corner").click()
+        visit.settle()
+
+
 MARKS = """() => ['.ruler-words, .piece-label.chosen', '.handle, #tools, .views, .compass'].map(names =>
     [...document.querySelectorAll(names)].filter(one => one.checkVisibility()).map(one => {
         const {left, top, right, bottom} = one.getBoundingClientRect();

@@ -30,6 +30,8 @@ import { element } from "./element";
 const PICTURE = [3840, 2160] as const;
 /** Who walks opens a cupboard that is this near [m]. */
 const WITHIN_REACH = 1.8;
+/** So much around the middle of a piece is seen beside a panel, too [CSS pixels]. */
+const AROUND = 40;
 
 export class Stage {
   /** How many rectangles of free and kept floor are drawn. */
@@ -242,6 +244,15 @@ export class Stage {
   centre(id: string): void {
     const body = this.#house?.bodies.find((one) => one.id === id);
     if (body) this.#viewport.centre([body.x, body.y, body.z]);
+  }
+
+  /** Brings a body out from under a panel at the right, if it lies there. */
+  uncover(id: string, panel: HTMLElement): void {
+    const body = this.#house?.bodies.find((one) => one.id === id);
+    const seen = body && this.#viewport.project(new Vector3(body.x, body.y + body.height / 2, body.z));
+    const [over, { left, top, right }] = [panel.getBoundingClientRect(), this.host.getBoundingClientRect()];
+    if (!body || !seen || left + seen.x < over.left - AROUND || Math.abs(top + seen.y - (over.top + over.bottom) / 2) > over.height / 2 + AROUND) return;
+    this.#viewport.centre([body.x, body.y, body.z], right - over.left);
   }
 
   /** Shows what is chosen: the body in hand, and others beside it. */

@@ -85,6 +85,7 @@ export class Workbench {
     this.#why.onChoose = (id) => home.select(id);
     this.#why.onShow = (answer) => {
       this.#numbers.explain(answer);
+      if (answer) this.stage.uncover(answer.id, this.#why.host);
       this.#previewWay(null);
     };
     this.#why.onPreview = (way) => this.#previewWay(way);

@@ -169,17 +169,17 @@ export class Viewport {
     this.#fly(goal, jump);
   }
 
-  /** Flies sideways until a point is in the middle, looking the same way from as far. */
-  centre(at: Vector): void {
+  /** Flies sideways until a point is in the middle of what is not covered at the right [CSS pixels], looking the same way from as far. */
+  centre(at: Vector, covered = 0): void {
     if (this.#walker) return;
     const { eye, target, fov } = this.#framing;
+    const aside = (Math.hypot(...plus(eye, target, -1)) * Math.tan((fov * Math.PI) / 360) * covered) / this.#size.height;
+    const goal = plus(at, new Vector3().setFromMatrixColumn(this.camera.matrix, 0).toArray(), aside);
     this.#preset = null;
-    this.#fly({ eye: plus(eye, plus(at, target, -1)), target: at, fov });
+    this.#fly({ eye: plus(eye, plus(goal, target, -1)), target: goal, fov });
   }
 
-  get #framing(): Framing {
-    return { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov };
-  }
+  get #framing(): Framing { return { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov }; }
 
   /** Flies to a framing, unless another flight or the person's hand takes over. */
   #fly(goal: Framing, jump = false): void {
