@@ -10,6 +10,7 @@ import yaml
 from playwright.sync_api import FilePayload, expect
 
 from compose_homes import export, load
+from tests.browser.test_drawing import DrawingBoard
 from tests.browser.visit import SMALL, Document, Visit
 
 DROP = """async ([name, text]) => {
@@ -221,3 +222,25 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     visit.after(lambda: page.get_by_role("button", name="Random").click())
     expect(page.locator("#imported")).to_be_hidden()
     assert visit.console == []
+
+
+def test_a_plan_whose_rooms_share_floor_is_not_furnished_until_they_do_not(visit: Visit) -> None:
+    """As files have it: on the sheet no room is drawn over another."""
+    outlines = {"Bedroom": ((0, 0), (4, 0), (4, 4), (0, 4)), "Living room": ((3, 0), (8, 0), (8, 4), (3, 4))}
+    rooms = [{"properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [points]}} for name, points in outlines.items()]
+    plan = {"type": "FeatureCollection", "unit": "m", "features": [{"type": "Feature", **room} for room in rooms]}
+    visit.open(SMALL.format(4))
+    page = visit.page
+    content = json.dumps(plan).encode()
+    given: FilePayload = {"name": "plan.geojson", "mimeType": "application/json", "buffer": content}
+    visit.reopened(lambda: page.locator("#file").set_input_files(given))
+    board = DrawingBoard(visit).open("Change this plan")
+    furnish = page.get_by_role("button", name="Furnish the rooms")
+    expect(page.locator(".drawing-side .issue", has_text="rooms that share floor")).to_be_visible()
+    furnish.click()
+    expect(page.locator(".drawing-said")).to_contain_text("Bedroom and Living room are rooms that share floor")
+    expect(page.locator(".sheet")).to_be_visible()
+    assert not any(url.endswith("/furnish") for url in visit.requests)
+    page.get_by_role("button", name="Delete the room").click()
+    board.judge()
+    assert len(board.furnish()["scene"]["rooms"]) == 1

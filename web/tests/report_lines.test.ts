@@ -7,7 +7,7 @@ import { marksOf } from "../src/view/mark_words";
 
 const line = (text: string, id: string | null = null): Line => ({ text, id, className: "line" });
 const issue = (rule: string, severity: "error" | "warning" = "error") => ({ rule, severity, ids: [], message: rule });
-const nothing = { scene: {} as never, timing_ms: 0, moves: [], removed: [], conflicts: [], understood_as: {}, issues: [] };
+const nothing = { scene: { rooms: [] } as never, timing_ms: 0, moves: [], removed: [], conflicts: [], understood_as: {}, issues: [] };
 
 test("a line is what its first characters say", () => {
   expect(kindOf("# Diagnosis")).toBe("head");
@@ -42,7 +42,7 @@ test("a repair is told with what moved, what went and what is left", () => {
   const move = { id: "a", dx: 1, dz: 0, rotation: 0 };
   expect(fixWords(nothing)).toEqual(["Nothing moved; no error is left."]);
   expect(fixWords({ ...nothing, moves: [move], issues: [issue("overlap"), issue("missing_required", "warning")] })).toEqual([
-    "1 piece moved; 1 error is left.",
+    "Moved: 1 piece; 1 error is left.",
   ]);
   const told = fixWords({
     ...nothing,
@@ -50,7 +50,15 @@ test("a repair is told with what moved, what went and what is left", () => {
     removed: [{ id: "b", reason: "no floor" }],
     conflicts: [{ ids: ["c", "d"], message: "0.2 m are missing", repairs: [] }],
   });
-  expect(told).toEqual(["2 pieces moved; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
+  expect(told).toEqual(["Moved: 2 pieces; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
+});
+
+test("decorations that a repair moved are no pieces of furniture", () => {
+  const move = (id: string) => ({ id, dx: 1, dz: 0, rotation: 0 });
+  const scene = { rooms: [{ decorations: ["v", "w"].map((id) => ({ id })) }] } as never;
+  const told = (...ids: string[]) => fixWords({ ...nothing, scene, moves: ids.map(move) });
+  expect(told("a", "v", "b", "w")).toEqual(["Moved: 2 pieces, 2 decorations; no error is left."]);
+  expect(told("w")).toEqual(["Moved: 1 decoration; no error is left."]);
 });
 
 test("issues are grouped by rule, errors first, each once", () => {
