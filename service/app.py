@@ -216,6 +216,7 @@ def create_app(catalogs: Catalogs | None = None, settings: Settings = EMBEDDED, 
     if settings.metrics:
         app.add_route("/metrics", metrics)
     app.mount("/assets", page.Assets())
+    app.add_middleware(page.Packed, compresslevel=6)
     app.add_middleware(Admission, admitted)
     app.add_middleware(Callers, settings.allow_host, admitted.origins)
     if admitted.origins:

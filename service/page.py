@@ -5,9 +5,11 @@ from pathlib import Path
 from typing import Any, Final
 
 from starlette.exceptions import HTTPException
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
+from starlette.types import Receive, Scope, Send
 
 from service.guard import EMBED_POLICY, WORKER_POLICY
 from solver.core import WASM
@@ -15,6 +17,8 @@ from solver.core import WASM
 STATIC: Final = Path(__file__).parent / "static"
 WORKER: Final = "core_worker-"
 """How the name of the worker's file begins."""
+LOADED: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm"})
+"""What the page loads beside its files."""
 NOT_BUILT: Final = "The page is not built here (`make run` builds it). The calls answer all the same; they are described at /docs.\n"
 
 
@@ -72,3 +76,12 @@ class Assets(StaticFiles):
         if Path(args[0]).name.startswith(WORKER):
             response.headers["Content-Security-Policy"] = WORKER_POLICY
         return response
+
+
+class Packed(GZipMiddleware):
+    """Packs what the page loads for who takes it so; other answers go as they are: some are streams, which packing would hold back."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answers."""
+        is_loaded = scope["type"] == "http" and (scope["path"] in LOADED or scope["path"].startswith("/assets/"))
+        await (super().__call__ if is_loaded else self.app)(scope, receive, send)

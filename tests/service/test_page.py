@@ -59,6 +59,26 @@ def test_the_files_of_the_page_may_be_kept(built: TestClient) -> None:
     assert built.get("/assets/%2e%2e/index.html").status_code == 404
 
 
+@pytest.mark.parametrize("path", ["/", "/assets/long-1a2b.js", "/catalog", "/core.wasm"])
+def test_what_the_page_loads_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
+    (page.STATIC / "assets" / "long-1a2b.js").write_text("export const house = 1;\n" * 10_000)
+    (page.STATIC / "index.html").write_text(HTML + " " * 10_000)
+    plain, packed = (built.get(path, headers={"accept-encoding": coding}) for coding in ("identity", "br, gzip"))
+    assert "content-encoding" not in plain.headers
+    assert packed.headers["content-encoding"] == "gzip"
+    assert "accept-encoding" in packed.headers["vary"].lower()
+    assert packed.content == plain.content
+    assert packed.num_bytes_downloaded < 0.6 * plain.num_bytes_downloaded
+    assert packed.headers["x-content-type-options"] == "nosniff"
+
+
+def test_answers_to_calls_come_as_they_are(built: TestClient) -> None:
+    answer = built.post("/generate", json={"seed": 3}, headers={"accept-encoding": "gzip"})
+    assert answer.status_code == 200
+    assert len(answer.content) > 10_000
+    assert "content-encoding" not in answer.headers
+
+
 def test_a_page_that_is_not_built_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(page, "STATIC", tmp_path / "nothing")
     client = TestClient(create_app())
