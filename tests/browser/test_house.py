@@ -156,6 +156,17 @@ LOSE_CARD = """() => new Promise(done => {
 
 
 @pytest.mark.own_page
+def test_while_the_card_is_away_that_is_said(visit: Visit) -> None:
+    """And no longer once it is back."""
+    visit.open(SMALL.format(6))
+    card = visit.page.evaluate_handle("document.querySelector('#stage > canvas').getContext('webgl2').getExtension('WEBGL_lose_context')")
+    card.evaluate("card => card.loseContext()")
+    expect(visit.page.get_by_role("alert")).to_contain_text("The graphics card was taken away")
+    card.evaluate("card => card.restoreContext()")
+    expect(visit.page.get_by_role("alert")).to_be_hidden()
+
+
+@pytest.mark.own_page
 def test_a_card_that_comes_back_shows_the_house_again(visit: Visit) -> None:
     visit.open(SMALL.format(6))
     frames = visit.page.evaluate(LOSE_CARD)

@@ -37,6 +37,7 @@ import { readSaved, type SavedHead } from "./saved/saved_calls";
 import { SavedPanel } from "./saved/saved_panel";
 import { Stage } from "./stage";
 import { Home, type Showing, type Shown } from "./state/home";
+import { CARD_LOST } from "./view/renderer";
 import { say, speak } from "./words/language";
 import { element } from "./element";
 
@@ -98,6 +99,9 @@ class Page {
     this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onFailure = this.#failed;
+    const { canvas } = this.#stage.viewport;
+    canvas.addEventListener("webglcontextlost", () => this.#failed(CARD_LOST, () => location.reload()));
+    canvas.addEventListener("webglcontextrestored", () => this.#asking.notice.hide());
     new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), this.#asking.beside);
     element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);

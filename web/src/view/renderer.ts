@@ -36,6 +36,8 @@ export function shownByRoots(chunk: string): string {
 
 const NO_WEBGL = new ServiceProblem("This browser draws nothing in 3D", "WebGL 2 is missing or switched off, and the page cannot do without it. Switch it on in the browser's settings, or take another browser.");
 
+export const CARD_LOST = new ServiceProblem("The graphics card was taken away", "The house is drawn again as soon as it is back, which mostly happens by itself. Nothing is lost; to try again loads the page anew.");
+
 /** Throws a ServiceProblem where the browser draws nothing. */
 function made(isFine: boolean): WebGLRenderer {
   try {
