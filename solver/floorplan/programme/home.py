@@ -314,5 +314,5 @@ def _missed(one: PlannedRoom, rect: Rect) -> str:
     if low < home.width:
         return f"is {low:g} m wide, less than {home.width:g}"
     if high > home.aspect * low + 1e-9:
-        return f"is {high / low:.1f} times as long as wide, more than {home.aspect:g}"
+        return f"is {high / low:.1f} times as long as it is wide; rooms of its type are at most {home.aspect:g} times"
     return ""
