@@ -20,8 +20,8 @@ from solver.validator.world import WAYS, Hole, PlacedRoom, World
 DEEPEST_WALL: Final = exact(0.6)
 """As far as two rooms' wall lines may lie apart at a door between them: it goes through both. Our choice."""
 ANY_NUMBER: Final = 1 << 60
-MOST: Final = 400
-"""How many boxes a tile of the floor holds before it is halved: houses of 30 rooms stay one tile. Our choice."""
+MOST: Final = 80
+"""How many boxes a tile of the floor holds before it is halved. Measured: of fewer there are more tiles, of more each has more cells."""
 _FLOOR: Final = Struct("<5q")
 _AREAS: Final = Struct("<4Q")
 _JUDGED: Final = Struct("<3q")
