@@ -1,4 +1,4 @@
-"""What stands in rows looks as if somebody had set it: chairs across a table."""
+"""What stands in rows looks as if somebody had set it: chairs across a table, kitchens up to their walls."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import pytest
 
 from solver import Request, generate
 from solver.scene import Furniture, Room
+
+RUN = ("counter", "sink", "stove", "refrigerator", "dishwasher")
 
 
 @pytest.fixture(scope="module")
@@ -32,3 +34,18 @@ def test_each_chair_at_a_long_side_of_a_dining_table_has_one_across(rooms: list[
             seats += 1
             assert any(abs(along - other) < 0.002 and across * side < 0 for other, side in long), (room.id, places)
     assert seats > 100
+
+
+def test_runs_of_kitchens_touch_their_walls_or_leave_room_to_clean(rooms: list[Room]) -> None:
+    kitchens = [room for room in rooms if room.type == "kitchen"]
+    slivers = 0
+    for room in kitchens:
+        run = [piece for piece in room.furniture if piece.name in RUN and piece.wall]
+        ways = [(piece.x, room.width) if piece.rotation % 180 == 0 else (piece.z, room.depth) for piece in run]
+        gaps = [
+            [middle - piece.width / 2 - 0.05, whole - 0.05 - middle - piece.width / 2]
+            for piece, (middle, whole) in zip(run, ways, strict=True)
+        ]
+        slivers += any(0.05 <= gap < 0.15 for gap in chain.from_iterable(gaps))
+    assert len(kitchens) == 30
+    assert slivers <= 2

@@ -1,5 +1,7 @@
 #include "furnish/run_costs.hpp"
 
+#include "plain/slivers.hpp"
+
 namespace furnish {
 
 // Least and greatest leg of a working triangle, m (NKBA Kitchen Planning Guidelines, guideline 5: work triangle: no leg shorter than 4 feet
@@ -12,6 +14,9 @@ constexpr f64 BROKEN_COST = 8.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
 constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 4.0;
+
+// What a sliver between an end of a run and the wall there costs.
+constexpr f64 SLIVER_COST = 4.0;
 
 // Floor before a run that is not left to others (guideline 7: walkways of 36 inches), and beside its ends.
 constexpr i64 BEFORE_MM = 700, ASIDE_MM = 600;
@@ -39,6 +44,16 @@ f64 worktop_cost(const RoomType& type, const Drawn& drawn) {
   i64 worktop = drawn.form == Form::corner ? -drawn.items[drawn.first].item->depth : 0;
   for (const Laid& laid : drawn.items) worktop += laid.item->worktop ? laid.item->width : 0;
   return type.worktop.size > 0 ? WORKTOP_COST * most(WORKTOP - static_cast<f64>(worktop) / 1000.0, 0.0) : 0.0;
+}
+
+f64 sliver_cost(const Scope& scope, const Drawn& drawn) {
+  f64 cost = 0.0;
+  for (const Leg& leg : drawn.legs) {
+    const Interval ends = scope.clear.along(leg.wall), over = leg.over();
+    const i64 gaps[] = {over.low - ends.low, ends.high - over.high};
+    for (i64 gap : gaps) cost += leg.deepest > 0 && gap >= TOUCHING_MM && gap < SLIVER_MM ? SLIVER_COST : 0.0;
+  }
+  return cost;
 }
 
 // Where a cook works before a leg, and what keeps off its ends.

@@ -70,6 +70,9 @@ f64 row_cost(const Drawn& drawn);
 // What a run costs by the worktop it lacks; what is hidden round a corner is none.
 f64 worktop_cost(const RoomType& type, const Drawn& drawn);
 
+// What a run costs by slivers between its ends and the walls there.
+f64 sliver_cost(const Scope& scope, const Drawn& drawn);
+
 // A piece that a run leaves a place: of what kind it is there, how much floor it wants unturned, and what is in its way whatever the run.
 struct Follower {
   const Leaving* wish;

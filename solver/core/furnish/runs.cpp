@@ -308,7 +308,7 @@ f64 RunPlanner::cost_of(const u64* numbers, f64 lowest) {
   arena::Scope scope;
   Drawn drawn;
   if (!read(numbers, lowest, drawn)) return INFINITE;
-  f64 cost = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn);
+  f64 cost = drawn.cost + row_cost(drawn) + worktop_cost(type_, drawn) + sliver_cost(scope_, drawn);
   if (cost >= lowest) return cost;
   place(drawn, places_);
   cost = cost + triangle_cost(type_, places_) + room_cost(drawn, places_);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "plain/lists.hpp"
+#include "plain/slivers.hpp"
 
 namespace placement {
 
-// Gaps below the first are contact; from it to the second slivers; from the third on a hand and a broom come in.
-constexpr i64 TOUCHING_MM = 50, SLIVER_MM = 150, REACH_MM = 300;
+// From here on a hand and a broom come in.
+constexpr i64 REACH_MM = 300;
 
 struct Box {
   i64 low[2], high[2];

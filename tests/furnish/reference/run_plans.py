@@ -46,6 +46,8 @@ LANDING_COST, END_COST = 10.0, 6.0
 """What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
 WORKTOP, WORKTOP_COST = 4.0, 4.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
+SLIVER_COST, TOUCHING_MM, SLIVER_MM = 4.0, 50, 150
+"""What a gap between an end of a run and the wall there costs, which neither is contact nor lets a hand in."""
 BEFORE_MM, ASIDE_MM = 700, 600
 """Floor before a run, where a cook works, and beside its ends, that is not left to others."""
 FIRM = 20.0
@@ -265,6 +267,12 @@ class _Planner:
         hidden = drawn.laid[drawn.first][0][1].size[1] if drawn.form == "corner" else 0
         return WORKTOP_COST * max(WORKTOP - (length - hidden) / 1000.0, 0.0) if self.run.worktop else 0.0
 
+    def sliver_cost(self, legs: Sequence[Leg]) -> float:
+        """Returns what a run costs by gaps between its ends and the walls there."""
+        ends = [(leg.over, self.scope.clear.along(leg.wall)) for leg in legs if leg.laid]
+        gaps = (gap for over, whole in ends for gap in (over[0] - whole[0], whole[1] - over[1]))
+        return SLIVER_COST * sum(TOUCHING_MM <= gap < SLIVER_MM for gap in gaps)
+
     def left_to(self, wish: Leaving, legs: Sequence[Leg]) -> Candidate | None:
         """Returns the place nearest to the room's middle that a run leaves to a piece; None where there is none."""
         kind, clear = self.pieces[wish.to].variants[0][0], self.scope.clear
@@ -289,7 +297,7 @@ class _Planner:
         drawn = self.drawn(numbers)
         if drawn is None or (drawn.form == "opposite" and not self.has_aisle(drawn.legs)):
             return {}, math.inf
-        cost = drawn.cost + self.row_cost(drawn) + self.worktop_cost(drawn)
+        cost = drawn.cost + self.row_cost(drawn) + self.worktop_cost(drawn) + self.sliver_cost(drawn.legs)
         if cost >= least:
             return {}, math.inf
         places = self.places(drawn)
