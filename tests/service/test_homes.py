@@ -10,21 +10,18 @@ from typing import Any
 
 import pytest
 import yaml
-from alembic.autogenerate import compare_metadata
-from alembic.migration import MigrationContext
 from sqlalchemy import select, text
 from starlette.testclient import TestClient
 
-from service.app import ComposeApp, create_app
+from service.app import ComposeApp
 from service.kept_contract import HomeQuery
 from service.problems import StoreAway
-from service.service_settings import Settings
-from service.store.database import TABLES, VERSIONS, Database
+from service.store.database import VERSIONS, Database
 from service.store.saved_homes import ANY_REVISION, KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
 from solver.errors import FieldError
 from solver.exchange import read_scene, write_scene
 from tests.service.heavy import PATIENCE_S
-from tests.service.problems import entry_of, problem_of
+from tests.service.problems import entry_of
 from tests.service.stores import KEYS, client_of
 
 SCENE: dict[str, Any] = {"rooms": [{"id": "den", "type": "office", "width": 4.0, "depth": 3.0}]}
@@ -383,29 +380,3 @@ def test_a_home_goes_with_its_versions_and_no_others(place: str) -> None:
             left = connection.execute(select(VERSIONS.c.home, VERSIONS.c.number).where(VERSIONS.c.home.in_((gone, stays)))).all()
         assert sorted(map(tuple, left)) == [(stays, 1), (stays, 2)]
         homes.remove("fay", stays, ANY_REVISION)
-
-
-def test_the_migrations_make_the_tables_that_are_used(place: str) -> None:
-    with closing(Database(place)) as database, database.reading() as connection:
-        assert compare_metadata(MigrationContext.configure(connection), TABLES) == []
-
-
-def test_a_store_of_a_later_version_is_refused(tmp_path: Path) -> None:
-    place = str(tmp_path / "homes.sqlite")
-    with closing(Database(place)) as database, database.writing() as connection:
-        connection.execute(text("UPDATE alembic_version SET version_num = '9999'"))
-    with pytest.raises(FieldError, match="later version"):
-        Database(place)
-
-
-@pytest.mark.parametrize("place", ["mysql://a@b/c", "sqlite://", "nonsense://x", "postgresql://[", "{file}/under.sqlite", "{folder}"])
-def test_what_is_no_place_for_a_store_is_said(tmp_path: Path, place: str) -> None:
-    (tmp_path / "file").write_text("")
-    with pytest.raises(FieldError, match="store"):
-        Database(place.format(file=tmp_path / "file", folder=tmp_path))
-
-
-def test_without_a_store_the_rest_is_answered() -> None:
-    client = TestClient(create_app(settings=Settings(allow_host=("*",), store="none")))
-    assert problem_of(client.get("/homes"))["status"] == 503
-    assert client.get("/schema").status_code == 200

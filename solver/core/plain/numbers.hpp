@@ -29,8 +29,8 @@ inline f64 floor(f64 x) { return __builtin_floor(x); }
 inline f64 root(f64 x) { return __builtin_sqrt(x); }
 inline f64 absolute(f64 x) { return __builtin_fabs(x); }
 
-// A float without its fraction. What no i64 holds becomes the nearest one that does, and no number becomes 0: the same on every machine, and
-// what WebAssembly's own instruction does.
+// A float without its fraction. What no i64 holds becomes the nearest one that does, and no number becomes 0: the same on every machine,
+// and what WebAssembly's own instruction does.
 inline i64 whole(f64 x) {
 #ifdef __wasm__
   return __builtin_wasm_trunc_saturate_s_i64_f64(x);
