@@ -137,9 +137,10 @@ def _hinge(cut: Cut, drawing: Drawing) -> str:
     Where homes are made for a profile that asks for floor beside the latch on both sides, a corner of either room.
     """
     profile, swept = drawing.catalogs.profile, cut.room if cut.leaf is None else cut.leaf
-    rooms = cut.sides if profile and profile.latches_behind else (swept,)
-    low = max(drawing.rects[room].along(cut.wall)[0] for room in rooms)
-    high = min(drawing.rects[room].along(cut.wall)[1] for room in rooms)
+    low, high = drawing.rects[swept].along(cut.wall)
+    for room in cut.sides if profile and profile.latches_behind else ():
+        start, end = drawing.rects[room].along(cut.wall)
+        low, high = max(low, start), min(high, end)
     return "start" if cut.centre - low <= high - cut.centre else "end"
 
 

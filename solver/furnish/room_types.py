@@ -70,8 +70,9 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
 
 def _with_approaches(room: Room, space: Space, catalogs: Catalogs) -> Space:
     """Returns a room's space with the floor before doors that what the home is made for asks for."""
-    indoors = room.type in catalogs.rooms and not catalogs.rooms[room.type].outdoor
-    floors = floor_before_doors(room, space.clear, catalogs.profile) if indoors else []
+    if catalogs.profile is None or room.type not in catalogs.rooms or catalogs.rooms[room.type].outdoor:
+        return space
+    floors = floor_before_doors(room, space.clear, catalogs.profile)
     return replace(space, approaches=tuple(floors)) if floors else space
 
 

@@ -156,9 +156,9 @@ def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:
     return None if rect is None else Zone(rect, above, opening.id)
 
 
-def floor_before_doors(room: Room, clear: Rect, profile: AccessProfile | None) -> list[Rect]:
+def floor_before_doors(room: Room, clear: Rect, profile: AccessProfile) -> list[Rect]:
     """Returns what of a room's clear floor a profile asks for before the leaves of its doors: so deep, and so far beside their latches."""
-    rules = [rule for rule in profile.rules if rule.what == "approach" and rule.is_about(room.type)] if profile else []
+    rules = [rule for rule in profile.rules if rule.what == "approach" and rule.is_about(room.type)]
     lines, edges = bounds_of(room), outline_edges(room) if rules else []
     half, found = clear.x0 - lines.x0, list[Rect]()
     for opening in room.openings if rules else ():
