@@ -1,13 +1,17 @@
 """Questions about everything in a scene at once: how much there is, under which ids, what moved."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
+from math import inf
+from operator import attrgetter
+from typing import Final
 
 from catalogs.misfits import called
 from solver.answers import Move
-from solver.body_rows import count_decorations, count_furniture
+from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, rows_in
 from solver.errors import MOST_TOLD, FieldError, SceneError, all_of
+from solver.fields import MAX_MAGNITUDE
 from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
@@ -109,13 +113,46 @@ def check_is(field: str, given: object, of: type | tuple[type, ...], called_so: 
         raise error(field, f"is {called(given)}", called_so)
 
 
+_A_NUMBER: Final = f"a number from -{MAX_MAGNITUDE:.0f} to {MAX_MAGNITUDE:.0f}"
+_OF_BODIES: Final = ("x", "y", "z", "rotation", "width", "depth", "height")
+_OF_ROOMS: Final = ("x", "z", "width", "depth")
+_OF_OPENINGS: Final = ("position", "width", "height", "sill")
+
+
 def check_scene(scene: object) -> None:
-    """Refuses what is no scene.
+    """Refuses what is no scene, and numbers of one made in Python that no reader takes: nothing can be said of what is at no place.
 
     Raises:
-        SceneError: says what was given.
+        SceneError: says what was given, or names the field and what is allowed.
     """
     check_is("scene", scene, Scene, "a Scene, as `load` or `generate` gives it")
+    assert isinstance(scene, Scene)
+    _check_number("wall_thickness", scene.wall_thickness)
+    for field, records, keys in _numbered(scene):
+        values = attrgetter(*keys)
+        try:
+            total = sum(map(abs, chain.from_iterable(map(values, records))))
+        except (TypeError, OverflowError):
+            total = inf
+        if not total <= MAX_MAGNITUDE:  # one may be wrong
+            for number, one in enumerate(records):
+                for key, value in zip(keys, values(one), strict=True):
+                    _check_number(f"{field}[{number}].{key}", value)
+
+
+def _check_number(field: str, value: object) -> None:
+    if not (isinstance(value, int | float) and -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE):
+        raise SceneError(field, f"is {called(value)}", _A_NUMBER)
+
+
+def _numbered(scene: Scene) -> Iterator[tuple[str, Sequence[object], Sequence[str]]]:
+    """Yields what of a scene has numbers, those of bodies that the core told left aside, with its field and the names of its numbers."""
+    yield "rooms", scene.rooms, _OF_ROOMS
+    for number, room in enumerate(scene.rooms):
+        yield f"rooms[{number}].openings", room.openings, _OF_OPENINGS
+        yield f"rooms[{number}].furniture", () if rows_in(room, FurnitureRows) else room.furniture, _OF_BODIES
+        yield f"rooms[{number}].decorations", () if rows_in(room, DecorationRows) else room.decorations, _OF_BODIES
+    yield "dynamic", scene.dynamic, _OF_BODIES
 
 
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:

@@ -21,7 +21,7 @@ from solver.placement.empty_floor import FLOOR
 from solver.placement.problem import ORIGIN, Choice, Force, ProblemBox
 from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
-from solver.scene_bodies import check_id
+from solver.scene_bodies import check_id, check_scene
 
 TOWARDS = (("west", "east"), ("north", "south"))
 """The directions of smaller and greater coordinates, by axis."""
@@ -82,6 +82,7 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
         >>> explain(house, house.rooms[0].furniture[0].id).room == house.rooms[0].id
         True
     """
+    check_scene(scene)
     check_id("id", id, [piece.id for room in scene.rooms for piece in room.furniture])
     room = next(room for room in scene.rooms if any(piece.id == id for piece in room.furniture))
     piece = next(piece for piece in room.furniture if piece.id == id)

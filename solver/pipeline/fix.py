@@ -17,7 +17,7 @@ from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
 from solver.repair import RepairSettings, people_out_of_the_way, put_to_rest, seated_along, with_walls_told
 from solver.scene import Room, Scene
-from solver.scene_bodies import body_ids, check_ids, check_listed, check_scene, moves_between, people_in
+from solver.scene_bodies import body_ids, check_ids, check_listed, moves_between, people_in
 from solver.understanding import understood
 from solver.validator import RULES, Checked, check
 
@@ -66,10 +66,10 @@ def fix(  # noqa: PLR0913 - keyword-only options of a public function
     """
     if on_conflict not in ON_CONFLICT:
         raise RequestError("on_conflict", f"is {on_conflict!r}", ", ".join(ON_CONFLICT))
-    check_scene(scene)
+    timing, known = Timing(clock), catalogs or load_catalogs()
+    words = understood(scene, known)
     check_ids(body_ids(scene), locked=locked, moved=moved)
     check_listed("previous", previous, Pose, "a Pose")
-    timing, known = Timing(clock), catalogs or load_catalogs()
     seats = {person.on for person in scene.dynamic if person.on is not None and person.id in locked}
     settings = RepairSettings(
         known,
@@ -81,7 +81,6 @@ def fix(  # noqa: PLR0913 - keyword-only options of a public function
         work=_share(len(scene.rooms)),
         offering=repairs,
     )
-    words = understood(scene, known)
     house = check(words.scene, known)
     timing.lap("validate")
     house = _all_at_rest(house, house.errors, settings, settings.moved)

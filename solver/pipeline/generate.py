@@ -27,7 +27,7 @@ from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
 from solver.request import MAX_SEED, Request
 from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
-from solver.scene_bodies import check_ids, storey_height
+from solver.scene_bodies import check_ids, check_scene, storey_height
 from solver.streams import Stream
 from solver.validator import RULES, check, validate
 from solver.version import VERSION
@@ -342,6 +342,7 @@ def _is_planned_whole(room: Room, setting: _Setting) -> bool:
 
 def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: Catalogs, timing: Timing) -> Generated:
     """Furnishes rooms anew; `how` is the seed, and whether it is insisted on what matters."""
+    check_scene(scene)
     check_ids([room.id for room in scene.rooms], reroll=rooms)
     chosen = [room for room in scene.rooms if room.id in set(rooms)]
     stays = {room.id: staying for room in chosen if (staying := staying_in(room)).ids}

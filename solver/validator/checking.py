@@ -70,11 +70,14 @@ def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...
     """Lists what breaks the rules: room by room, in a room rule by rule, in a rule in the document's order.
 
     Args:
-        scene: any scene that could be read; one that was made in Python is taken as it is, its fields unchecked.
+        scene: any scene that could be read; of one that was made in Python only numbers are checked.
         catalogs: which sides of a piece are used, and what room types require; ours by default.
 
     Returns:
         Issues; amounts in metres. None with severity `error`: the scene is clean.
+
+    Raises:
+        SceneError: what was given is no scene, or a number in it is none.
 
     Example:
         >>> from compose_homes import Furniture, Room, Scene, validate

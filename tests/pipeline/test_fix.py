@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from compose_homes import dump, furnish
-from solver import Request, Scene, export, fix, fix_frame, generate, validate
+from solver import Request, Scene, explain, export, fix, fix_frame, generate, reroll, validate
 from solver.errors import SceneError
 from solver.exchange import dump_text, write_scene
 from solver.scene import Decoration, Opening, Room
@@ -210,6 +210,25 @@ def test_what_is_no_scene_is_refused(given: Any) -> None:
     for flow in (fix, validate, furnish, dump, lambda scene: export(scene, "glb")):
         with pytest.raises(SceneError, match=r"^scene: is .*\(allowed: a Scene"):
             flow(given)
+
+
+@pytest.mark.parametrize("given", [float("nan"), float("inf"), 1e308, 10**310, "1.0", None], ids=str)
+def test_what_is_no_number_is_refused_by_its_field(given: Any) -> None:
+    door = Opening("door", wall="south", position=1.0, connects_to="EXTERIOR")
+    sound = room_of(body("sofa", 1.5, 1.5, (2.0, 0.9, 0.8)), openings=(door,))
+    room = sound.rooms[0]
+    wrong = {
+        "wall_thickness": replace(sound, wall_thickness=given),
+        "rooms[0].width": replace(sound, rooms=(replace(room, width=given),)),
+        "rooms[0].openings[0].position": replace(sound, rooms=(replace(room, openings=(replace(door, position=given),)),)),
+        "rooms[0].furniture[0].x": replace(sound, rooms=(replace(room, furniture=(replace(room.furniture[0], x=given),)),)),
+    }
+    flows = (fix, validate, furnish, dump, lambda one: reroll(one, ["room_0"]), lambda one: explain(one, "room_0/sofa"))
+    for field, scene in wrong.items():
+        for flow in (*flows, lambda one: export(one, "glb")):
+            with pytest.raises(SceneError) as refused:
+                flow(scene)
+            assert (refused.value.field, refused.value.allowed) == (field, "a number from -1000000 to 1000000")
 
 
 def test_two_bodies_of_one_id_are_refused() -> None:
