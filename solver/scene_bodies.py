@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from itertools import chain, islice
 from math import inf
+from numbers import Real
 from operator import attrgetter
 from typing import Final
 
@@ -141,7 +142,7 @@ def check_scene(scene: object) -> None:
 
 
 def _check_number(field: str, value: object) -> None:
-    if not (isinstance(value, int | float) and -MAX_MAGNITUDE <= value <= MAX_MAGNITUDE):
+    if not (isinstance(value, Real) and abs(value) <= MAX_MAGNITUDE):  # type: ignore[operator] # any number compares
         raise SceneError(field, f"is {called(value)}", _A_NUMBER)
 
 

@@ -170,10 +170,10 @@ def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
     arrangement = finish([draft], "search")[0]
     missed = lost(task, arrangement)
     found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0, 0.0), False)
-    gone = {*found.breaking, *(label for label, _ in arrangement.left_out)}
+    breaking, left_out = {*found.breaking}, {label for label, _ in arrangement.left_out}
     listed = [label for request in task.requests if request.required for label in request.labels]
-    early = sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in gone)
-    missing, cost = len(gone.intersection(listed)), round(sum(spec.cost for _, spec in missed), 6)
+    early = sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in breaking | left_out)
+    missing, cost = len(left_out.intersection(listed)) + len(breaking), round(sum(spec.cost for _, spec in missed), 6)
     return replace(found, score=(missing, len(arrangement.notes), early, cost, arrangement.cost))
 
 
