@@ -170,6 +170,7 @@ async def _started(app: ComposeApp) -> AsyncIterator[None]:
         yield
         group.cancel_scope.cancel()
     app.is_ready = False
+    app.workers.stop()
     app.store.close()
 
 

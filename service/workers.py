@@ -232,6 +232,12 @@ class Workers:
                 for _ in range(int(lane.slots.total_tokens)):
                     group.start_soon(self._add, lane)
 
+    def stop(self) -> None:
+        """Ends the processes that do nothing; the others end with their calls."""
+        for lane in (self.heavy, self.light):
+            while lane.idle:
+                lane.idle.pop().kill()
+
 
 async def unless_left(receive: Receive, work: Awaitable[T]) -> T:
     """Waits for what a caller asked for, whose body has been read, and ends it when the caller leaves.

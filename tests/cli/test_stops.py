@@ -10,11 +10,14 @@ import socket
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
+from starlette.testclient import TestClient
 
+from service.app import EMBEDDED, create_app
 from tests.browser.service_process import ServiceProcess, descendants, running
 from tests.cli.programs import GUARD_S, is_gone, started, until
 
@@ -98,3 +101,11 @@ def test_a_call_without_an_end_ends_with_a_service_that_is_killed(tmp_path: Path
         until(lambda: note.exists() and note.read_text() != "")
         service.kill()
     until(lambda: is_gone(int(note.read_text())))
+
+
+def test_an_application_that_is_left_leaves_no_process() -> None:
+    app = create_app(settings=replace(EMBEDDED, processes=1, light_processes=1))
+    with TestClient(app):
+        started = [*app.workers.heavy.idle, *app.workers.light.idle]
+        assert len(started) == 2 and all(process.lives() for process in started)
+    assert not any(process.lives() for process in started)

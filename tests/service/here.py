@@ -19,6 +19,9 @@ class Here:
     async def start(self, *_: object) -> None:
         """Needs no processes."""
 
+    def stop(self) -> None:
+        """Has none."""
+
     async def run(self, work: Callable[..., Any], *given: Any, **_: bool) -> Any:
         done = do(*given) if work is do_alone else work(*given)
         assert not isinstance(done, Failure), done.trace
