@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
+from urllib.parse import quote
 
 from starlette.testclient import TestClient
 
@@ -61,11 +63,12 @@ class PostgresqlServer:
     @property
     def url(self) -> str:
         """Its database's."""
-        return f"postgresql://compose@/postgres?host={self.folder}"
+        return f"postgresql://compose@/postgres?host={quote(str(self.folder))}"
 
     def start(self) -> None:
         """Starts it, and waits until it answers."""
-        options = f"-c listen_addresses= -c unix_socket_directories={self.folder} -c max_connections=30"
+        socket = shlex.quote(f"unix_socket_directories={self.folder}")
+        options = f"-c listen_addresses= -c {socket} -c max_connections=30"
         self._run(
             "pg_ctl", "start", "--wait", "--silent", "--pgdata", str(self.folder / "data"), "--log", str(self.folder / "log"), "-o", options
         )
