@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 
@@ -66,6 +67,22 @@ def test_a_wall_that_holds_is_there(answers: list[tuple[Room, Furniture, Explain
         }  # fmt: skip
         # It, or what it moves with: a group's members stand within a few metres of one another.
         assert gaps[hold.towards] < 3.0
+
+
+def test_what_holds_a_piece_is_of_its_kind_and_lies_on_the_side_that_is_said(answers: list[tuple[Room, Furniture, Explained]]) -> None:
+    seen = Counter[str]()
+    for room, piece, answer in answers:
+        others, openings = {one.id: one for one in room.furniture}, {one.id: one.kind for one in room.openings}
+        for hold in answer.holds:
+            seen[hold.what] += 1
+            if hold.what in ("piece", "use_side"):
+                other = others[str(hold.by)]
+                further = {"east": other.x - piece.x, "south": other.z - piece.z}
+                further |= {"west": -further["east"], "north": -further["south"]}
+                assert further[hold.towards] > 0
+            elif hold.what in ("door", "window"):
+                assert openings[str(hold.by)] == hold.what
+    assert {"piece", "use_side", "door", "floor"} <= seen.keys()
 
 
 def test_of_a_changed_room_nothing_is_claimed(home: Scene) -> None:
