@@ -279,6 +279,8 @@ def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]
 
 def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[FloorCorners]:
     """Yields the outlines of what cells lie around, if a room fits into it: other rooms with their walls, or a shaft."""
+    (west, east), (north, south) = (np.flatnonzero(cells.any(axis=across))[[0, -1]] for across in (1, 0))
+    cells, xs, zs = cells[west : east + 1, north : south + 1], xs[west : east + 2], zs[north : south + 2]
     for spots in islice(connected(~np.pad(cells, 1)), 1, None):
         hole = np.zeros_like(cells)
         hole[tuple((spots - 1).T)] = True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from io import BytesIO, StringIO
-from typing import Any
+from typing import Any, Literal
 from xml.etree import ElementTree
 from zipfile import ZipFile
 
@@ -17,10 +17,14 @@ import pytest
 from solver import export
 from solver.errors import FieldError
 from solver.imported import PlanImport
+from solver.imports import wall_faces
+from solver.imports.steps_inside import connected
+from solver.imports.wall_faces import DrawnLine
 from solver.scene import Scene
 from tests.imports.plans import floor_area, read
 from tests.imports.test_round_trips import home
 
+AXES: tuple[Literal["x"], Literal["z"]] = ("x", "z")
 KEPT = ("WALLS", "DOORS", "WINDOWS", "OPENINGS", "NAMES")
 """Layers that a drawing of walls alone has."""
 SVG = "<svg xmlns='http://www.w3.org/2000/svg' {}>{}</svg>"
@@ -101,6 +105,24 @@ def test_a_hallway_reaches_the_wall_at_its_end_past_a_doorpost(post: float, wall
     thick = scene.wall_thickness
     assert abs(hallway.width - thick - 5) <= 0.011
     assert abs(hallway.depth - thick - 1.2) <= 0.011
+
+
+def test_what_lies_within_a_room_is_sought_in_that_room_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many rooms there are: the cells looked through are a few times those of the whole drawing, not that for each room."""
+    looked: list[int] = []
+
+    def counted(free: Any) -> Any:
+        looked.append(free.size)
+        return connected(free)
+
+    monkeypatch.setattr(wall_faces, "connected", counted)
+    lines = [DrawnLine(axis, at * 3000, 0, 36000) for at in range(13) for axis in AXES]
+    pillar = [DrawnLine(axis, at, 1000, 2000) for at in (1000, 2000) for axis in AXES]
+    found = wall_faces.faces_between([*lines, *pillar], [])
+    assert found is not None
+    assert [len(one.holes) for one in found].count(1) == 1
+    assert len(found) == 145
+    assert sum(looked) <= 10 * looked[0]
 
 
 def without_rooms(scene: Scene, format: str, degrees: float) -> bytes:
