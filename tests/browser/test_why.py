@@ -38,6 +38,9 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     expect(panel).to_be_visible()
     page.keyboard.press("Escape")
     expect(panel).to_be_hidden()
+    assert visit.state()["selected"] == by["by"], "one thing at a time"
+    page.keyboard.press("Escape")
+    assert visit.state()["selected"] is None
     assert visit.console == []
 
 

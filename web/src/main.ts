@@ -199,7 +199,7 @@ class Page {
   }
 
   #key(event: KeyboardEvent): void {
-    if (event.repeat || isTyped(event)) return;
+    if (event.defaultPrevented || event.repeat || isTyped(event)) return;
     const acts: Readonly<Record<string, () => void>> = {
       r: () => this.#random(),
       d: () => this.#diagnose.open(),
