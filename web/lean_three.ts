@@ -1,6 +1,6 @@
 /**
  * three as the page asks for it. It is one object that knows everything, so no bundler can tell what is never reached: what is named
- * here is left out of what is built, a quarter of its bytes. A name that is gone from three ends the build.
+ * here is left out of what is built, 24 kB packed. A name that is gone from three ends the build.
  */
 import type { Plugin } from "vite";
 
