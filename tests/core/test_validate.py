@@ -6,13 +6,14 @@ from dataclasses import replace
 from itertools import combinations
 from random import Random
 from struct import Struct
+from unittest import mock
 
 import pytest
 
 from catalogs import load_catalogs
 from solver.core import CoreFailed, CoreInstance, ask
 from solver.demanded import demanding_at_most
-from solver.errors import TooMuch
+from solver.errors import SceneError, TooMuch
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.validator import metrics, validate
 from solver.validator.kinds import kinds_of
@@ -101,8 +102,11 @@ def test_bytes_that_are_changed_end_the_call_or_are_answered() -> None:
 
 def test_no_length_is_beyond_a_million_kilometres() -> None:
     far = Furniture("far", "double_bed", x=1e10, z=1.0, width=1.0, depth=1.0, height=1.0)
-    with pytest.raises(CoreFailed, match="the request is none"):
-        validate(Scene(rooms=(Room("room", width=4.0, depth=4.0, furniture=(far,)),)), KNOWN)
+    scene = Scene(rooms=(Room("room", width=4.0, depth=4.0, furniture=(far,)),))
+    with pytest.raises(SceneError, match="x: is 10000000000"):
+        validate(scene, KNOWN)
+    with mock.patch("solver.understanding.check_scene"), pytest.raises(CoreFailed, match="the request is none"):
+        validate(scene, KNOWN)
 
 
 def test_a_thousand_things_that_carry_each_other_come_to_an_end() -> None:
