@@ -36,9 +36,10 @@ from service.packed_catalogs import mark_of, packed, warm
 from service.problems import Busy, NoSuchFormat
 from service.service_settings import Settings
 from service.service_store import NONE, TEMPORARY, ServiceStore, store_limiter
-from service.wire import body_of, format_sent, format_wanted, written
+from service.wire import as_written, body_of, format_sent, format_wanted, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left
+from solver.exchange import dump_plain
 from solver.version import VERSION
 
 DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
@@ -69,11 +70,7 @@ def _at_once(name: str) -> Answering:
     async def answer(request: Request) -> Response:
         app: ComposeApp = request.app
         wanted = format_wanted(request)
-
-        def write() -> Response:
-            return written(calls.QUESTIONS[name].answer(app.catalogs), wanted)
-
-        return write() if name == "healthz" else await run_in_threadpool(write)
+        return app.told(name, wanted) if name == "healthz" else await run_in_threadpool(app.told, name, wanted)
 
     return answer
 
@@ -135,6 +132,7 @@ class ComposeApp(Starlette):
         self.measures = Measures(self.workers, self.connections)
         self.is_ready = False
         self._document: dict[str, Any] | None = None
+        self._told: dict[tuple[str, str], bytes] = {}
 
     async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
         """Makes one of `calls.CALLS` in a worker; `sent` is the format of its body, `wanted` that of the answer.
@@ -152,6 +150,12 @@ class ComposeApp(Starlette):
         if not isinstance(done, Response):
             raise RuntimeError(f"/{call} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
         return done
+
+    def told(self, question: str, wanted: str) -> Response:
+        """Answers one of `calls.QUESTIONS`, always the same: it is written once."""
+        if (question, wanted) not in self._told:
+            self._told[question, wanted] = dump_plain(calls.QUESTIONS[question].answer(self.catalogs), wanted)
+        return as_written(self._told[question, wanted], wanted)
 
     def openapi(self) -> dict[str, Any]:
         """Returns the OpenAPI document."""
@@ -217,7 +221,7 @@ def create_app(catalogs: Catalogs | None = None, settings: Settings = EMBEDDED, 
     if settings.metrics:
         app.add_route("/metrics", metrics)
     app.mount("/assets", page.Assets())
-    app.add_middleware(page.Packed, compresslevel=6)
+    app.add_middleware(page.Packed)
     app.add_middleware(Admission, admitted)
     app.add_middleware(Callers, settings.allow_host, admitted.origins)
     if admitted.origins:

@@ -17,7 +17,7 @@ from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
 from service.store.saved_homes import ANY_REVISION, Revisions, SavedHomes
-from service.wire import body_of, format_sent, format_wanted, written
+from service.wire import as_written, body_of, format_sent, format_wanted, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, write
 
@@ -122,7 +122,7 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
     text = await to_thread.run_sync(home_text, home, scene, limiter=request.app.store_threads)
     if wanted != "json":
         text = await request.app.workers.run(FORMATS[wanted].of_json, text)
-    answer = Response(text, media_type=FORMATS[wanted].media_type, headers={"Vary": "Accept"})
+    answer = as_written(text, wanted)
     return _tagged(answer, home, wanted) if shown else answer
 
 

@@ -1,15 +1,18 @@
 """The built page, `static/index.html`, the page of frames, `static/embed.html`, and the files they load."""
 
-from collections.abc import Mapping
+import gzip
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Final
 
+from starlette.concurrency import run_in_threadpool
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.middleware.gzip import GZipResponder, IdentityResponder
 from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, Response
 from starlette.staticfiles import StaticFiles
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from service.guard import EMBED_POLICY, WORKER_POLICY
 from solver.core import WASM
@@ -19,37 +22,48 @@ WORKER: Final = "core_worker-"
 """How the name of the worker's file begins."""
 LOADED: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm"})
 """What the page loads beside its files."""
+WHOLE: Final = 1 << 24
+"""Files of fewer bytes are sent in one go, so that they can be packed once for all."""
+SMALL: Final = 500
+"""What has fewer bytes is not packed."""
 NOT_BUILT: Final = "The page is not built here (`make run` builds it). The calls answer all the same; they are described at /docs.\n"
 
 
-async def index(_: Request) -> Response:
+async def index(request: Request) -> Response:
     """Serves the page; looks for it at every call, so that building it needs no restart."""
-    return _built("index.html")
+    return _built(request, "index.html")
 
 
-async def embed(_: Request) -> Response:
+async def embed(request: Request) -> Response:
     """Serves the page that others show in a frame: it changes and keeps nothing."""
-    return _built("embed.html", {"Content-Security-Policy": EMBED_POLICY})
+    response = _built(request, "embed.html")
+    response.headers["Content-Security-Policy"] = EMBED_POLICY
+    return response
 
 
-def _built(name: str, headers: Mapping[str, str] = {}) -> Response:
+def _built(request: Request, name: str) -> Response:
     built = STATIC / name
-    if not built.is_file():
-        return PlainTextResponse(NOT_BUILT, 503)
-    return FileResponse(built, headers={"Cache-Control": "no-cache", **headers})
+    return _newest(request, built) if built.is_file() else PlainTextResponse(NOT_BUILT, 503)
 
 
-async def core(_: Request) -> Response:
+def _newest(request: Request, path: Path) -> Response:
+    """Sends a file that browsers ask for every time; no more than that it is the same to one that has it."""
+    response = Files().file_response(path, path.stat(), request.scope)
+    response.headers["Cache-Control"] = "no-cache"
+    return response
+
+
+async def core(request: Request) -> Response:
     """Serves the core, which the page runs as well; it is asked every time whether it is still the same."""
     if not WASM.is_file():
         return PlainTextResponse("The core is not built here: `make core` builds it.\n", 503)
-    return FileResponse(WASM, media_type="application/wasm", headers={"Cache-Control": "no-cache"})
+    return _newest(request, WASM)
 
 
-async def icon(_: Request) -> Response:
+async def icon(request: Request) -> Response:
     """Serves the page's icon where browsers look for one beside answers that name none, such as /healthz."""
     found = next((STATIC / "assets").glob("icon-*.svg"), None)
-    return Response(status_code=204) if found is None else FileResponse(found, headers={"Cache-Control": "no-cache"})
+    return Response(status_code=204) if found is None else _newest(request, found)
 
 
 async def asset(request: Request) -> Response:
@@ -57,10 +71,23 @@ async def asset(request: Request) -> Response:
     found = request.app.catalogs.assets.get(request.path_params["name"])
     if found is None or not Path(found.path).is_file():
         raise HTTPException(404)
-    return FileResponse(found.path, media_type="model/gltf-binary", headers={"Cache-Control": "no-cache"})
+    response = _newest(request, Path(found.path))
+    response.headers["Content-Type"] = "model/gltf-binary"
+    return response
 
 
-class Assets(StaticFiles):
+class Files(StaticFiles):
+    """Files that are sent in one go, and not again to who has them."""
+
+    def file_response(self, *args: Any, **kwargs: Any) -> Response:
+        """Reads as much of the file at once as may be packed."""
+        response = super().file_response(*args, **kwargs)
+        if isinstance(response, FileResponse):
+            response.chunk_size = WHOLE
+        return response
+
+
+class Assets(Files):
     """The page's files. Their names carry a digest of their content, so they may be kept for ever."""
 
     def __init__(self) -> None:
@@ -78,10 +105,29 @@ class Assets(StaticFiles):
         return response
 
 
-class Packed(GZipMiddleware):
+class Packed:
     """Packs what the page loads for who takes it so; other answers go as they are: some are streams, which packing would hold back."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        self._app = app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answers."""
-        is_loaded = scope["type"] == "http" and (scope["path"] in LOADED or scope["path"].startswith("/assets/"))
-        await (super().__call__ if is_loaded else self.app)(scope, receive, send)
+        answer = self._app
+        if scope["type"] == "http" and (scope["path"] in LOADED or scope["path"].startswith("/assets/")):
+            takes_packed = "gzip" in Headers(scope=scope).get("accept-encoding", "")
+            answer = (_Packing if takes_packed else IdentityResponder)(answer, SMALL)
+        await answer(scope, receive, send)
+
+
+class _Packing(GZipResponder):
+    async def apply_compression(self, body: bytes, *, more_body: bool) -> bytes:
+        if self._compressor or more_body:  # of what is too large to keep
+            return await super().apply_compression(body, more_body=more_body)
+        return await run_in_threadpool(_packed, body)
+
+
+@lru_cache(maxsize=32)
+def _packed(body: bytes) -> bytes:
+    """Packs what hardly changes while a process runs: once, for all who ask."""
+    return gzip.compress(body, mtime=0)

@@ -118,7 +118,12 @@ def _too_large() -> TooLarge:
 
 def written(document: Document, format: str) -> Response:
     """Writes a document as a response in that format."""
-    return Response(dump_plain(document, format), media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
+    return as_written(dump_plain(document, format), format)
+
+
+def as_written(text: bytes | str, format: str) -> Response:
+    """Returns a response of what is written in that format."""
+    return Response(text, media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
 
 
 def attached(file: ExportedFile) -> Response:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gzip
 import re
 from base64 import b64encode
 from hashlib import sha256
 from html.parser import HTMLParser
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 from starlette.testclient import TestClient
@@ -70,6 +72,36 @@ def test_what_the_page_loads_comes_packed_to_who_takes_it_so(built: TestClient, 
     assert packed.content == plain.content
     assert packed.num_bytes_downloaded < 0.6 * plain.num_bytes_downloaded
     assert packed.headers["x-content-type-options"] == "nosniff"
+
+
+def test_what_the_page_loads_is_packed_once_for_all_until_it_is_built_anew(built: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    packing = Mock(wraps=gzip.compress)
+    monkeypatch.setattr(gzip, "compress", packing)
+    pages = [HTML + f"{name:10000}" for name in ("one of this test", "the next of this test")]
+    for html in pages:
+        (page.STATIC / "index.html").write_text(html)
+        assert [built.get("/", headers={"accept-encoding": "gzip"}).text for _ in range(3)] == [html] * 3
+    assert [call.args[0] for call in packing.call_args_list] == [html.encode() for html in pages]
+
+
+@pytest.mark.parametrize("path", ["/", "/embed", "/core.wasm", "/favicon.ico"])
+@pytest.mark.parametrize("coding", ["identity", "gzip"])
+def test_what_a_browser_has_is_not_sent_again_until_it_changes(
+    built: TestClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str, coding: str
+) -> None:
+    files = {"/": "index.html", "/embed": "embed.html", "/core.wasm": "core.wasm", "/favicon.ico": "assets/icon-1a2b.svg"}
+    monkeypatch.setattr(page, "WASM", tmp_path / "core.wasm")
+    file = tmp_path / files[path]
+    file.write_text("before" * 1000)
+    first = built.get(path, headers={"accept-encoding": coding})
+    known = {"accept-encoding": coding, "if-none-match": first.headers["etag"]}
+    again = built.get(path, headers=known)
+    assert (again.status_code, again.content) == (304, b"")
+    for name in ("cache-control", "content-security-policy", "x-frame-options"):
+        assert again.headers.get(name) == first.headers.get(name)
+    file.write_text("after" * 1000)
+    changed = built.get(path, headers=known)
+    assert (changed.status_code, changed.text) == (200, "after" * 1000)
 
 
 def test_answers_to_calls_come_as_they_are(built: TestClient) -> None:
