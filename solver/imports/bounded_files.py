@@ -33,6 +33,14 @@ NOT_READ: Final = {
     b"\x89PNG": PICTURE, b"\xff\xd8\xff": PICTURE, b"GIF8": PICTURE, b"RIFF": PICTURE, b"II*\0": PICTURE, b"MM\0*": PICTURE,
 }  # fmt: skip
 """How files begin that people have plans in and that are not read, and what helps."""
+PACKED: Final = tuple(
+    re.compile(name, re.IGNORECASE | re.DOTALL) for name in (r"Home\.xml", r"(?!__MACOSX/).*\.(?:ifc|ifcxml|dxf|svg|geojson|json)")
+)
+"""The file of a zip archive that is read: of a home of Sweet Home 3D, else the only plan in it, as in an .ifczip."""
+OLD_HOME: Final = "Home"
+"""What homes of Sweet Home 3D before version 5.3 hold instead."""
+IFC_XML: Final = re.compile(rb"<(?:\w+:)?(?:iso_10303_28|ifcXML)[\s>]")
+"""How ifcXML begins, of IFC 2x3 and 4."""
 DECLARED: Final = re.compile(r"\A\s*<\?xml[^>]*\?>")
 
 
@@ -57,6 +65,10 @@ def unpacked(content: bytes) -> bytes:
             raise SyntaxFault(f"a compressed file that cannot be read: {said(error)}") from None
         if len(content) > MOST_BYTES:
             raise SyntaxFault(f"what is compressed in it is larger than {MOST_BYTES >> 20} MB")
+    if content.startswith(ZIP):
+        content = _plan_in(content)
+    if IFC_XML.search(content[:2_000]):
+        raise SyntaxFault("ifcXML is not read here: save it as IFC")
     if content[:2] not in WIDE:
         return content
     try:
@@ -65,24 +77,23 @@ def unpacked(content: bytes) -> bytes:
         raise SyntaxFault(f"the text is not UTF-16: {error}") from None
 
 
-def member_of(archive: bytes, name: str) -> bytes | None:
-    """Returns a file in a zip archive; None where there is none of that name.
-
-    Raises:
-        SyntaxFault: the archive is broken, or the file larger than MOST_BYTES.
-    """
+def _plan_in(archive: bytes) -> bytes:
+    """Returns the plan in a zip archive; refuses one without, or of several."""
     try:
         with ZipFile(BytesIO(archive)) as opened:
-            if len(opened.namelist()) > MOST_MEMBERS:
+            names = dict.fromkeys(opened.namelist())
+            if len(names) > MOST_MEMBERS:
                 raise SyntaxFault(f"an archive of more than {MOST_MEMBERS:,} files")
-            if name not in opened.namelist():
-                return None
-            with opened.open(name) as file:
+            found = next(filter(None, ([name for name in names if one.fullmatch(name)] for one in PACKED)), [])
+            if len(found) != 1:
+                old = "a home of Sweet Home 3D before version 5.3: save it again with a newer one"
+                raise SyntaxFault(old if OLD_HOME in names else f"an archive of {len(found)} plans: one is read, such as an .ifc")
+            with opened.open(found[0]) as file:
                 content = file.read(MOST_BYTES + 1)
     except (BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, NotImplementedError) as error:
         raise SyntaxFault(f"a zip archive that cannot be read: {said(error)}") from None
     if len(content) > MOST_BYTES:
-        raise SyntaxFault(f"{name} in it is larger than {MOST_BYTES >> 20} MB")
+        raise SyntaxFault(f"{found[0]:.60} in it is larger than {MOST_BYTES >> 20} MB")
     return content
 
 

@@ -249,6 +249,8 @@ def test_a_floor_plan_where_a_scene_belongs_is_told_to_be_one(tmp_path: Path, ca
         (b"AC1032\0\0", "DWG is not read here: save the drawing as DXF"),
         (b"\x89PNG\r\n", "pictures are not read here: trace them as SVG or DXF"),
         (b"\xff\xd8\xff\xe0", "pictures are not read here"),
+        (b"<?xml version='1.0'?>\n<doc:iso_10303_28 version='2.0'>", "ifcXML is not read here: save it as IFC"),
+        (b'<ifcXML xmlns="https://standards.buildingsmart.org/IFC">', "ifcXML is not read here: save it as IFC"),
     ],
 )
 def test_a_file_in_which_people_have_plans_and_which_is_not_read_says_what_helps(

@@ -316,3 +316,10 @@ def test_a_hole_at_the_height_of_the_doors_is_a_passage(raised: tuple[str | None
     openings = [one for room in found.rooms for one in room.openings]
     assert sum(one.kind == "passage" for one in openings) == passages
     assert {one.sill for one in openings if one.kind == "door"} == {0.0}
+
+
+@pytest.mark.parametrize(("format", "name"), [("ifc", "Haus am Tor.IFC"), ("dxf", "plans/plan.dxf"), ("svg", "plan.svg")])
+def test_the_one_plan_in_an_archive_is_read_as_if_it_stood_alone(format: str, name: str) -> None:
+    (content,) = export(home("studio"), format).values()
+    beside = {"__MACOSX/._plan.ifc": b"\0\5\x16\7", "plans/": b"", "brick.png": b"\x89PNG"}
+    assert read(packed(**beside, **{name: content}), "plan.ifczip") == read(content)

@@ -61,10 +61,10 @@ def many(count: int, make: Callable[[int], Feature]) -> Callable[[], bytes]:
     return lambda: json.dumps(collection(KITCHEN, *(make(at) for at in range(count)))).encode()
 
 
-def bomb() -> bytes:
+def bomb(name: str = "Home.xml") -> bytes:
     content = BytesIO()
     with ZipFile(content, "w", ZIP_DEFLATED) as archive:
-        archive.writestr("Home.xml", b"<home>" + b" " * (200 << 20))
+        archive.writestr(name, b"<home>" + b" " * (200 << 20))
     return content.getvalue()
 
 
@@ -157,7 +157,9 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "xml without rooms": sweet_home(),
     "a zip that is cut off": packed(Home_xml=sweet_home(XML_ROOM))[:60],
     "a zip without a home": packed(other=b"Home"),
+    "a zip of two buildings": packed(**{"a.ifc": IFC, "b.IFC": IFC}),
     "a zip bomb": bomb,
+    "a zip bomb of a building": lambda: bomb("house.ifc"),
     "a zip that is broken": packed(Home_xml=sweet_home(XML_ROOM)).replace(b"Kitchen", b"KitcheX"),
     "ifc that is cut off": IFC[:-40],
     "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),

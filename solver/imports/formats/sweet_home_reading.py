@@ -16,7 +16,7 @@ from catalogs.synonyms import drawn_names_of
 from solver.errors import SyntaxFault
 from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
-from solver.imports.bounded_files import ZIP, member_of, numbered, xml_of
+from solver.imports.bounded_files import numbered, xml_of
 from solver.imports.drawn import (
     MOST_POINTS,
     DrawnLevel,
@@ -34,8 +34,6 @@ from solver.imports.shapes_plan import DrawnText, labelled, text_at
 from solver.imports.walls_alone import with_rooms_between
 
 HOME: Final = "Home.xml"
-OLD: Final = "Home"
-"""What the archives of older versions hold instead."""
 CM: Final = 0.01
 LONGEST: Final = 200
 """Letters of a name."""
@@ -48,9 +46,7 @@ PIECES: Final = ("pieceOfFurniture", "light", "shelfUnit")
 
 
 def is_sweet_home(content: bytes) -> bool:
-    """Tells whether a file is such an archive or its Home.xml."""
-    if content.startswith(ZIP):
-        return b"Home" in content
+    """Tells whether a file is the Home.xml of such an archive."""
     return b"<home" in content[:1000]
 
 
@@ -60,16 +56,9 @@ def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catal
     The catalogs' names of rooms are looked for among the labels in rooms without a name.
 
     Raises:
-        SyntaxFault: it is none, or of a version before 5.3.
+        SyntaxFault: it is none.
         FieldError: something in it cannot be read; names its place.
     """
-    if content.startswith(ZIP):
-        found = member_of(content, HOME)
-        if found is None:
-            old = member_of(content, OLD) is not None
-            words = "a home of Sweet Home 3D before version 5.3: save it again with a newer one" if old else f"an archive without {HOME}"
-            raise SyntaxFault(words)
-        content = found
     root = xml_of(content)
     if root.tag != "home":
         raise SyntaxFault(f"no home: its first element is {root.tag!r:.40}")
