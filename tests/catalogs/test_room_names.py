@@ -73,6 +73,15 @@ NAMES = room_names_of(KNOWN)
         ("kids_bedroom", ["Kids' room", "Kinderzimmer 1", "Chambre d'enfant", "детская", "Barnrum"]),
         ("hallway", ["Corridor", "Flur", "Couloir", "Pasillo", "Przedpokój", "коридор", "廊下"]),
         ("foyer", ["Entrance hall", "Windfang", "Entrée", "прихожая", "玄関"]),
+        ("bathroom", ["Kylpyhuone", "KH", "Fürdőszoba", "Ebeveyn banyosu", "Záchod"]),
+        ("kitchen", ["Keittiö", "Konyha", "MUTFAK", "Kuchyně"]),
+        ("living_room", ["Olohuone", "OH", "Nappali", "Oturma odası", "Obývací pokoj"]),
+        ("bedroom", ["Makuuhuone 2", "MH 1", "Hálószoba", "Yatak Odası 1", "Ložnice"]),
+        ("kids_bedroom", ["Lastenhuone", "Gyerekszoba", "ÇOCUK ODASI", "Dětský pokoj"]),
+        ("dining_room", ["Ruokailutila", "Étkező", "Yemek odası", "Jídelna"]),
+        ("foyer", ["Eteinen", "Előszoba", "Giriş", "Předsíň"]),
+        ("backyard", ["Piha", "Kert", "Bahçe", "Zahrada"]),
+        ("storage", ["Varasto", "Kamra", "Kiler", "Komora"]),
     ],
 )
 def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names: list[str]) -> None:
