@@ -88,8 +88,9 @@ class PlanRoom:
 
 
 def name_of(room: FloorPlate, called: Mapping[str, str] | None = None) -> str:
-    """Returns what a plan calls a room: its own name, else its type's."""
-    return _capital(room.name) if room.name else words_of(room.type, called)
+    """Returns what a plan calls a room, in one line: its own name, else its type's."""
+    own = " ".join(room.name.split()) if room.name else ""
+    return _capital(own) if own else words_of(room.type, called)
 
 
 def said_of_room(room: FloorPlate) -> dict[str, str]:

@@ -85,7 +85,7 @@ def test_a_house_reads_back(program: str, format: str) -> None:
     assert changed == (["plan"] if format == "ifc" else [])  # its spaces are drawn by their inner faces
 
 
-CALLED = ("Maria's", "Oma", "Küche alt", "Bureau de Paul", "x^2", "The room of those who come late and stay long")
+CALLED = ("Maria's", "Oma", "Küche alt", "Bureau de Paul", "x^2", "Lotte\n& Max", "The room of those who come late and stay long")
 """Names of rooms: some tell nothing, some another type."""
 
 
