@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from catalogs.entries import Use
-from solver.geometry import LEAST_FLOOR_MM2
+from solver.geometry import LEAST_FLOOR_MM2, OPPOSITE
 from solver.scene import WALLS, Furniture
 from solver.validator.judging import Finding, RuleCase
 from solver.validator.lattice import PER_METRE, words
@@ -33,9 +33,24 @@ def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
     ways = ", ".join(dict.fromkeys(hole.opening.id for hole in walk.entrances))
     if walk.floor(place, only_entered=False) < LEAST_FLOOR:
         return f"{place.room.id} has less than 0.25 m2 where {wide} can stand"
+    openings = (*place.holes, *(hole for _, hole in world.leading_to.get(place.room.id, ())))
+    if all(hole.opening.kind == "window" for hole in openings):
+        return f"{place.room.id} has no door or passage{_behind(world, place)}"
     if walk.entrances and not walk.comes_in:
         return f"{wide} cannot get in through {ways}, so not to {place.room.id}"
     return f"{wide} cannot get to {place.room.id} from {ways or 'the largest free floor'}"
+
+
+def _behind(world: World, place: PlacedRoom) -> str:
+    """Says which room could be come from through a wall: where the most wall is shared, and somebody fits through."""
+    shared = []
+    for other in (one for one in world.places if one is not place and one.room.level == place.room.level):
+        edges = [edge.moved(other.x, other.z) for edge in other.edges]
+        for own in (edge.moved(place.x, place.z) for edge in place.edges):
+            meeting = (edge for edge in edges if edge.side == OPPOSITE[own.side] and edge.line == own.line)
+            shared += [(min(own.end, edge.end) - max(own.start, edge.start), own.side, other.room.id) for edge in meeting]
+    length, wall, room = max(shared, key=lambda one: one[0], default=(0, "", ""))
+    return f"; it shares {words(length)} of its {wall} wall with {room}" if length >= world.robot else ""
 
 
 def _side_message(world: World, piece: Furniture, use: Use, touched: int) -> str:

@@ -257,3 +257,28 @@ def test_measures_of_an_outline_and_of_nothing() -> None:
     assert measured["rooms"]["room_0"]["clear_area"] == round(3.9 * 1.9 + 1.9 * 2.0, 4)
     assert metrics(scene())["cover"] == 0.0
     assert validate(scene(), CATALOGS) == ()
+
+
+def test_a_room_without_a_door_is_told_so_and_behind_which_wall_another_lies() -> None:
+    """Two rooms lie beside it, one along 4 and one along 1.5 m; one above shares as much, one that touches a corner nothing."""
+    entered = room(id="hall", x=4.0, openings=(opening("east", main_entrance=True),))
+    small = room(id="small", z=4.0, width=1.5, openings=(opening("south", 0.7, id="door_2", main_entrance=True),))
+    above, apart = room(id="above", x=-4.0, level=1), room(id="apart", x=4.0, z=4.0)
+    window = opening("west", id="window_1", kind="window")
+    told = {}
+    for number, (hall, holes) in enumerate(((entered, ()), (entered, (window,)), (replace(entered, x=4.1), ()))):
+        house = scene(room(id="bare", openings=holes), hall, small, above, apart)
+        told[number] = next(issue.message for issue in issues(house, "unreachable") if issue.room == "bare")
+    most = "bare has no door or passage; it shares 4.00 m of its east wall with hall"
+    assert told == {0: most, 1: most, 2: "bare has no door or passage; it shares 1.50 m of its south wall with small"}
+
+
+def test_a_room_without_a_door_beside_nothing_is_told_that_alone() -> None:
+    house = scene(room(id="hall", openings=(opening(main_entrance=True),)), room(id="bare", x=9.0))
+    assert [issue.message for issue in issues(house, "unreachable")] == ["bare has no door or passage"]
+
+
+def test_a_room_whose_door_another_lists_is_not_told_to_have_none() -> None:
+    hall = room(id="hall", openings=(opening(main_entrance=True), opening("east", id="door_2", width=0.5, connects_to="bare")))
+    (issue,) = issues(scene(hall, room(id="bare", x=4.0)), "unreachable")
+    assert "no door" not in issue.message
