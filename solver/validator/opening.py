@@ -4,7 +4,7 @@ It is found by the core (solver/core/validate/opening.cpp). Each front is opened
 lies on a lid is taken off; doors are closed and are walls.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
@@ -41,19 +41,24 @@ class FrontTravel(NamedTuple):
 
 
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
-    """A front opens less than half of its way; where its kind says that it must open, that is an error."""
+    """Fronts of a piece open less than half of their way; where its kind says that one must open, that is an error."""
+    blocked: dict[tuple[str, bool], list[FrontTravel]] = {}
     for one in (_travel(case, told) for told in _opened(case) if told[1] != _NOTHING):
         if one.share < ENOUGH:
-            ids = (one.piece,) if one.meets == WALL else (one.piece, one.meets or "")
-            yield Finding(ids, 0, f"{one.piece}'s {one.front} {_words(one)}", "error" if one.must_open else None)
+            blocked.setdefault((one.piece, one.must_open), []).append(one)
+    for (piece, must_open), fronts in blocked.items():
+        met = dict.fromkeys(one.meets for one in fronts if one.meets is not None and one.meets != WALL)
+        yield Finding((piece, *met), 0, _words(fronts), "error" if must_open else None)
 
 
-def _words(one: FrontTravel) -> str:
-    if one.slides:
-        how = f"comes out {one.travel * 100:.0f} of {one.range * 100:.0f} cm"
-    else:
-        how = f"opens {one.travel:.0f} of {one.range:.0f} degrees"
-    return f"{how}: then it meets {'a wall' if one.meets == WALL else one.meets}"
+def _words(fronts: Sequence[FrontTravel]) -> str:
+    """Says how far a front opens; of several the one that opens least."""
+    one = min(fronts, key=lambda front: front.share)
+    far = f"{one.travel * 100:.0f} of {one.range * 100:.0f} cm" if one.slides else f"{one.travel:.0f} of {one.range:.0f} degrees"
+    then = f"{far}: then it meets {'a wall' if one.meets == WALL else one.meets}"
+    if len(fronts) > 1:
+        return f"{len(fronts)} fronts of {one.piece} open less than half, the {one.front} {then}"
+    return f"{one.piece}'s {one.front} {'comes out' if one.slides else 'opens'} {then}"
 
 
 def _opened(case: RuleCase) -> Iterator[_Opened]:

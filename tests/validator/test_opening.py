@@ -116,6 +116,23 @@ def test_less_than_half_is_a_warning_with_both_names() -> None:
     assert not [issue for issue in validate(roomy, KNOWN) if issue.rule == "front_blocked"]
 
 
+def test_a_piece_is_said_once_with_all_that_its_fronts_meet() -> None:
+    """Each half of a dresser's drawers meets a block of its own; the right one stands nearer."""
+    front = 2.0 + KNOWN.furniture["dresser"].size[1] / 2
+    left = replace(block(3.6, front + 0.55, 0.4, 1.0), id="far")
+    right = replace(block(4.4, front + 0.52, 0.4, 1.0), id="near")
+    scene = room(piece("dresser", 4.0, 2.0), left, right)
+    (found,) = [issue for issue in validate(scene, KNOWN) if issue.rule == "front_blocked"]
+    blocked = [one for one in front_travels(scene, KNOWN)["den"] if one.share < 0.5]
+    least = min(blocked, key=lambda one: one.share)
+    assert len(blocked) == 6
+    assert (least.meets, set(found.ids)) == ("near", {"dresser", "far", "near"})
+    words = (
+        f"{len(blocked)} fronts of dresser open less than half, the {least.front} {least.travel * 100:.0f} of {least.range * 100:.0f} cm"
+    )
+    assert found.message == f"{words}: then it meets near"
+
+
 def test_what_must_open_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "shapes").mkdir()
     (tmp_path / "shapes" / "own.yaml").write_text(
