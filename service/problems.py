@@ -37,6 +37,10 @@ class Busy(FieldError):
     """More calls than may wait."""
 
 
+class ProcessLost(FieldError):
+    """A call whose processes ended amid it, as for want of memory."""
+
+
 class NoSuchFormat(FieldError):
     """An export in a format that there is not."""
 
@@ -77,6 +81,7 @@ STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {
     FieldError: (422, "A field is wrong"),
     TooLong: (504, "The call took too long"),
     Busy: (503, "The service is busy"),
+    ProcessLost: (503, "The service lost a process"),
 }
 """Status and title of every error a caller can bring about; a class stands for its children too."""
 STORE_STATUS: Final[Mapping[type[ComposeError], tuple[int, str]]] = {

@@ -24,7 +24,7 @@ from starlette.requests import ClientDisconnect
 from starlette.types import Receive
 
 from service.pool import end_with_parent
-from service.problems import Busy, TooLong
+from service.problems import Busy, ProcessLost, TooLong
 from service.service_settings import Settings
 from solver import pipeline
 
@@ -114,6 +114,8 @@ def _make_calls(called: socket.socket, nice: int) -> None:
 
 Given = TypeVarTuple("Given")
 
+TRIES: Final = 2
+"""How many processes may die of a call, or before they can make it."""
 GIVES_WAY: Final = 10
 """How much nicer than the service the processes of the heavy lane are."""
 
@@ -129,7 +131,7 @@ class Lane(NamedTuple):
     waiting: int
     nice: int
     idle: list[WorkerProcess]
-    coming: set[asyncio.Task[None]]
+    coming: set[asyncio.Task[bool]]
 
     def check(self) -> None:
         """Lets a call in.
@@ -162,18 +164,18 @@ class Workers:
         Raises:
             Busy: as many calls run, and as many wait, as may.
             TooLong: it ran for request_seconds without an end, and was ended.
-            BrokenWorkerProcess: two processes died of it.
+            ProcessLost: TRIES processes died of it, or while they were started for it.
         """
         lane = self.light if is_light else self.heavy
         lane.check()
         async with lane.slots:
             try:
                 with fail_after(self._seconds):
-                    try:
-                        return await self._in_process(lane, work, *given)
-                    except BrokenWorkerProcess:
+                    for _ in range(TRIES):
+                        with suppress(BrokenWorkerProcess):
+                            return await self._in_process(lane, work, *given)
                         self.restarts += 1
-                        return await self._in_process(lane, work, *given)
+                    raise ProcessLost("service", "lost the process of this call, and another one", "another try in a moment")
             except TimeoutError:
                 raise TooLong("body", f"takes longer than {self._seconds:g} s", TooLong.SMALLER) from None
 
@@ -181,7 +183,9 @@ class Workers:
         while not self._is_ready(lane):
             if not lane.coming:
                 self._begin(lane)
-            await asyncio.wait(lane.coming, return_when=asyncio.FIRST_COMPLETED)
+            begun, _ = await asyncio.wait(lane.coming, return_when=asyncio.FIRST_COMPLETED)
+            if not any(one.result() for one in begun):
+                raise BrokenWorkerProcess
         process = lane.idle.pop()
         try:
             found = await process.ask(work, given)
@@ -211,18 +215,21 @@ class Workers:
         lane.coming.add(task)
         task.add_done_callback(lane.coming.discard)
 
-    async def _add(self, lane: Lane) -> None:
-        """Adds a process to a lane that has done what all do first; none where it dies of that."""
-        process = await asyncio.to_thread(WorkerProcess, lane.nice)  # anyio's threads would outlive a loop that is ended amid this
+    async def _add(self, lane: Lane) -> bool:
+        """Adds a process to a lane that has done what all do first; tells whether there is one, and it did not die of that."""
+        process: WorkerProcess | None = None
         try:
+            process = await asyncio.to_thread(WorkerProcess, lane.nice)  # anyio's threads would outlive a loop that is ended amid this
             if self._first is not None:
                 await process.ask(*self._first)
         except BaseException as error:
-            process.kill()
+            if process is not None:
+                process.kill()
             if not isinstance(error, EOFError | OSError):
                 raise
-        else:
-            lane.idle.append(process)
+            return False
+        lane.idle.append(process)
+        return True
 
     async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
         """Starts all processes, however long it takes: a first start may compile. They do this work first, as those that replace one do."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -54,6 +55,12 @@ def dies(folder: str, times: int) -> int:
     if tries <= times:
         os._exit(9)
     return tries
+
+
+def killed(*_: object) -> NoReturn:
+    """Is killed amid whatever it is asked."""
+    os.kill(os.getpid(), signal.SIGKILL)
+    raise AssertionError
 
 
 def hungry() -> str:

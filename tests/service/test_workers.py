@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import signal
 import socket
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -310,33 +309,6 @@ def test_a_refusal_reaches_who_stays() -> None:
     async def scene() -> None:
         with pytest.raises(Busy):
             await unless_left(Caller().receive, refused())
-
-    apart.run(scene)
-
-
-def test_a_process_that_dies_is_replaced_once(tmp_path: Path) -> None:
-    async def scene() -> None:
-        bench = Workers(SETTINGS)
-        assert await bench.run(heavy.dies, str(tmp_path), 1) == 2
-        assert bench.restarts == 1
-        with pytest.raises(anyio.BrokenWorkerProcess):
-            await bench.run(heavy.dies, str(tmp_path), 9)
-
-    apart.run(scene)
-
-
-def test_processes_that_died_while_they_were_idle_are_replaced_before_they_are_asked() -> None:
-    async def scene() -> None:
-        bench = Workers(SETTINGS)
-        await bench.start(os.getpid)
-        told = [await process.ask(os.getpid, ()) for process in bench.light.idle]
-        idle = [one for one in told if isinstance(one, int)]
-        assert len(idle) == LIGHT > 1
-        for process in idle:
-            os.kill(process, signal.SIGKILL)
-        await until(lambda: not any(map(is_alive, idle)))
-        assert await bench.run(os.getpid, is_light=True) not in idle
-        assert bench.restarts == LIGHT
 
     apart.run(scene)
 
