@@ -3,7 +3,6 @@
 from collections.abc import Collection, Iterator, Sequence
 from functools import partial
 from itertools import chain, islice
-from math import inf
 from numbers import Real
 from operator import attrgetter
 from typing import Final
@@ -12,7 +11,7 @@ from catalogs.misfits import called
 from solver.answers import Move
 from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, rows_in
 from solver.errors import MOST_TOLD, FieldError, SceneError, all_of
-from solver.fields import MAX_MAGNITUDE
+from solver.fields import MAX_LENGTH, MAX_MAGNITUDE
 from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 
 MOVED = 0.001
@@ -114,7 +113,8 @@ def check_is(field: str, given: object, of: type | tuple[type, ...], called_so: 
         raise error(field, f"is {called(given)}", called_so)
 
 
-_A_NUMBER: Final = f"a number from -{MAX_MAGNITUDE:.0f} to {MAX_MAGNITUDE:.0f}"
+_SIZES: Final = frozenset({"width", "depth", "height"})
+"""What is above 0, wherever it stands."""
 _OF_BODIES: Final = ("x", "y", "z", "rotation", "width", "depth", "height")
 _OF_ROOMS: Final = ("x", "z", "width", "depth")
 _OF_OPENINGS: Final = ("position", "width", "height", "sill")
@@ -128,22 +128,29 @@ def check_scene(scene: object) -> None:
     """
     check_is("scene", scene, Scene, "a Scene, as `load` or `generate` gives it")
     assert isinstance(scene, Scene)
-    _check_number("wall_thickness", scene.wall_thickness)
+    _check_number("wall_thickness", scene.wall_thickness, 0, 1)
     for field, records, keys in _numbered(scene):
-        values = attrgetter(*keys)
+        values, sizes = attrgetter(*keys), attrgetter(*(key for key in keys if key in _SIZES))
         try:
-            total = sum(map(abs, chain.from_iterable(map(values, records))))
+            total, lengths = (
+                sum(map(abs, chain.from_iterable(map(values, records)))),
+                [*chain.from_iterable(map(sizes, records)), MAX_LENGTH],
+            )
+            is_sound = total <= MAX_MAGNITUDE and min(lengths) > 0 and max(lengths) <= MAX_LENGTH
         except (TypeError, OverflowError):
-            total = inf
-        if not total <= MAX_MAGNITUDE:  # one may be wrong
+            is_sound = False
+        if not is_sound:  # one may be wrong
             for number, one in enumerate(records):
                 for key, value in zip(keys, values(one), strict=True):
-                    _check_number(f"{field}[{number}].{key}", value)
+                    limits = (None, MAX_LENGTH) if key in _SIZES else (-MAX_MAGNITUDE, MAX_MAGNITUDE)
+                    _check_number(f"{field}[{number}].{key}", value, *limits)
 
 
-def _check_number(field: str, value: object) -> None:
-    if not (isinstance(value, Real) and abs(value) <= MAX_MAGNITUDE):  # type: ignore[operator] # any number compares
-        raise SceneError(field, f"is {called(value)}", _A_NUMBER)
+def _check_number(field: str, value: object, least: float | None, most: float) -> None:
+    """Refuses what is no number in a range; `least` None: above 0."""
+    if not (isinstance(value, Real) and (value > 0 if least is None else value >= least) and value <= most):  # type: ignore[operator]
+        told = f"a number above 0, up to {most:g}" if least is None else f"a number from {least:.0f} to {most:.0f}"
+        raise SceneError(field, f"is {called(value)}", told)
 
 
 def _numbered(scene: Scene) -> Iterator[tuple[str, Sequence[object], Sequence[str]]]:

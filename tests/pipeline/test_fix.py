@@ -212,23 +212,35 @@ def test_what_is_no_scene_is_refused(given: Any) -> None:
             flow(given)
 
 
-@pytest.mark.parametrize("given", [float("nan"), float("inf"), 1e308, 10**310, "1.0", None], ids=str)
-def test_what_is_no_number_is_refused_by_its_field(given: Any) -> None:
+def changed(scene: Scene, field: str, value: Any) -> Scene:
+    """A scene with one field of its only room, or of that room's first opening or piece, changed."""
+    *path, key = field.replace("[0]", "").split(".")
+    wrong: dict[str, Any] = {key: value}
+    for depth in range(len(path), 0, -1):
+        owner: Any = scene
+        for name in path[:depth]:
+            owner = getattr(owner, name)[0]
+        wrong = {path[depth - 1]: (replace(owner, **wrong),)}
+    return replace(scene, **wrong)
+
+
+@pytest.mark.parametrize("given", [float("nan"), float("inf"), 1e308, 10**310, 0, -2.0, 1001.0, "1.0", None], ids=str)
+def test_numbers_that_readers_refuse_are_refused_by_the_same_words(given: Any) -> None:
     door = Opening("door", wall="south", position=1.0, connects_to="EXTERIOR")
     sound = room_of(body("sofa", 1.5, 1.5, (2.0, 0.9, 0.8)), openings=(door,))
-    room = sound.rooms[0]
-    wrong = {
-        "wall_thickness": replace(sound, wall_thickness=given),
-        "rooms[0].width": replace(sound, rooms=(replace(room, width=given),)),
-        "rooms[0].openings[0].position": replace(sound, rooms=(replace(room, openings=(replace(door, position=given),)),)),
-        "rooms[0].furniture[0].x": replace(sound, rooms=(replace(room, furniture=(replace(room.furniture[0], x=given),)),)),
-    }
     flows = (fix, validate, furnish, dump, lambda one: reroll(one, ["room_0"]), lambda one: explain(one, "room_0/sofa"))
-    for field, scene in wrong.items():
+    sizes = {f"rooms[0].{of}": "a number above 0, up to 1000" for of in ("width", "openings[0].height", "furniture[0].depth")}
+    places = {f"rooms[0].{of}": "a number from -1000000 to 1000000" for of in ("z", "openings[0].position", "furniture[0].x")}
+    allowed = {"wall_thickness": "a number from 0 to 1", **sizes, **places}
+    for field, words in allowed.items():
+        wrong = changed(sound, field, given)
+        if given in ((0, -2.0, 1001.0) if field in places else (0,) if field == "wall_thickness" else ()):
+            assert validate(wrong) is not None
+            continue
         for flow in (*flows, lambda one: export(one, "glb")):
             with pytest.raises(SceneError) as refused:
-                flow(scene)
-            assert (refused.value.field, refused.value.allowed) == (field, "a number from -1000000 to 1000000")
+                flow(wrong)
+            assert (refused.value.field, refused.value.allowed) == (field, words)
 
 
 def test_two_bodies_of_one_id_are_refused() -> None:
