@@ -9,8 +9,21 @@ found, so that a changed scene is checked again only where it changed. Adding a 
 from solver.validator.accessibility import access_of
 from solver.validator.checking import Checked, RoomAlone, check, room_alone, validate
 from solver.validator.floor import floors
+from solver.validator.house_plan import sharing_floor
 from solver.validator.judging import FINDING_WORK
 from solver.validator.metrics import metrics
 from solver.validator.rules import RULES
 
-__all__ = ["FINDING_WORK", "RULES", "Checked", "RoomAlone", "access_of", "check", "floors", "metrics", "room_alone", "validate"]
+__all__ = [
+    "FINDING_WORK",
+    "RULES",
+    "Checked",
+    "RoomAlone",
+    "access_of",
+    "check",
+    "floors",
+    "metrics",
+    "room_alone",
+    "sharing_floor",
+    "validate",
+]

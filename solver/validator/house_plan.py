@@ -3,7 +3,7 @@
 They are found by the core (solver/core/validate/plan.cpp). Bodies are not looked at, and nothing is moved for these rules.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from solver.scene import Opening
 from solver.validator.judging import Finding, RuleCase, Told
@@ -19,6 +19,17 @@ def rooms_overlap(case: RuleCase) -> Iterator[Finding]:
         other = case.walk.places[told.other].room
         size = f"{words(told.a)} from west to east, {words(told.b)} from north to south"
         yield Finding((), told.amount, f"{case.room.room.id} and {other.id} are rooms that share floor: {size}")
+
+
+def sharing_floor(cases: Iterable[RuleCase]) -> dict[str, str]:
+    """Returns the rooms that share floor with another one, and with which."""
+    found: dict[str, str] = {}
+    for case in cases:
+        for told in case.told["rooms_overlap"]:
+            one, other = case.room.room.id, case.walk.places[told.other].room.id
+            found.setdefault(one, other)
+            found.setdefault(other, one)
+    return found
 
 
 def opening_wrong(case: RuleCase) -> Iterator[Finding]:
