@@ -79,10 +79,9 @@ class AccessProfile(Entry):
         asked = ("hallway", "approach")
         return max((rule.min for rule in self.rules if rule.what in asked and rule.is_about("hallway")), default=0.0)
 
-    @property
-    def latches_behind(self) -> bool:
-        """Tells whether floor beside a door's latch is asked for on the side that the leaf does not sweep, too."""
-        return any(rule.latch for rule in self.rules if rule.pull is False)
+    def latch_behind(self, room: str) -> float:
+        """Returns the floor that is asked for beside latches in rooms of a type whatever way leaves swing, m; 0 where none is."""
+        return max((rule.latch for rule in self.rules if rule.pull is False and rule.is_about(room)), default=0.0)
 
     def swings_out(self, room: str) -> bool:
         """Tells whether leaves must not swing into rooms of a type."""

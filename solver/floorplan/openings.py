@@ -136,8 +136,10 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
         rooms.append(_ROOM.pack(*rect, traits, cars, *kept, first, count))
         first += count
     widths = [max(walls.leaf, to_mm(profile.leaf(main))) if profile else walls.leaf for main in (False, True)]
-    counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), 0
-    header = _HEADER.pack(*counts, walls.jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], WALL_NUMBERS[entrance[1]])
+    latch = max(profile.latch_behind(name) for name in kinds) if profile else 0.0
+    counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), to_mm(latch) + walls.half if latch else 0
+    jamb = walls.least_jamb if latch else walls.jamb
+    header = _HEADER.pack(*counts, jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], WALL_NUMBERS[entrance[1]])
     outside = [_STRETCH.pack(*row[1:]) for row in stretches]
     shared = [_JOINT.pack(one.a, one.b, WALL_NUMBERS[one.wall], one.low, one.high, entered) for one, entered in joints]
     return b"".join([header, *rooms, *wishes, *outside, *shared, *(_cut_row(cut) for cut in cuts)])
@@ -147,8 +149,8 @@ def _kind_numbers(name: str, house: OpenedHouse, walls: HouseWalls, wishes: list
     """Returns what a room type is to its openings, bit by bit, its cars, and where among all wishes its own are, which are added."""
     kind, profile = house.rooms[name], house.profile
     plan, more = kind.plan, walls.more
-    out = profile is not None and profile.swings_out(name)
-    is_so = name == "hallway", plan.passage, plan.swings_in, out, kind.outdoor, plan.windows, plan.habitable, has_small_panes(kind)
+    out, latch = profile is not None and profile.swings_out(name), profile is not None and profile.latch_behind(name) > 0
+    is_so = name == "hallway", plan.passage, plan.swings_in, out, kind.outdoor, plan.windows, plan.habitable, has_small_panes(kind), latch
     first = len(wishes)
     for one in plan.keeps:
         across = to_mm(one.across) + more if one.across else 0

@@ -134,11 +134,11 @@ def _heights(drawing: Drawing, cut: Cut) -> tuple[float, float]:
 def _hinge(cut: Cut, drawing: Drawing) -> str:
     """The leaf hangs at the end nearer to the corner of the room it sweeps, so that it opens against the wall there.
 
-    Where homes are made for a profile that asks for floor beside the latch on both sides, a corner of either room.
+    Where homes are made for a profile that asks for floor beside the latch on both sides, a corner of either room for which it does.
     """
     profile, swept = drawing.catalogs.profile, cut.room if cut.leaf is None else cut.leaf
     low, high = drawing.rects[swept].along(cut.wall)
-    for room in cut.sides if profile and profile.latches_behind else ():
+    for room in [one for one in cut.sides if profile.latch_behind(drawing.types[one])] if profile else ():
         start, end = drawing.rects[room].along(cut.wall)
         low, high = max(low, start), min(high, end)
     return "start" if cut.centre - low <= high - cut.centre else "end"
@@ -177,7 +177,7 @@ def door_positions(plan: FloorPlan, opening_id: str) -> tuple[int, ...]:
     its quarters, then every 0.1 m.
     """
     drawing = plan.drawing
-    house = OpenedHouse(drawing.layout, drawing.rects, drawing.types, drawing.catalogs.rooms)
+    house = OpenedHouse(drawing.layout, drawing.rects, drawing.types, drawing.catalogs.rooms, drawing.catalogs.profile)
     return door_places(house, drawing.shared, drawing.cuts, _cut(plan, opening_id))
 
 

@@ -78,6 +78,21 @@ def test_floor_before_doors_stays_free_of_what_is_furnished_and_laid_down(profil
     assert sum(missing > 0 for missing in asked) <= 0.01 * len(asked)
 
 
+def test_a_door_at_the_end_of_a_hallway_leaves_wall_beside_its_latch() -> None:
+    """Measured between the walls' faces: in the middle of such an end a door of 1 m leaves 25 cm."""
+    scenes = [
+        generate(Request(seed=seed, program="large", access="din_18040_2_r", wall_thickness=0.1)).scene for seed in range(61_000, 61_050)
+    ]
+    beside = list[float]()
+    for room in (room for scene in scenes for room in scene.rooms if room.type == "hallway"):
+        for door in (one for one in room.openings if one.kind == "door"):
+            length = room.width if door.wall in ("north", "south") else room.depth
+            latch = door.position + door.width / 2 * (1 if door.hinge == "start" else -1)
+            beside.append((length - latch if door.hinge == "start" else latch) - 0.05)
+    assert len([one for one in beside if one < 0.6]) >= 6
+    assert min(beside) >= 0.5 - 1e-9
+
+
 @pytest.mark.parametrize(("profile", "clear"), [("din_18040_2", 1.2), ("din_18040_2_r", 1.5), ("ada", 1.22)])
 def test_hallways_are_as_wide_as_the_floor_before_their_doors(profile: str, clear: float) -> None:
     scenes = [family(seed, access=profile).scene for seed in range(4)]

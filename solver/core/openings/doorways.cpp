@@ -86,8 +86,21 @@ f64 Doorways::meeting(const OpeningSide& side, const OpeningSide& other, i64 roo
   return house.rooms[room].has(HALLWAY) ? 0.0 : CROWDED;
 }
 
+// Whether a wall comes too near to the latch of a door, whichever end it hangs at.
+bool Doorways::is_cornered(const Cut& cut) const {
+  if (house.header.latch == 0 || cut.kind != CutKind::door) return false;
+  const Interval ends = cut.ends();
+  bool too_near[2] = {false, false};
+  each_room(cut, [&](i64 room) {
+    const Interval wall = house.rooms[room].rect.along(cut.wall_of(room));
+    too_near[0] |= house.rooms[room].has(LATCHES) && ends.low - wall.low < house.header.latch;
+    too_near[1] |= house.rooms[room].has(LATCHES) && wall.high - ends.high < house.header.latch;
+  });
+  return too_near[0] && too_near[1];
+}
+
 f64 Doorways::score(const Cut& cut) const {
-  f64 sum = 0.0;
+  f64 sum = is_cornered(cut) ? CORNERED : 0.0;
   each_room(cut, [&](i64 room) {
     const OpeningSide own = side(cut, room);
     for (const OpeningSide& other : by_room_[room]) {

@@ -48,6 +48,7 @@ class Doorways {
   Offer best_outside(const Cut& cut) const;
 
  private:
+  bool is_cornered(const Cut& cut) const;
   f64 meeting(const OpeningSide& side, const OpeningSide& other, i64 room) const;
   bool holds(const Cut& cut) const;
 

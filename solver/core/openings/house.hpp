@@ -10,8 +10,8 @@ namespace openings {
 // Least wall between two openings.
 constexpr i64 JAMB_MM = 100;
 // What a place costs: a leaf that meets a leaf or another door's square, or two openings in one place; two doors' squares that overlap in a
-// furnished room; a place other than the middle.
-constexpr f64 COLLISION = 1000.0, CROWDED = 10.0, SHIFTED = 0.5;
+// furnished room; too little wall beside a latch; a place other than the middle.
+constexpr f64 COLLISION = 1000.0, CROWDED = 10.0, CORNERED = 20.0, SHIFTED = 0.5;
 // Distance of the places tried along a wall.
 constexpr i64 STEP_MM = 100;
 constexpr i64 NONE = -1;
@@ -26,6 +26,7 @@ enum Trait : i64 {
   WINDOWS = 32,
   HABITABLE = 64,
   SMALL_PANES = 128,
+  LATCHES = 256,  // wall beside latches is asked for in it
 };
 
 // A wall that a room keeps whole, mm; `across` is 0 where it faces none.
@@ -81,7 +82,8 @@ struct Cut {
 
 // What the host sends first; rooms, wishes, stretches, joints and openings that are there follow.
 struct Header {
-  i32 rooms, wishes, stretches, joints, cuts, unused;
+  i32 rooms, wishes, stretches, joints, cuts;
+  i32 latch;  // wall from a door's latch to the next line of its rooms that ask for it, mm; 0 none
   i64 jamb, least_jamb, hallway;  // of walls as thick as these
   i64 leaf, entrance;             // widths of doors
   i64 entrance_room, entrance_wall;

@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 from catalogs.access_profiles import AccessProfile
 from catalogs.schema import RoomType
 from solver.floorplan.fitness import CAR_DOOR_MM, cars_of
-from solver.floorplan.tiling import JAMB_MM, LEAF_MM, HouseWalls, Joint, Layout
+from solver.floorplan.tiling import JAMB_MM, LEAF_MM, Joint, Layout
 from solver.geometry import OPPOSITE, Rect, strip, to_mm
 
 WIDE_MM: Final = 1200
@@ -31,6 +31,8 @@ COLLISION: Final = 1000.0
 """Score of a leaf that meets a leaf or another door's square, or of two openings in one place."""
 CROWDED: Final = 10.0
 """Score of two doors' squares that overlap in a furnished room."""
+CORNERED: Final = 20.0
+"""Score of a door with less wall beside its latch than is asked for in its rooms."""
 EJECTIONS: Final = 3
 """How many doors in a row may give way to one another in a house too small for doors in the middle of walls."""
 TRIES: Final = 2000
@@ -103,6 +105,8 @@ class Doorways:
     ) -> None:
         self.layout, self.types, self.rooms, self.profile = layout, types, rooms, profile
         self.leaf_mm, self.entrance_mm = (max(LEAF_MM, to_mm(profile.leaf(main))) if profile else LEAF_MM for main in (False, True))
+        self.latches = [profile.latch_behind(name) if profile else 0.0 for name in types]
+        self.jamb = layout.walls.least_jamb if any(self.latches) else layout.walls.jamb
         self.cuts: list[Cut] = []
         self._by_room: dict[int, list[OpeningSide]] = {}
         for cut in cuts:
@@ -161,7 +165,17 @@ class Doorways:
 
     def score(self, cut: Cut) -> float:
         """Scores an opening against those placed: 0 is free of all, COLLISION and more cannot be."""
-        return sum([score for _, score in self._meetings(cut)])
+        return CORNERED * self._is_cornered(cut) + sum([score for _, score in self._meetings(cut)])
+
+    def _is_cornered(self, cut: Cut) -> bool:
+        """Tells whether neither end of a door has the wall beside it that a latch asks for, as far as its rooms' next walls."""
+        ends = list[list[bool]]()
+        for room in cut.sides if cut.kind == "door" else ():
+            rect, asked = self.layout.rooms[room], self.latches[room]
+            low, high = (rect.x0, rect.x1) if cut.wall in ("north", "south") else (rect.z0, rect.z1)
+            half = self.layout.walls.half
+            ends.append([not asked or free - half >= to_mm(asked) for free in (cut.ends[0] - low, high - cut.ends[1])])
+        return bool(ends) and not any(map(all, zip(*ends, strict=True)))
 
     def _meetings(self, cut: Cut) -> Iterator[tuple[Cut, float]]:
         """Yields the other openings of a cut's rooms, each with the score of the two in that room."""
@@ -194,7 +208,7 @@ class Doorways:
     def best(self, cut: Cut, stretch: tuple[int, int]) -> tuple[float, Cut]:
         """Returns the best place of an opening in a stretch of wall, with its score."""
         best = (inf, cut)
-        for k, centre in enumerate(places(cut.width, stretch, self.layout.walls)):
+        for k, centre in enumerate(places(cut.width, stretch, self)):
             placed = cut.at(centre)
             score = self.score(placed) + SHIFTED * (k > 0)
             if score < best[0]:
@@ -209,10 +223,10 @@ def _square(rect: Rect, wall: str, low: int, high: int) -> Rect:
     return strip(rect, wall, (low, high), min(high - low, SQUARE_MM))
 
 
-def places(width: int, stretch: tuple[int, int], walls: HouseWalls) -> Iterator[int]:
+def places(width: int, stretch: tuple[int, int], doorways: Doorways) -> Iterator[int]:
     """Yields the centres an opening may have in a stretch of wall: the middle, both ends, then every STEP_MM."""
-    jamb = min(walls.jamb, (stretch[1] - stretch[0] - width) // 2)
-    if jamb < walls.least_jamb:
+    jamb = min(doorways.jamb, (stretch[1] - stretch[0] - width) // 2)
+    if jamb < doorways.layout.walls.least_jamb:
         return
     first, last = stretch[0] + jamb + width // 2, stretch[1] - jamb - width // 2
     middle = (first + last) // 2
@@ -258,7 +272,7 @@ def move_to_corners(doorways: Doorways, tree: Sequence[tuple[Joint, int]], entra
         plan = doorways.plan_of(cut.leaf).plan
         if not plan.habitable or plan.passage:
             continue
-        moved = (cut.at(centre) for centre in places(cut.width, stretches[cut.room, cut.other], doorways.layout.walls))
+        moved = (cut.at(centre) for centre in places(cut.width, stretches[cut.room, cut.other], doorways))
         free = [one for one in moved if doorways.score(one) <= doorways.score(cut)]
         doorways.replace(cut, min((cut, *free), key=partial(_awkwardness, doorways, cut.leaf)))
 
@@ -322,9 +336,7 @@ class _Shuffle:
             forms += [cut._replace(leaf=leaf) for leaf in leaves if leaf != cut.leaf]
         if cut.kind == "door" and cut.other is not None:
             forms.append(cut._replace(id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
-        return (
-            form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch, self.doorways.layout.walls)
-        )
+        return (form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch, self.doorways))
 
 
 def _swings(doorways: Doorways, joint: Joint, entered: int) -> list[int]:

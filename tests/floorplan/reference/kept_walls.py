@@ -117,7 +117,7 @@ class _Walls:
         else:
             stretches = self.doorways.layout.openable[cut.room][cut.wall]
             low, high = next(one for one in stretches if one[0] <= cut.centre <= one[1])
-        jamb = EDGE_MM if cut.kind == "window" else min(self.doorways.layout.walls.jamb, (high - low - cut.width) // 2)
+        jamb = EDGE_MM if cut.kind == "window" else min(self.doorways.jamb, (high - low - cut.width) // 2)
         for centre in (low + jamb + cut.width // 2, high - jamb - cut.width // 2):
             if centre != cut.centre and low + jamb <= centre - cut.width // 2 and centre + cut.width // 2 <= high - jamb:
                 yield cut.at(centre)

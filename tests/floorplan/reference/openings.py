@@ -38,12 +38,12 @@ def open_walls(house: OpenedHouse, tree: Sequence[tuple[Joint, int]], entrance: 
 
 def door_places(house: OpenedHouse, shared: Sequence[Joint], cuts: Sequence[openings.Cut], moved: openings.Cut) -> tuple[int, ...]:
     """Returns where else an opening could stand, what differs most first."""
-    doorways = Doorways(house.layout, house.types, house.rooms, [_cut(cut) for cut in cuts])
+    doorways = Doorways(house.layout, house.types, house.rooms, [_cut(cut) for cut in cuts], house.profile)
     if moved.other is None:
         stretch = next(one for one in house.layout.openable[moved.room][moved.wall] if one[0] <= moved.centre <= one[1])
     else:
         stretch = next((joint.low, joint.high) for joint in shared if (joint.a, joint.b) == tuple(sorted(moved.sides)))
-    centres = list(places(moved.width, stretch, house.layout.walls))
+    centres = list(places(moved.width, stretch, doorways))
     if not centres:
         return ()
     low, high = min(centres), max(centres)

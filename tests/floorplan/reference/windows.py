@@ -76,7 +76,7 @@ def make_room_for_windows(doorways: Doorways) -> None:
             continue
         for cut in doors:
             stretch = next(one for one in doorways.layout.openable[room][cut.wall] if one[0] <= cut.centre <= one[1])
-            if any(_makes_room(doorways, cut, cut.at(centre)) for centre in places(cut.width, stretch, doorways.layout.walls)):
+            if any(_makes_room(doorways, cut, cut.at(centre)) for centre in places(cut.width, stretch, doorways)):
                 break
 
 
