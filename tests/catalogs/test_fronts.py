@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from math import hypot
 from pathlib import Path
 
 import pytest
 
 from catalogs import CatalogError, load_catalogs
-from catalogs.fronts import fronts_of
+from catalogs.fronts import floor_before, fronts_of
 from catalogs.shapes import Solid
 from tests.architecture.tree import ROOT
 from tests.catalogs.test_shapes import overlay
@@ -67,6 +68,19 @@ def test_a_lid_is_flat_or_hinged_at_something() -> None:
             thick = (lid.y[1] - lid.y[0]) * size[2]
             behind = any(one.front is None and one.y[1] >= lid.y[1] and one.z[1] <= lid.z[0] + 0.01 for one in KNOWN.shapes[kind])
             assert front.opens != "lid" or thick < 0.05 or behind, kind
+
+
+def test_a_lid_that_no_floor_is_kept_for_stays_over_its_piece() -> None:
+    """Its lower front edge, as far from its hinge as the diagonal, is what comes out first; what touches the piece would stop it."""
+    found = set[str]()
+    for kind, fronts in OPENING.items():
+        (_, depth, height), solids = KNOWN.furniture[kind].size, KNOWN.shapes[kind]
+        for lid in (solids[front.parts[0]] for front in fronts if front.opens == "lid"):
+            edge = hypot((lid.z[1] - lid.z[0]) * depth, (lid.y[1] - lid.y[0]) * height)
+            stays = lid.z[0] * depth + edge <= depth
+            assert stays or floor_before(solids, KNOWN.furniture[kind].size) is not None, kind
+            found |= {kind} if stays else set()
+    assert "toilet" in found
 
 
 def test_what_is_labelled_openable_opens() -> None:
