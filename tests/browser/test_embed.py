@@ -90,3 +90,16 @@ def look_at_frames(visit: Visit) -> None:
     assert inner.evaluate(STAYS) == [0, 0, ""]
     refused = next(frame for frame in page.frames if frame not in (page.main_frame, inner))
     assert not refused.evaluate("document.querySelector('#stage') !== null")
+
+
+@pytest.mark.own_page
+def test_a_frame_says_that_the_card_was_taken_away_while_it_is(visit: Visit) -> None:
+    page = visit.page
+    page.goto(f"{visit.address}embed#seed=4&width=12&depth=9")
+    page.wait_for_function("compose.state.bodies.length > 0")
+    said = page.locator("#embed_said")
+    card = page.evaluate_handle("document.querySelector('#stage > canvas').getContext('webgl2').getExtension('WEBGL_lose_context')")
+    card.evaluate("card => card.loseContext()")
+    expect(said).to_have_text("The graphics card was taken away")
+    card.evaluate("card => card.restoreContext()")
+    expect(said).to_have_text("")

@@ -26,6 +26,14 @@ class Frame {
     globalThis.compose = this.#stage;
     this.#stage.onSelect = (id) => this.#stage.select(id);
     this.#stage.onFailure = (reason) => tell(reason);
+    const { canvas } = this.#stage.viewport;
+    const said = element("embed_said");
+    let before = "";
+    canvas.addEventListener("webglcontextlost", () => {
+      before = said.textContent;
+      said.textContent = say("The graphics card was taken away");
+    });
+    canvas.addEventListener("webglcontextrestored", () => { said.textContent = before; });
     window.addEventListener("hashchange", () => void this.open());
   }
 
