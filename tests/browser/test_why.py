@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Document, Visit, furniture_of, told, told_sentence
@@ -117,6 +119,37 @@ def test_a_piece_that_the_panel_would_cover_comes_out_from_under_it(visit: Visit
         assert seen == "CANVAS", piece
         page.locator("#camera_corner").click()
         visit.settle()
+
+
+def test_closed_it_gives_back_the_view_it_took(visit: Visit) -> None:
+    """Unless the view was moved since, or another piece is chosen, which may be in hand."""
+    page = visit.page
+    page.set_viewport_size({"width": 1100, "height": 700})
+    pieces = furniture_of(visit.open(DECORATED))
+    page.locator("#camera_plan").click()
+    visit.settle()
+
+    def looked(*acts: Callable[[], object]) -> list[float]:
+        for act in acts:
+            act()
+        visit.settle()
+        return [round(one, 6) for name in ("eye", "target") for one in visit.state()[name]]
+
+    def explained(piece: str) -> list[float]:
+        asked(visit, piece)
+        page.locator("#why").wait_for()
+        return looked()
+
+    before = looked()
+    first, second = [piece for piece in pieces if explained(piece) != before][:2]
+    assert looked(lambda: page.keyboard.press("Escape")) == before, "from piece to piece, and back"
+    assert explained(first) != before
+    assert looked(page.locator("#why").get_by_role("button", name="Close").click) == before
+    aside = explained(first)
+    assert looked(visit.line_of(second).click) == aside
+    explained(first)
+    corner = looked(page.locator("#camera_corner").click)
+    assert looked(lambda: page.keyboard.press("Escape")) == corner != before
 
 
 MARKS = """() => ['.ruler-words, .piece-label.chosen', '.handle, #tools, .views, .compass'].map(names =>

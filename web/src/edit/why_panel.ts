@@ -18,6 +18,8 @@ export class WhyPanel {
   onPreview: (way: OtherWay | null, room: string) => void = () => undefined;
   /** Called with a way that was chosen. */
   onTake: (way: OtherWay, room: string) => void = () => undefined;
+  /** Called once a person has closed it. */
+  onClose: () => void = () => undefined;
   #pending = new AbortController();
 
   constructor(readonly host: HTMLElement, readonly ask: AskWhy) {}
@@ -40,6 +42,11 @@ export class WhyPanel {
     if (was) this.onShow(null);
   }
 
+  close(): void {
+    this.hide();
+    this.onClose();
+  }
+
   #contents(answer: Explained, named: Named): HTMLElement[] {
     const heading = document.createElement("strong");
     heading.textContent = say("Why {piece} stands here", { piece: theWords(answer.id) });
@@ -50,7 +57,7 @@ export class WhyPanel {
     });
     const list = document.createElement("ul");
     list.append(...answer.holds.map((hold) => this.#line(hold, capital(named(hold.message)))));
-    const close = button(say("Close"), () => this.hide());
+    const close = button(say("Close"), () => this.close());
     close.className = "why-close";
     const ways = this.#ways(answer, named);
     const cost = document.createElement("p");

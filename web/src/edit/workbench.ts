@@ -88,6 +88,7 @@ export class Workbench {
       if (answer) this.stage.uncover(answer.id, this.#why.host);
       this.#previewWay(null);
     };
+    this.#why.onClose = () => this.stage.viewport.back();
     this.#why.onPreview = (way) => this.#previewWay(way);
     this.#why.onTake = (way, room) => { if (home.selected !== null) this.#acts.stand(home.selected, way, room); };
     this.#floorSwitch.addEventListener("change", () => this.#showFloor());
@@ -371,7 +372,7 @@ export class Workbench {
     if (event.key === "Escape" && this.#adding.hide()) return () => undefined;
     if (event.key === "Escape" && this.#numbers.tape.isOut) return () => this.#measureWithTape(false);
     if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
-    if (event.key === "Escape" && !this.#why.host.hidden) return () => this.#why.hide();
+    if (event.key === "Escape" && !this.#why.host.hidden) return () => this.#why.close();
     if (event.key.toLowerCase() === "a") return () => this.#openPalette();
     if (event.key.toLowerCase() === "m") return () => this.#measureWithTape();
     if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();

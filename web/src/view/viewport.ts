@@ -1,7 +1,5 @@
 /** The canvas: renderer, lights, camera. Draws a frame only when something asks for one. */
-import {
-  Box3, Color, MOUSE, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, type Object3D, type WebGLRenderer,
-} from "three";
+import { Box3, Color, MOUSE, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, type Object3D, type WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, windowOf, type Framing, type PresetName, type Vector } from "./cameras";
@@ -54,6 +52,8 @@ export class Viewport {
   #isFlat = false;
   /** Where the last flight leads. */
   #goal: Framing | null = null;
+  /** Where flights out from under a cover have led, and how it was looked before them. */
+  #aside: { readonly goal: Framing; readonly preset: PresetName | null; readonly from: Framing } | null = null;
   /** Who walks; the camera is theirs. */
   #walker: Pose | null = null;
   #size = { width: 1, height: 1 };
@@ -153,9 +153,7 @@ export class Viewport {
   }
 
   /** Keeps the camera still while something is held. */
-  hold(held: boolean): void {
-    this.#controls.enabled = !held;
-  }
+  hold(held: boolean): void { this.#controls.enabled = !held; }
 
   castShadows(): void {
     this.#renderer.shadowMap.needsUpdate = true;
@@ -174,9 +172,19 @@ export class Viewport {
     if (this.#walker) return;
     const { eye, target, fov } = this.#framing;
     const aside = (Math.hypot(...plus(eye, target, -1)) * Math.tan((fov * Math.PI) / 360) * covered) / this.#size.height;
-    const goal = plus(at, new Vector3().setFromMatrixColumn(this.camera.matrix, 0).toArray(), aside);
+    const middle = plus(at, new Vector3().setFromMatrixColumn(this.camera.matrix, 0).toArray(), aside);
+    const goal = { eye: plus(eye, plus(middle, target, -1)), target: middle, fov };
+    const before = this.#aside?.goal === this.#goal ? this.#aside : { preset: this.#preset, from: this.#framing };
+    this.#aside = covered > 0 ? { ...before, goal } : null;
     this.#preset = null;
-    this.#fly({ eye: plus(eye, plus(goal, target, -1)), target: goal, fov });
+    this.#fly(goal);
+  }
+
+  /** Flies back to before a point came out from under what covered it, unless something else has moved the view since. */
+  back(): void {
+    if (!this.#aside || this.#aside.goal !== this.#goal) return;
+    if (this.#aside.preset) this.look(this.#aside.preset);
+    else this.#fly(this.#aside.from);
   }
 
   get #framing(): Framing { return { eye: this.camera.position.toArray(), target: this.#controls.target.toArray(), fov: this.camera.fov }; }
@@ -302,14 +310,10 @@ export class Viewport {
   }
 
   /** Who walks, and looks from where; null from outside. */
-  get pose(): Pose | null {
-    return this.#walker;
-  }
+  get pose(): Pose | null { return this.#walker; }
 
   /** Of the canvas [CSS pixels], read without asking the page for its layout. */
-  get size(): { readonly width: number; readonly height: number } {
-    return this.#size;
-  }
+  get size(): { readonly width: number; readonly height: number } { return this.#size; }
 
   /** The ray under a point of the window [CSS pixels]. */
   rayAt(clientX: number, clientY: number): Raycaster {
@@ -375,14 +379,10 @@ export class Viewport {
   }
 
   /** The way from what is looked at to the eye [m]. */
-  get seenFrom(): Vector3 {
-    return this.#from.subVectors(this.camera.position, this.#controls.target);
-  }
+  get seenFrom(): Vector3 { return this.#from.subVectors(this.camera.position, this.#controls.target); }
 
   /** How far north is turned clockwise from the top of the screen [rad]. */
-  get heading(): number {
-    return this.#walker?.yaw ?? this.#controls.getAzimuthalAngle();
-  }
+  get heading(): number { return this.#walker?.yaw ?? this.#controls.getAzimuthalAngle(); }
 
   /** What the canvas costs and where it looks from. */
   get state() {
