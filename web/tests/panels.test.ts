@@ -203,7 +203,7 @@ describe("a file that was read", () => {
   it("calls the plan so, and what was left out of a room as things are called", () => {
     const { list, report } = reported();
     report.show(answer({
-      scene: scene([room("a", [0, 0, 4, 4])]),
+      scene: scene([room("a", [0, 0, 4, 4], { openings: [opening({ connects_to: "EXTERIOR" })] })]),
       guesses: [{ of: "plan", what: "wall thickness", taken: "0.1", message: "the file does not say how thick walls are" }],
       unread: [{ place: "a/table_2", reason: "cannot stand" }],
     }));
@@ -215,19 +215,22 @@ describe("a file that was read", () => {
     const plan = scene([room("kitchen_1", [0, 0, 4, 4], { type: "kitchen" }), room("bedroom_2", [3, 0, 4, 4])]);
     const message = "kitchen_1 and bedroom_2 are rooms that share floor: 90 cm from west to east, 3.9 m from north to south";
     const issues = [{ rule: "rooms_overlap", severity: "warning" as const, room: "kitchen_1", ids: [], message, amount: 0.9 }, { rule: "missing_required", severity: "warning" as const, room: "bedroom_2", ids: [], message: "no bed", amount: 0 }];
-    const lines = ["To be checked (2)", "The kitchen and the bedroom are rooms that share floor: 90 cm from west to east, 3.9 m from north to south", "No door leads outside: ways are judged from the largest piece of free floor"];
+    const lines = ["To be checked (3)", "The kitchen and the bedroom are rooms that share floor: 90 cm from west to east, 3.9 m from north to south", "No room has a door", "No door leads outside: ways are judged from the largest piece of free floor"];
     report.show(answer({ scene: plan, issues }));
     expect(told(list)).toEqual(lines);
     report.show(null);
     report.guessed({ guesses: [], entrance: null, issues }, plan);
     expect([host.hidden, ...told(list)]).toEqual([false, ...lines]);
-    report.show(answer({ scene: scene([room("a", [0, 0, 4, 4], { openings: [opening({ connects_to: "EXTERIOR" })] }), room("b", [4, 0, 4, 4])]) }));
+    const outside = room("a", [0, 0, 4, 4], { openings: [opening({ connects_to: "EXTERIOR" })] });
+    report.show(answer({ scene: scene([outside, room("b", [4, 0, 4, 4], { openings: [opening({ kind: "window" })] }), room("c", [8, 0, 4, 4], { outdoor: true })]) }));
+    expect(told(list)).toEqual(["To be checked (1)", "Bedroom 2 has no door"]);
+    report.show(answer({ scene: scene([outside, room("b", [4, 0, 4, 4], { openings: [opening({ connects_to: "a" })] })]) }));
     expect(host.hidden).toBe(true);
   });
 
   it("says what a plan's rooms were taken for once they are furnished, before the rest of its file", () => {
     const { host, list, report } = reported();
-    const plan = scene([room("a", [0, 0, 4, 4], { type: "room", openings: [opening({ connects_to: "EXTERIOR" })] }), room("b", [4, 0, 4, 4], { type: "room" })]);
+    const plan = scene([room("a", [0, 0, 4, 4], { type: "room", openings: [opening({ connects_to: "EXTERIOR" })] }), room("b", [4, 0, 4, 4], { type: "room", openings: [opening({ connects_to: "a" })] })]);
     const kitchen = { guesses: [{ room: "a", type: "kitchen", by: "form" as const, sent: "room", instead: null, message: "" }], entrance: null, issues: [] };
     const unsaid = { what: "type", taken: "room", message: "the file does not say what it is" };
     report.show(answer({ scene: plan, guesses: [{ of: "a", ...unsaid }, { of: "b", ...unsaid }], unread: [{ place: "objects[2]", reason: "is unknown" }] }));

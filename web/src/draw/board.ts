@@ -2,6 +2,7 @@
 import type { Catalog, FixAnswer, FixRequest, GenerateAnswer, Issue, Room, Scene, ValidateAnswer } from "../contract";
 import { Live } from "../edit/live";
 import { Toolbar, type Tool } from "../edit/toolbar";
+import { doorlessIn } from "../panel/imported";
 import { inWords } from "../panel/programme";
 import { boxOf, type Box, type Point } from "./corners";
 import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
@@ -202,8 +203,13 @@ export class Board {
     this.#toolbar.enable("redo", this.#plan.canRedo);
     for (const name of ["furnish", "show"]) this.#toolbar.enable(name, isPlan);
     this.#inspector.show([this.#beneath()], clearAreas(this.#plan.draft));
-    const head = this.#issues.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: this.#issues.length });
-    this.#found.replaceChildren(group(head, ...this.#issues.map((issue) => button(tellSentence(issue.message, this.scene), () => this.#plan.choose({ room: issue.room ?? null }), { className: `issue issue-${issue.severity}` }))));
+    const { scene } = this;
+    const found = [
+      ...this.#issues.map(({ message, room, severity }) => ({ words: tellSentence(message, scene), room, severity })),
+      ...doorlessIn(scene).map((one) => ({ ...one, severity: "warning" })),
+    ];
+    const head = found.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: found.length });
+    this.#found.replaceChildren(group(head, ...found.map(({ words, room, severity }) => button(words, () => this.#plan.choose({ room: room ?? null }), { className: `issue issue-${severity}` }))));
     this.#draw();
   }
 

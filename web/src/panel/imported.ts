@@ -10,9 +10,18 @@ type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread" | "iss
 
 const PLAN_RULES: ReadonlySet<string> = new Set(["rooms_overlap", "opening_wrong"]);
 
-/** What somebody should look at in a plan, furnished or not: what breaks a rule about it, and that a home has no way in. */
+/** Which rooms indoors nobody can come into, in words; of all at once where there is no door at all. */
+export function doorlessIn({ rooms }: Pick<Scene, "rooms">): readonly { readonly room: string | null; readonly words: string }[] {
+  const names = roomNames({ rooms });
+  const indoors = rooms.filter(({ outdoor }) => !outdoor);
+  const closed = indoors.filter(({ openings }) => openings.every(({ kind }) => kind === "window"));
+  if (closed.length > 1 && closed.length === indoors.length) return [{ room: null, words: say("No room has a door") }];
+  return closed.map(({ id }) => ({ room: id, words: say("{room} has no door", { room: capital(names.get(id) ?? id) }) }));
+}
+
+/** What somebody should look at in a plan, furnished or not: what breaks a rule about it, and that a room or the home has no way in. */
 function toCheck(issues: Read["issues"], scene: Pick<Scene, "rooms">): string[] {
-  const wrong = issues.filter(({ rule }) => PLAN_RULES.has(rule)).map(({ message }) => tellSentence(message, scene));
+  const wrong = [...issues.filter(({ rule }) => PLAN_RULES.has(rule)).map(({ message }) => tellSentence(message, scene)), ...doorlessIn(scene).map(({ words }) => words)];
   const leadsOut = scene.rooms.some(({ openings }) => openings.some(({ kind, connects_to: to }) => kind !== "window" && (to === "EXTERIOR" || to === null)));
   const isHome = scene.rooms.filter(({ outdoor }) => !outdoor).length > 1;
   return isHome && !leadsOut ? [...wrong, say("No door leads outside: ways are judged from the largest piece of free floor")] : wrong;
