@@ -249,8 +249,11 @@ def test_a_door_is_moved_and_all_is_undone(board: DrawingBoard) -> None:
     board.page.keyboard.press("ArrowRight")
     assert board.page.get_by_label("From the west corner, m").input_value() == "1.60"
     assert board.verdict()["rooms"][0]["openings"][1]["position"] == 2.05
-    for _ in range(8):
-        board.page.keyboard.press("Control+z")
+    for steps, said in ((6, "No room has a door"), (1, "Room has no door")):
+        for _ in range(steps):
+            board.page.keyboard.press("Control+z")
+        expect(board.page.locator(".drawing-side .issue").last).to_have_text(said)
+    board.page.keyboard.press("Control+z")
     assert (board.rooms(), board.openings()) == ([], 0)
     for _ in range(8):
         board.page.keyboard.press("Control+Shift+z")
