@@ -43,12 +43,12 @@ def _room_message(world: World, walk: Walk, place: PlacedRoom) -> str:
 
 def _behind(world: World, place: PlacedRoom) -> str:
     """Says which room could be come from through a wall: where the most wall is shared, and somebody fits through."""
-    shared = []
-    for other in (one for one in world.places if one is not place and one.room.level == place.room.level):
-        edges = [edge.moved(other.x, other.z) for edge in other.edges]
-        for own in (edge.moved(place.x, place.z) for edge in place.edges):
-            meeting = (edge for edge in edges if edge.side == OPPOSITE[own.side] and edge.line == own.line)
-            shared += [(min(own.end, edge.end) - max(own.start, edge.start), own.side, other.room.id) for edge in meeting]
+    shared = [
+        (min(own.end, edge.end) - max(own.start, edge.start), own.side, other.room.id)
+        for own in (edge.moved(place.x, place.z) for edge in place.edges)
+        for other, edge in world.walls_along.get((place.room.level, OPPOSITE[own.side], own.line), ())
+        if other is not place
+    ]
     length, wall, room = max(shared, key=lambda one: one[0], default=(0, "", ""))
     return f"; it shares {words(length)} of its {wall} wall with {room}" if length >= world.robot else ""
 

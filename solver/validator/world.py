@@ -108,6 +108,15 @@ class World:
                     found.setdefault(hole.opening.connects_to, []).append((place, hole))
         return found
 
+    @kept
+    def walls_along(self) -> Mapping[tuple[int, str, int], Sequence[tuple[PlacedRoom, WallEdge]]]:
+        """The walls of rooms, where they lie in the house, by storey, side and line."""
+        found: dict[tuple[int, str, int], list[tuple[PlacedRoom, WallEdge]]] = {}
+        for place in self.places:
+            for edge in (edge.moved(place.x, place.z) for edge in place.edges):
+                found.setdefault((place.room.level, edge.side, edge.line), []).append((place, edge))
+        return found
+
 
 def world_of(scene: Scene, before: World | None = None) -> World:
     """Reads a scene into exact numbers.
