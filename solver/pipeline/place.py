@@ -23,6 +23,10 @@ Asking: TypeAlias = Callable[[Sequence[PieceRequest]], PlaceTask]
 """Makes the task of other requests for the same room."""
 
 
+MOST_FIRM = 4
+"""How many of those left out are asked for with all that comes before them in the list."""
+
+
 def place(  # noqa: PLR0913 - keyword-only options of a public function
     room: Room,
     pieces: Sequence[PieceRequest],
@@ -93,14 +97,7 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
         other = best_placement(listed, listed.pieces)
         if other.score[:3] <= found.score[:3]:
             task, found = listed, other
-    gone = {label for label, _ in found.arrangement.left_out}
-    first = next((k for k, piece in enumerate(pieces) if piece.required and not gone.isdisjoint(piece.labels)), len(pieces))
-    firm = [replace(piece, required=piece.required and k <= first) for k, piece in enumerate(pieces)]
-    if firm != [*pieces] and not is_call_spent():
-        listed = replace(in_room(firm, setting=task.setting, as_sent=True), requests=task.requests)
-        other = best_placement(listed, listed.pieces)
-        if other.score < found.score:
-            task, found = listed, replace(other, whole=False)
+    task, found = _first_of_the_list(in_room, task, found, pieces)
     gone = {label for label, _ in found.arrangement.left_out}
     apart = [without_partings(request, gone) for request in pieces]
     if apart != [*pieces] and not is_call_spent():
@@ -120,6 +117,33 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
         if not other.score[0]:
             return replace(bare, requests=task.requests), replace(other, whole=False)
     return task, found
+
+
+def _first_of_the_list(
+    in_room: Callable[..., PlaceTask], task: PlaceTask, found: Round, pieces: Sequence[PieceRequest]
+) -> tuple[PlaceTask, Round]:
+    """Returns the better one of a placement and those in which what was left out of it stands with all that comes before it in the list.
+
+    Each is asked for with those before it that stand, all later ones only if they find a place.
+    """
+    best, last, held, tries = (task, found), found, set[str](), 0
+    for piece in pieces:
+        gone = {label for label, _ in last.arrangement.left_out}
+        if not piece.required or not gone or tries == MOST_FIRM or is_call_spent():
+            continue
+        if gone.isdisjoint(piece.labels):
+            held.add(piece.id)
+            continue
+        firm = [replace(one, required=one.id == piece.id or one.id in held) for one in pieces]
+        if firm == [*pieces]:  # that was tried
+            continue
+        listed, tries = replace(in_room(firm, setting=task.setting, as_sent=True), requests=task.requests), tries + 1
+        other = best_placement(listed, listed.pieces)
+        if any(one.required and not {*one.labels}.isdisjoint(label for label, _ in other.arrangement.left_out) for one in firm):
+            continue
+        held.add(piece.id)
+        best, last = min(best, (listed, replace(other, whole=False)), key=lambda one: one[1].score), other
+    return best
 
 
 def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from itertools import combinations, takewhile
 from random import Random
 
 import pytest
@@ -197,3 +198,19 @@ def test_of_two_that_cannot_both_stand_the_first_does_where_it_can_alone() -> No
         both += not gone
         assert first.id not in gone or place(room, [first]).best.unplaced, (seed, first.id, second.id)
     assert both
+
+
+def test_of_three_none_is_left_out_that_could_stand_instead_of_a_later_one_or_beside_the_others() -> None:
+    """Where a later one had no place, either, the first went."""
+    kinds, some = ("bed", "single_bed", "sofa", "wardrobe", "desk", "bathtub", "dining_table", "dresser", "piano", "bookshelf"), 0
+    for seed in seeds(range(400), 4):
+        chance = Random(seed)
+        room = Room("den", width=round(chance.uniform(1.9, 3.2), 2), depth=round(chance.uniform(1.9, 3.2), 2))
+        listed = [PieceRequest(kind) for kind in chance.sample(kinds, 3)]
+        gone = {one.id for one in place(room, listed).best.unplaced}
+        stand = tuple(one for one in listed if one.id not in gone)
+        some += len(stand) == 2
+        beside = [(*stand, one) for one in listed if one.id in gone]
+        for better in (*beside, *takewhile(lambda part: part != stand, combinations(listed, len(stand)))):  # noqa: B023
+            assert place(room, better).best.unplaced, (seed, gone, better)
+    assert some
