@@ -224,7 +224,7 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     assert visit.console == []
 
 
-def test_a_plan_whose_rooms_share_floor_is_not_furnished_until_they_do_not(visit: Visit) -> None:
+def test_rooms_that_share_floor_are_not_furnished_until_they_do_not(visit: Visit) -> None:
     """As files have it: on the sheet no room is drawn over another."""
     outlines = {"Bedroom": ((0, 0), (4, 0), (4, 4), (0, 4)), "Living room": ((3, 0), (8, 0), (8, 4), (3, 4))}
     rooms = [{"properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [points]}} for name, points in outlines.items()]
@@ -235,12 +235,17 @@ def test_a_plan_whose_rooms_share_floor_is_not_furnished_until_they_do_not(visit
     given: FilePayload = {"name": "plan.geojson", "mimeType": "application/json", "buffer": content}
     visit.reopened(lambda: page.locator("#file").set_input_files(given))
     board = DrawingBoard(visit).open("Change this plan")
-    furnish = page.get_by_role("button", name="Furnish the rooms")
-    expect(page.locator(".drawing-side .issue", has_text="rooms that share floor")).to_be_visible()
-    furnish.click()
-    expect(page.locator(".drawing-said")).to_contain_text("Bedroom and Living room are rooms that share floor")
-    expect(page.locator(".sheet")).to_be_visible()
-    assert not any(url.endswith("/furnish") for url in visit.requests)
+    checked = page.locator("#imported", has_text="rooms that share floor")
+    board.furnish()
+    expect(checked).to_be_visible()
+    with page.expect_response(lambda response: response.url.endswith("/furnish")) as caught:
+        page.locator("#furnish_now").evaluate("one => one.click()")
+    visit.settle()
+    for scene in (caught.value.json()["scene"], page.evaluate("compose.scene")):
+        assert [len(room["furniture"]) for room in scene["rooms"]] == [0, 0]
+    expect(checked).to_be_visible()
+    board.open("Change this plan")
+    page.locator(".drawing-side .issue", has_text="rooms that share floor").click()
     page.get_by_role("button", name="Delete the room").click()
     board.judge()
     assert len(board.furnish()["scene"]["rooms"]) == 1

@@ -23,7 +23,6 @@ const NEW_ROOM = { width: 4000, depth: 3000 } as const;
 const UNSAID_COLOR = "#cfd6de";
 const REPEATED: ReadonlySet<string> = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"]);
 const MISSING = "missing_required";
-const SHARED = "rooms_overlap";
 
 export interface BoardCalls {
   catalog(signal: AbortSignal): Promise<Catalog>;
@@ -143,18 +142,10 @@ export class Board {
       { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.#plan.undo() },
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.#plan.redo() },
       { name: "fit", words: "Fit all in view", sign: "Fit", keys: "F", act: () => this.#fit() },
-      { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.#furnish() },
+      { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.words.furnish(atOrigin(this.scene)) },
       { name: "show", words: "Show in 3D as it is", sign: "Show", act: () => this.words.show(atOrigin(this.scene)) },
       { name: "close", words: "Close the drawing", sign: "✕", act: () => this.close() },
     ];
-  }
-
-  /** Rooms that share floor are shown and said: what stands in one would stand in the other. */
-  #furnish(): void {
-    const shared = this.#issues.find(({ rule }) => rule === SHARED);
-    if (!shared) return this.words.furnish(atOrigin(this.scene));
-    this.#plan.choose({ room: shared.room ?? null });
-    this.#say(tellSentence(shared.message, this.scene));
   }
 
   #use(tool: ToolName): void {
