@@ -48,7 +48,7 @@ def _built(request: Request, name: str) -> Response:
 
 def _newest(request: Request, path: Path) -> Response:
     """Sends a file that browsers ask for every time; no more than that it is the same to one that has it."""
-    response = Files().file_response(path, path.stat(), request.scope)
+    response = WholeFiles().file_response(path, path.stat(), request.scope)
     response.headers["Cache-Control"] = "no-cache"
     return response
 
@@ -76,7 +76,7 @@ async def asset(request: Request) -> Response:
     return response
 
 
-class Files(StaticFiles):
+class WholeFiles(StaticFiles):
     """Files that are sent in one go, and not again to who has them."""
 
     def file_response(self, *args: Any, **kwargs: Any) -> Response:
@@ -87,7 +87,7 @@ class Files(StaticFiles):
         return response
 
 
-class Assets(Files):
+class Assets(WholeFiles):
     """The page's files. Their names carry a digest of their content, so they may be kept for ever."""
 
     def __init__(self) -> None:

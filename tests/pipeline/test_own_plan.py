@@ -106,14 +106,16 @@ def test_a_room_that_no_furniture_is_known_for_is_named_and_its_certificate_says
 
 
 def test_rooms_that_share_floor_are_left_and_named() -> None:
-    rooms = (BEDROOM, replace(BEDROOM, id="b", x=3.9), replace(BEDROOM, id="c", x=7.9), replace(BEDROOM, id="upstairs", level=1))
+    rooms = (BEDROOM, replace(BEDROOM, id="b", x=3.5), replace(BEDROOM, id="c", x=7.5), replace(BEDROOM, id="upstairs", level=1))
     made = furnish(Scene(rooms=rooms), seed=1)
     words = "shares floor with {}: what stands in one would stand in the other"
     assert made.left == {"a": words.format("b"), "b": words.format("a")}
     assert [bool(room.furniture) for room in made.scene.rooms] == [False, False, True, True]
-    moved = tuple(replace(room, x=room.x + 0.1 * (room.id in "bc")) for room in made.scene.rooms)
+    moved = tuple(replace(room, x=room.x + 0.3 * (room.id in "bc")) for room in made.scene.rooms)
     apart = furnish(replace(made.scene, rooms=moved), seed=1)
     assert apart.left == {} and all(room.furniture for room in apart.scene.rooms)
+    unplaced = furnish(Scene(rooms=(BEDROOM, replace(BEDROOM, id="b"))), seed=1)
+    assert unplaced.left == {} and all(room.furniture for room in unplaced.scene.rooms)
 
 
 @pytest.mark.parametrize(("width", "called", "thickness", "stays"), [
