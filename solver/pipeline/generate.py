@@ -29,7 +29,7 @@ from solver.request import MAX_SEED, Request
 from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids, check_scene, storey_height
 from solver.streams import Stream
-from solver.validator import RULES, check, validate
+from solver.validator import RULES, check, check_made, validate
 from solver.version import VERSION
 
 STOREY_HEIGHT = 2.8
@@ -110,7 +110,7 @@ def generate(
     timing.lap("decorations")
     scene = inhabited(scene, scene.rooms, Household(seed, setting.catalogs, lambda room: spaces[room.id]))
     timing.lap("people")
-    checked = check(scene, known)
+    checked = check_made(scene, known)
     scene = with_access(with_fronts(scene, checked), known)
     timing.lap("validate")
     return Generated(with_assets(scene, known), checked.issues, timing.ms)

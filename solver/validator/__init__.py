@@ -7,7 +7,7 @@ found, so that a changed scene is checked again only where it changed. Adding a 
 """
 
 from solver.validator.accessibility import access_of
-from solver.validator.checking import Checked, RoomAlone, check, room_alone, validate
+from solver.validator.checking import Checked, RoomAlone, check, check_made, room_alone, validate
 from solver.validator.floor import floors
 from solver.validator.house_plan import sharing_floor
 from solver.validator.judging import FINDING_WORK
@@ -21,6 +21,7 @@ __all__ = [
     "RoomAlone",
     "access_of",
     "check",
+    "check_made",
     "floors",
     "metrics",
     "room_alone",

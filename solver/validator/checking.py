@@ -90,7 +90,12 @@ def validate(scene: Scene, catalogs: Catalogs | None = None) -> tuple[Issue, ...
 
 def check(scene: Scene, catalogs: Catalogs) -> Checked:
     """Returns a scene, in the catalogs' words, with its issues, all of it checked."""
-    return _checked(understood(scene, catalogs).scene, kinds_of(catalogs), ())
+    return check_made(understood(scene, catalogs).scene, catalogs)
+
+
+def check_made(scene: Scene, catalogs: Catalogs) -> Checked:
+    """Returns a scene that was made here, in the catalogs' words, with its issues, all of it checked."""
+    return _checked(scene, kinds_of(catalogs), ())
 
 
 def _same_shell(one: Scene, other: Scene) -> bool:
