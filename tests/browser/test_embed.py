@@ -96,7 +96,7 @@ def look_at_frames(visit: Visit) -> None:
 def test_a_frame_says_that_the_card_was_taken_away_while_it_is(visit: Visit) -> None:
     page = visit.page
     page.goto(f"{visit.address}embed#seed=4&width=12&depth=9")
-    page.wait_for_function("compose.state.bodies.length > 0")
+    expect(page.locator("#stage")).to_have_attribute("aria-busy", "false")
     said = page.locator("#embed_said")
     card = page.evaluate_handle("document.querySelector('#stage > canvas').getContext('webgl2').getExtension('WEBGL_lose_context')")
     card.evaluate("card => card.loseContext()")
