@@ -180,6 +180,8 @@ class Candidate:
     on: str | None = None
     """The label of the piece it stands on; these two may overlap in plan."""
     slack_mm: int | None = None
+    stretch_of: str | None = None
+    """The wall of an outline before whose stretch `within` lies (used by /fix)."""
     stance: Stance | None = None
     """How it stands in the room, where others' candidates depend on that (`Attach.parent_stance`)."""
 

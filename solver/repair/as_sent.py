@@ -251,7 +251,7 @@ def _at_wall(way: Candidate, wall: str, walls: Walls) -> list[tuple[Candidate, R
     for name, line, start, end in walls.inner:
         if name == wall:
             region = walls.before((name, line, start - along // 2, end + along // 2), across + slack).common(walls.clear)
-            found.append((replace(way, wall=None, within=region), region))
+            found.append((replace(way, wall=None, within=region, stretch_of=wall), region))
     return found
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from solver.free_places import footprint
-from solver.geometry import WALL_BEHIND, Rect, half_m, wall_turned
+from solver.geometry import WALL_BEHIND, Rect, half_m
 from solver.pieces import Placed
 from solver.repair.bodies import (
     AT_TABLE_MM,
@@ -41,14 +41,11 @@ def written_back(problem: RoomProblem, placed: Iterable[Placed]) -> Room:
 
 def _posed(body: Body, to: Placed, carried: bool) -> Body:
     """Returns the body at its placed pose."""
-    turn = to.rotation - squared(body.rotation)
     pose = replace(body, x=half_m(to.footprint.x0 + to.footprint.x1), z=half_m(to.footprint.z0 + to.footprint.z1), rotation=to.rotation)
     if not isinstance(pose, Furniture) or pose.wall is None or carried:
         return pose
-    if to.wall is not None or to.chosen.attach is not None:
-        return replace(pose, wall=to.wall)
-    # at an inner edge of an outline: the back keeps its angle to the wall
-    return replace(pose, wall=wall_turned(pose.wall, turn))
+    as_sent = pose.wall if to.chosen.attach is None else None
+    return replace(pose, wall=to.wall or to.chosen.stretch_of or as_sent)
 
 
 def applied(room: Room, repair: Repair) -> Room:

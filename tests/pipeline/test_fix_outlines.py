@@ -89,6 +89,16 @@ def test_a_piece_finds_the_inner_edge_when_its_wall_is_taken() -> None:
     assert after.z == pytest.approx(1.85, abs=0.2)
 
 
+@pytest.mark.parametrize("name", ["bookshelf", "box"])
+def test_a_piece_far_from_its_wall_says_at_which_inner_edge_it_is_now(name: str) -> None:
+    """Its back is turned to the inner edge, 0.3 m away, and what it names as its wall is 2.3 m away."""
+    outline = ((0.0, 0.0), (2.8, 0.0), (2.8, 2.4), (4.0, 2.4), (4.0, 4.0), (0.0, 4.0))
+    piece = replace(body(f"{name}_1", 2.45, 1.2, (1.0, 0.3, 1.8), wall="west"), rotation=270)
+    fixed = fix(room_of(piece, width=4.0, depth=4.0, outline=outline))
+    assert errors(fixed.scene) == [], fixed.conflicts
+    assert pieces(fixed.scene)[piece.id].wall == "east"
+
+
 def test_a_counter_clockwise_outline_is_the_same_room() -> None:
     scene = shaped("L", body("sofa_1", 3.0, 2.1, (1.6, 0.8, 0.8)))
     turned = replace(scene, rooms=(replace(scene.rooms[0], outline=tuple(reversed(SHAPES["L"]))),))
