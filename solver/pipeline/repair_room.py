@@ -202,12 +202,16 @@ class _Trials:
         return None
 
     def _few(self, order: tuple[str, ...]) -> tuple[str, ...] | None:
-        """Returns a run of these that helps: it ends as early as can be, then begins as late as can be."""
+        """Returns some of these that help, none of which can stay: those that stand first in order, else the most important, stay out."""
         if not self._without(order):
             return None
         last = _least(1, len(order), lambda count: self._without(order[:count]))
         count = _least(0, last, lambda count: self._without(order[last - count : last]))
-        return order[last - count : last]
+        few = order[last - count : last]
+        for label in few[-2:0:-1]:
+            fewer = tuple(one for one in few if one != label)
+            few = fewer if self._without(fewer) else few
+        return few
 
     def _without(self, labels: tuple[str, ...]) -> bool:
         """Tells whether all others can be used without these."""
