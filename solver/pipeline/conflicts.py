@@ -56,12 +56,21 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     offered: Sequence[tuple[Repair, ...]] = [()] * len(verdicts)
     if verdicts and settings.offering:
         bare, work = house.after(replace(house.scene, dynamic=())), settings.explaining_work
-        goal = RepairGoal(bare, _asked(repair), Budget(work))
+        budget = Budget(work)
+        goal = RepairGoal(bare, _asked(repair), budget, _is_shut_by_itself(bare, repair.problem.room, budget))
         if len(verdicts) == 1 or _helps_to_leave_all(goal, verdicts):
             verdicts = verdicts if settings.remove else _by_itself(replace(goal, budget=Budget(work / WALKING_SHARE)), verdicts)
             offered = [_offered(goal, one, verdicts) for one in verdicts]
     told = [Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True)]
     return tuple(one for k, one in enumerate(told) if one not in told[:k])  # of two pieces the reason may be the same
+
+
+def _is_shut_by_itself(house: Checked, room: Room, budget: Budget) -> bool:
+    """Tells whether nobody can come into a room of a house even where it is empty."""
+    if all(issue.ids or issue.room != room.id for issue in house.errors):
+        return False
+    rooms = tuple(replace(one, furniture=(), decorations=()) if one.id == room.id else one for one in house.scene.rooms)
+    return any(issue.room == room.id for issue in judged_again(house, replace(house.scene, rooms=rooms), (room.id,), budget).errors)
 
 
 def _leaving(one: _Verdict) -> Repair:
@@ -220,7 +229,7 @@ PIECE_WORK, BODY_WORK = 20.0, 2.0
 
 @dataclass(frozen=True)
 class RepairGoal:
-    """What a repair has to do: the room must break no rule in the house as it is answered, without people.
+    """What a repair has to do: the room must break no rule in the house as it is answered, without people, but that it is `shut` by itself.
 
     `problems` are the room as it is answered, and as it was sent: repaired, all pieces of each must find their places.
     """
@@ -228,6 +237,7 @@ class RepairGoal:
     house: Checked
     problems: tuple[RoomProblem, ...]
     budget: Budget
+    shut: bool = False
 
     @property
     def bodies(self) -> Mapping[str, Body]:
@@ -334,11 +344,11 @@ def _whole(problem: RoomProblem, budget: Budget, thoroughly: bool) -> Room | Non
 
 
 def _is_clean(goal: RepairGoal, room: Room) -> bool:
-    """Tells whether a room breaks no rule in the house; what floats is put to rest without moving any piece."""
+    """Tells whether a room breaks no rule in the house but what it does empty; what floats is put to rest without moving any piece."""
     scene = goal.house.scene
     rooms = tuple(room if one.id == room.id else one for one in scene.rooms)
     errors = judged_again(goal.house, replace(scene, rooms=rooms), (room.id,), goal.budget).errors
-    return not any(issue.room == room.id and issue.rule != "floating" for issue in errors)
+    return not any(issue.room == room.id and issue.rule != "floating" and (issue.ids or not goal.shut) for issue in errors)
 
 
 def _with(problem: RoomProblem, repair: Repair) -> RoomProblem:

@@ -75,14 +75,14 @@ class _LeftOver:
         here = self._by_room.get(issue.room or "", ())
         if not issue.ids and _has_no_way_in(self.house.scene, issue.room):
             return Conflict((), f"{issue.room} has no way in: no door or passage leads into it")
-        if not issue.ids and (here or self.conflicts):
+        if not issue.ids and self.conflicts and (issue.rule, issue.room) not in self._lasting:
             return None
         if self._explained.intersection(issue.ids) or (issue.ids and self._waiting.issuperset(issue.ids)):
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
         here = here or self._reaching_in(issue)
-        if here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
+        if issue.ids and here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
             self._waiting.update(issue.ids)
             missing = "out of reach" if issue.rule == "unreachable" else "no repair"
             words = f"not found: {missing}{WAITING}{issue.message}"
@@ -118,6 +118,11 @@ class _LeftOver:
     def _left_without(self) -> dict[str, frozenset[tuple[str, tuple[str, ...]]] | None]:
         """The rules, and whose they are, of the errors without each body that was tried; None where the budget was spent."""
         return {}
+
+    @cached_property
+    def _lasting(self) -> frozenset[tuple[str, str | None]]:
+        """Which errors of no body's own last in the house without any body."""
+        return _without_bodies(self.house, self.budget)
 
     @cached_property
     def _waiting(self) -> set[str]:

@@ -13,7 +13,7 @@ from solver.pipeline.left_over import LEAVING_WORK, unexplained
 from solver.repair import RepairSettings
 from solver.scene import Dynamic, Opening, Room
 from solver.validator import Checked, check
-from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, untrue_repairs
+from tests.pipeline.fix_rooms import body, errors, fuzzed, pieces, room_of, untrue_repairs, with_repair
 from tests.sweeps import seeds
 from tests.told_forms import is_told
 
@@ -63,6 +63,21 @@ def test_nothing_is_said_of_a_room_that_a_conflict_elsewhere_shuts() -> None:
     assert errors(fixed.scene)
     assert fixed.conflicts
     assert not any(PLANT.id in conflict.ids for conflict in fixed.conflicts)
+
+
+def test_what_is_wrong_with_the_empty_room_is_said_beside_its_conflicts_which_end_by_themselves() -> None:
+    """A closet of 1.0 x 1.15 m: too small to stand in for somebody, and the chest is too long for it."""
+    door = Opening("front", "door", "west", 0.45, 0.9, connects_to="EXTERIOR")
+    chest = body("chest_1", 0.5, 0.9, (1.5, 0.5, 0.5))
+    fixed = fix(room_of(chest, width=1.0, depth=1.15, openings=(door,)))
+    told = "not found: no repair for this: room_0 has less than 0.25 m2 where somebody 60 cm wide can stand"
+    assert [conflict.message for conflict in fixed.conflicts if not conflict.ids] == [told]
+    assert is_told(told)
+    (about,) = [conflict for conflict in fixed.conflicts if conflict.ids]
+    assert about.ids == (chest.id,)
+    assert {"action": "leave_out", "id": chest.id} in about.repairs
+    for repair in about.repairs:
+        assert {conflict.message for conflict in fix(with_repair(fixed.scene, repair)).conflicts} == {told}
 
 
 def test_with_remove_what_shuts_the_way_goes_and_only_a_missing_door_stays() -> None:
