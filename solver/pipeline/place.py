@@ -124,26 +124,38 @@ def _first_of_the_list(
 ) -> tuple[PlaceTask, Round]:
     """Returns the better one of a placement and those in which what was left out of it stands with all that comes before it in the list.
 
-    Each is asked for with those before it that stand, all later ones only if they find a place.
+    Each is asked for with those before it that stand, all later ones only if they find a place; optional pieces after the required ones,
+    and at last all of them together that are still left out.
     """
     best, last, held, tries = (task, found), found, set[str](), 0
-    for piece in pieces:
+    for piece in sorted(pieces, key=lambda one: not one.required):
         gone = {label for label, _ in last.arrangement.left_out}
-        if not piece.required or not gone or tries == MOST_FIRM or is_call_spent():
-            continue
+        if not gone or tries == MOST_FIRM or is_call_spent():
+            break
         if gone.isdisjoint(piece.labels):
             held.add(piece.id)
-            continue
-        firm = [replace(one, required=one.id == piece.id or one.id in held) for one in pieces]
-        if firm == [*pieces]:  # that was tried
-            continue
-        listed, tries = replace(in_room(firm, setting=task.setting, as_sent=True), requests=task.requests), tries + 1
-        other = best_placement(listed, listed.pieces)
-        if any(one.required and not {*one.labels}.isdisjoint(label for label, _ in other.arrangement.left_out) for one in firm):
-            continue
-        held.add(piece.id)
-        best, last = min(best, (listed, replace(other, whole=False)), key=lambda one: one[1].score), other
+        elif {*held, piece.id} != {one.id for one in pieces if one.required}:  # that was tried
+            tries += 1
+            if (other := _with_these(in_room, task, pieces, {*held, piece.id})) is not None:
+                held.add(piece.id)
+                best, last = min(best, other, key=lambda one: one[1].score), other[1]
+    gone = {label for label, _ in best[1].arrangement.left_out}
+    optional = {one.id for one in pieces if not one.required and not gone.isdisjoint(one.labels)}
+    if len(optional) > 1 and not is_call_spent():
+        others = {one.id for one in pieces if one.required and gone.isdisjoint(one.labels)}
+        best = min(best, _with_these(in_room, task, pieces, optional | others) or best, key=lambda one: one[1].score)
     return best
+
+
+def _with_these(
+    in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest], firm: Collection[str]
+) -> tuple[PlaceTask, Round] | None:
+    """Returns a placement of a list in which those stand, all others only if they find a place; None where one of those does not."""
+    asked = [replace(one, required=one.id in firm) for one in pieces]
+    listed = replace(in_room(asked, setting=task.setting, as_sent=True), requests=task.requests)
+    found = best_placement(listed, listed.pieces)
+    gone = {label for label, _ in found.arrangement.left_out}
+    return (listed, replace(found, whole=False)) if all(gone.isdisjoint(one.labels) for one in asked if one.required) else None
 
 
 def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:

@@ -41,9 +41,9 @@ class Round:
     """An arrangement as it was drafted, and its rank, less being better.
 
     The rank: required pieces that are missing or break a required relation, whether it cannot be walked, how early these are in the list,
-    the cost of relations that are not held, the solver's cost. `lost` pairs a piece with a relation of it that is not held. `whole`: all
-    candidates were there to choose from, or those that were not could only have cost more. `given_up`: pieces left out since their required
-    relations were not held.
+    the cost of relations that are not held and of optional pieces that are missing, the solver's cost. `lost` pairs a piece with a relation
+    of it that is not held. `whole`: all candidates were there to choose from, or those that were not could only have cost more. `given_up`:
+    pieces left out since their required relations were not held.
     """
 
     draft: SolvedRoom
@@ -172,9 +172,17 @@ def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
     found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0, 0.0), False)
     breaking, left_out = {*found.breaking}, {label for label, _ in arrangement.left_out}
     listed = [label for request in task.requests if request.required for label in request.labels]
-    early = sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in breaking | left_out)
-    missing, cost = len(left_out.intersection(listed)) + len(breaking), round(sum(spec.cost for _, spec in missed), 6)
+    early = _early(listed, breaking | left_out)
+    missing = len(left_out.intersection(listed)) + len(breaking)
+    wished = [label for request in task.requests if not request.required for label in request.labels]
+    skipped = sum(piece.skip_cost for piece in task.pieces if piece.label in left_out.intersection(wished)) + _early(wished, left_out)
+    cost = round(sum(spec.cost for _, spec in missed) + skipped, 6)
     return replace(found, score=(missing, len(arrangement.notes), early, cost, arrangement.cost))
+
+
+def _early(listed: Sequence[str], gone: Container[str]) -> float:
+    """Returns how early in a list those are that are gone, less than 1: of two lists the one with the first of them is more."""
+    return sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in gone)
 
 
 def _to_be_tried_again(found: Round) -> list[str]:
