@@ -116,6 +116,7 @@ def check_is(field: str, given: object, of: type | tuple[type, ...], called_so: 
 _SIZES: Final = frozenset({"width", "depth", "height"})
 """What is above 0, wherever it stands."""
 _OF_BODIES: Final = ("x", "y", "z", "rotation", "width", "depth", "height")
+_OF_LEVELS: Final = ("elevation", "height")
 _OF_ROOMS: Final = ("x", "z", "width", "depth")
 _OF_OPENINGS: Final = ("position", "width", "height", "sill")
 
@@ -129,6 +130,8 @@ def check_scene(scene: object) -> None:
     check_is("scene", scene, Scene, "a Scene, as `load` or `generate` gives it")
     assert isinstance(scene, Scene)
     _check_number("wall_thickness", scene.wall_thickness, 0, 1)
+    for key in sorted(_SIZES) if scene.size is not None else ():
+        _check_number(f"size.{key}", getattr(scene.size, key), None, MAX_LENGTH)
     for field, records, keys in _numbered(scene):
         values, sizes = attrgetter(*keys), attrgetter(*(key for key in keys if key in _SIZES))
         try:
@@ -155,6 +158,7 @@ def _check_number(field: str, value: object, least: float | None, most: float) -
 
 def _numbered(scene: Scene) -> Iterator[tuple[str, Sequence[object], Sequence[str]]]:
     """Yields what of a scene has numbers, those of bodies that the core told left aside, with its field and the names of its numbers."""
+    yield "levels", scene.levels, _OF_LEVELS
     yield "rooms", scene.rooms, _OF_ROOMS
     for number, room in enumerate(scene.rooms):
         yield f"rooms[{number}].openings", room.openings, _OF_OPENINGS

@@ -11,7 +11,7 @@ from compose_homes import dump, furnish
 from solver import Request, Scene, explain, export, fix, fix_frame, generate, reroll, validate
 from solver.errors import SceneError
 from solver.exchange import dump_text, write_scene
-from solver.scene import Decoration, Opening, Room
+from solver.scene import Decoration, Level, Opening, Room, Size
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
 
@@ -213,7 +213,9 @@ def test_what_is_no_scene_is_refused(given: Any) -> None:
 
 
 def changed(scene: Scene, field: str, value: Any) -> Scene:
-    """A scene with one field of its only room, or of that room's first opening or piece, changed."""
+    """A scene with one field of its size, its first storey, its only room, or of that room's first opening or piece, changed."""
+    if field.startswith("size."):
+        return replace(scene, size=replace(scene.size or Size(4.0, 4.0), **{field[5:]: value}))
     *path, key = field.replace("[0]", "").split(".")
     wrong: dict[str, Any] = {key: value}
     for depth in range(len(path), 0, -1):
@@ -229,9 +231,11 @@ def test_numbers_that_readers_refuse_are_refused_by_the_same_words(given: Any) -
     door = Opening("door", wall="south", position=1.0, connects_to="EXTERIOR")
     sound = room_of(body("sofa", 1.5, 1.5, (2.0, 0.9, 0.8)), openings=(door,))
     flows = (fix, validate, furnish, dump, lambda one: reroll(one, ["room_0"]), lambda one: explain(one, "room_0/sofa"))
-    sizes = {f"rooms[0].{of}": "a number above 0, up to 1000" for of in ("width", "openings[0].height", "furniture[0].depth")}
-    places = {f"rooms[0].{of}": "a number from -1000000 to 1000000" for of in ("z", "openings[0].position", "furniture[0].x")}
-    allowed = {"wall_thickness": "a number from 0 to 1", **sizes, **places}
+    sound = replace(sound, size=Size(4.0, 4.0), levels=(Level(),))
+    sizes = [*(f"rooms[0].{of}" for of in ("width", "openings[0].height", "furniture[0].depth")), "levels[0].height", "size.height"]
+    places = [*(f"rooms[0].{of}" for of in ("z", "openings[0].position", "furniture[0].x")), "levels[0].elevation"]
+    allowed = dict.fromkeys(sizes, "a number above 0, up to 1000") | dict.fromkeys(places, "a number from -1000000 to 1000000")
+    allowed["wall_thickness"] = "a number from 0 to 1"
     for field, words in allowed.items():
         wrong = changed(sound, field, given)
         if given in ((0, -2.0, 1001.0) if field in places else (0,) if field == "wall_thickness" else ()):
