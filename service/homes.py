@@ -10,6 +10,7 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
+from service.admission import PARAMETER
 from service.home_texts import HomeSent, home_text, read_sent_home
 from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
 from service.openapi import DescribedCalls, query_types, refusals
@@ -98,7 +99,7 @@ async def save_home(request: Request) -> Response:
 async def list_homes(request: Request) -> Response:
     """Lists homes, the last changed first."""
     given = request.query_params
-    asked: dict[str, object] = {name: given[name] for name in ("search", "after") if name in given}
+    asked: dict[str, object] = {name: value for name, value in given.items() if name != PARAMETER}
     if "limit" in given:
         asked["limit"] = int(given["limit"]) if re.fullmatch(r"\d{1,9}", given["limit"]) else given["limit"]
     query = read(HomeQuery, {**asked, "tag": given.getlist("tag")})

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Final
+from unicodedata import normalize
 
 from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
 from sqlalchemy.dialects import postgresql, sqlite
@@ -194,8 +195,13 @@ class SavedHomes:
 
 def _written(texts: Mapping[str, Any]) -> dict[str, str]:
     tags: tuple[str, ...] = tuple(texts["tags"])
-    words = "\n".join([texts["name"], texts["notes"], *tags]).casefold()
+    words = _folded("\n".join([texts["name"], texts["notes"], *tags]))
     return {"name": texts["name"], "notes": texts["notes"], "tags": "".join(f"\n{tag}" for tag in tags) + "\n", "words": words}
+
+
+def _folded(text: str) -> str:
+    """Returns a text as it is sought: small letters, however they were typed; those of a large I with a dot are an i."""
+    return normalize("NFC", normalize("NFC", text).casefold().replace("i\u0307", "i"))
 
 
 def _read(row: Row[Any]) -> HomeHead:
@@ -208,7 +214,7 @@ def _tags(row: Row[Any]) -> tuple[str, ...]:
 
 
 def _matching(wanted: HomeQuery) -> list[ColumnElement[bool]]:
-    words = [HOMES.c.words.contains(word, autoescape=True) for word in wanted.search.casefold().split()]
+    words = [HOMES.c.words.contains(word, autoescape=True) for word in _folded(wanted.search).split()]
     return [*words, *(HOMES.c.tags.contains(f"\n{tag}\n", autoescape=True) for tag in wanted.tag)]
 
 

@@ -148,6 +148,21 @@ def test_homes_are_found_by_words_and_tags(ann: TestClient) -> None:
     }
 
 
+def test_homes_are_found_however_their_letters_were_typed(ann: TestClient) -> None:
+    for name in ("İstanbul", "Cafe\u0301", "Küche"):
+        saved(ann, name=name)
+    sought = ("istanbul", "İSTANBUL", "CAF\u00c9", "cafe\u0301", "ku\u0308che", "I")
+    found = {search: [home["name"] for home in ann.get("/homes", params={"search": search}).json()["homes"]] for search in sought}
+    assert found == {
+        "istanbul": ["İstanbul"],
+        "İSTANBUL": ["İstanbul"],
+        "CAF\u00c9": ["Cafe\u0301"],
+        "cafe\u0301": ["Cafe\u0301"],
+        "ku\u0308che": ["Küche"],
+        "I": ["İstanbul"],
+    }
+
+
 def test_pages_hold_every_home_once(ann: TestClient) -> None:
     names = [saved(ann, name=f"{number}")["name"] for number in range(7)]
     pages: list[list[str]] = []
@@ -162,7 +177,19 @@ def test_pages_hold_every_home_once(ann: TestClient) -> None:
 
 @pytest.mark.parametrize(
     "query",
-    ["limit=0", "limit=101", "limit=x", "limit=-1", "after=x", "after=1-%00", "search=%00", "tag=", "tag=%0a", f"search={'a' * 201}"],
+    [
+        "limit=0",
+        "limit=101",
+        "limit=x",
+        "limit=-1",
+        "after=x",
+        "after=1-%00",
+        "search=%00",
+        "tag=",
+        "tag=%0a",
+        "sort=name",
+        f"search={'a' * 201}",
+    ],
 )
 def test_wrong_questions_are_refused(ann: TestClient, query: str) -> None:
     assert entry_of(ann.get(f"/homes?{query}"), 422)["field"].startswith(query.partition("=")[0])
