@@ -186,9 +186,9 @@ async def openapi(request: Request) -> Response:
 async def readyz(request: Request) -> Response:
     """Tells balancers whether more calls are welcome: the processes are started, and not all places in the line are taken."""
     app: ComposeApp = request.app
-    app.workers.heavy.check()
     if not app.is_ready:
         raise Busy("service", "is starting", "another try in a moment")
+    app.workers.check()
     return written({"status": "ready"}, "json")
 
 

@@ -155,6 +155,19 @@ class Workers:
         """Processes that died and were replaced."""
         self._first: tuple[Callable[..., object], tuple[object, ...]] | None = None
 
+    def check(self) -> None:
+        """Tells whether there are processes; a lane without one begins to start another.
+
+        Raises:
+            Busy: the heavy lane lets no call in, or a lane has no process.
+        """
+        self.heavy.check()
+        for lane in (self.heavy, self.light):
+            if not self._is_ready(lane) and not lane.slots.borrowed_tokens:
+                if not lane.coming:
+                    self._begin(lane)
+                raise Busy("service", "is starting", "another try in a moment")
+
     async def run(self, work: Callable[[Unpack[Given]], T], *given: *Given, is_light: bool = False) -> T:
         """Runs a function of a module in a process and returns what it returns; once more in another where the process died.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import signal
 from pathlib import Path
@@ -11,7 +12,7 @@ from starlette.testclient import TestClient
 
 from service import workers
 from service.app import ComposeApp
-from service.problems import ProcessLost
+from service.problems import Busy, ProcessLost
 from service.workers import Workers
 from tests.service import apart, heavy
 from tests.service.problems import entry_of
@@ -54,6 +55,27 @@ def test_processes_that_die_or_cannot_be_had_while_they_are_started_are_not_wait
             await other.run(os.getpid)
         monkeypatch.undo()
         assert await other.run(os.getpid) != os.getpid()
+
+    apart.run(scene)
+
+
+def test_who_has_no_processes_is_not_ready_and_begins_to_start_some(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(_: int) -> None:
+        raise BlockingIOError
+
+    async def scene() -> None:
+        bench = Workers(SETTINGS)
+        monkeypatch.setattr(workers, "WorkerProcess", refuse)
+        await bench.start(os.getpid)
+        with pytest.raises(Busy):
+            bench.check()
+        await asyncio.gather(*bench.heavy.coming)
+        monkeypatch.undo()
+        for lane in (bench.heavy, bench.light):
+            with pytest.raises(Busy):
+                bench.check()
+            await asyncio.gather(*lane.coming)
+        bench.check()
 
     apart.run(scene)
 

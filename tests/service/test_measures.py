@@ -67,10 +67,9 @@ def test_the_access_log_says_what_was_asked_but_no_key(client: TestClient, caplo
 
 def test_it_is_ready_once_it_is_started() -> None:
     app = create_app()
-    waiting = TestClient(app)
-    assert entry_of(waiting.get("/readyz"), 503)["problem"] == "is starting"
-    app.is_ready = True
-    assert waiting.get("/readyz").json() == {"status": "ready"}
+    assert entry_of(TestClient(app).get("/readyz"), 503)["problem"] == "is starting"
+    with TestClient(app) as entered:
+        assert entered.get("/readyz").json() == {"status": "ready"}
 
 
 def test_figures_can_be_kept_from_all() -> None:
