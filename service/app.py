@@ -8,6 +8,7 @@ from contextlib import asynccontextmanager
 from copy import deepcopy
 from dataclasses import replace
 from functools import cache
+from hashlib import sha256
 from typing import Annotated, Any, Final
 
 from anyio import Event, create_task_group
@@ -36,7 +37,7 @@ from service.packed_catalogs import mark_of, packed, warm
 from service.problems import Busy, NoSuchFormat
 from service.service_settings import Settings
 from service.service_store import NONE, TEMPORARY, ServiceStore, store_limiter
-from service.wire import as_written, body_of, format_sent, format_wanted, written
+from service.wire import NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left
 from solver.exchange import dump_plain
@@ -70,7 +71,8 @@ def _at_once(name: str) -> Answering:
     async def answer(request: Request) -> Response:
         app: ComposeApp = request.app
         wanted = format_wanted(request)
-        return app.told(name, wanted) if name == "healthz" else await run_in_threadpool(app.told, name, wanted)
+        text, tag = app.told(name, wanted) if name == "healthz" else await run_in_threadpool(app.told, name, wanted)
+        return not_changed(tag) if is_known(request, tag) else tagged(as_written(text, wanted), tag)
 
     return answer
 
@@ -93,7 +95,7 @@ def _in_workers() -> DescribedCalls:
 
 def _without_body() -> DescribedCalls:
     """Declares the calls that take none."""
-    gets = DescribedCalls(responses=refusals(401, 405, 421, 429, 500))
+    gets = DescribedCalls(responses=refusals(401, 405, 421, 429, 500) | NOT_CHANGED)
     for name, call in calls.QUESTIONS.items():
         gets.call("GET", f"/{name}", call.answers, name=call.name, description=call.answer.__doc__)(_at_once(name))
     return gets
@@ -132,7 +134,7 @@ class ComposeApp(Starlette):
         self.measures = Measures(self.workers, self.connections)
         self.is_ready = False
         self._document: dict[str, Any] | None = None
-        self._told: dict[tuple[str, str], bytes] = {}
+        self._told: dict[tuple[str, str], tuple[bytes, str]] = {}
 
     async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
         """Makes one of `calls.CALLS` in a worker; `sent` is the format of its body, `wanted` that of the answer.
@@ -151,11 +153,12 @@ class ComposeApp(Starlette):
             raise RuntimeError(f"/{call} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
         return done
 
-    def told(self, question: str, wanted: str) -> Response:
-        """Answers one of `calls.QUESTIONS`, always the same: it is written once."""
+    def told(self, question: str, wanted: str) -> tuple[bytes, str]:
+        """Returns the answer to one of `calls.QUESTIONS`, always the same, and its entity tag: both are made once."""
         if (question, wanted) not in self._told:
-            self._told[question, wanted] = dump_plain(calls.QUESTIONS[question].answer(self.catalogs), wanted)
-        return as_written(self._told[question, wanted], wanted)
+            text = dump_plain(calls.QUESTIONS[question].answer(self.catalogs), wanted)
+            self._told[question, wanted] = text, f'"{sha256(text).hexdigest()[:32]}"'
+        return self._told[question, wanted]
 
     def openapi(self) -> dict[str, Any]:
         """Returns the OpenAPI document."""

@@ -3,7 +3,7 @@
 import re
 import zlib
 from functools import partial
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 from anyio import to_thread
 from fastapi import Header
@@ -18,7 +18,7 @@ from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
 from service.store.saved_homes import ANY_REVISION, Revisions, SavedHomes
-from service.wire import as_written, body_of, format_sent, format_wanted, written
+from service.wire import NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, tags_in, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, write
 
@@ -27,24 +27,15 @@ MOST_PICTURE: Final = 512 * 1024
 PICTURES: Final = {"image/png": b"\x89PNG\r\n\x1a\n", "image/jpeg": b"\xff\xd8\xff", "image/webp": b"RIFF"}
 """The pictures that are kept, and how each begins."""
 PICTURE_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; sandbox"
-TAG: Final = re.compile(r'"[^"]*"')
-"""What is opaque of an entity tag (RFC 9110, 8.8.3)."""
 REVISION: Final = re.compile(r'"(\d{1,9})(?:-yaml)?"')
 
 
 _asked = partial(ask, ServiceStore.open)
 
 
-def _tags(request: Request, header: str) -> set[str] | None:
-    """Returns the entity tags that If-Match or If-None-Match lists, weak ones as strong ones, or a star; None without it."""
-    said = ", ".join(request.headers.getlist(header)).strip()
-    found = {said} if said == "*" else set(TAG.findall(said))
-    return found if header in request.headers else None
-
-
 def _revisions(request: Request) -> Revisions:
     """Returns the revisions that If-Match names; None where there is none."""
-    tags = _tags(request, "if-match")
+    tags = tags_in(request, "if-match")
     if tags is None or "*" in tags:
         return None if tags is None else ANY_REVISION
     return {int(one.group(1)) for tag in tags if (one := REVISION.fullmatch(tag))}
@@ -55,9 +46,7 @@ def _etag(home: HomeHead, wanted: str) -> str:
 
 
 def _tagged(answer: Response, home: HomeHead, wanted: str) -> Response:
-    answer.headers["ETag"] = _etag(home, wanted)
-    answer.headers["Cache-Control"] = "private, no-cache"
-    return answer
+    return tagged(answer, _etag(home, wanted))
 
 
 async def _sent(request: Request, is_change: bool) -> HomeSent | Response:
@@ -72,7 +61,6 @@ IF_MATCH: Final = "the ETag that the home was read with; * for whichever there i
 IfMatch = Annotated[str | None, Header(alias="If-Match", description=IF_MATCH, json_schema_extra={"examples": ['"1"']})]
 
 PICTURE_CONTENT: Final = {kind: {"schema": {"type": "string", "format": "binary"}} for kind in (*PICTURES, "image/svg+xml")}
-NOT_CHANGED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "The revision is the one of If-None-Match"}}
 
 homes = DescribedCalls("/homes", responses=REFUSALS)
 OF_HOME: Final = {"home": id_type("home")}
@@ -118,8 +106,8 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
     home, scene = await _asked(request, SavedHomes.get, id_of, version)
     wanted = format_wanted(request)
     shown = home if version is None else None
-    if shown and not {"*", _etag(home, wanted)}.isdisjoint(_tags(request, "if-none-match") or ()):
-        return _tagged(Response(status_code=304, headers={"Vary": "Accept"}), home, wanted)
+    if shown and is_known(request, _etag(home, wanted)):
+        return not_changed(_etag(home, wanted))
     text = await to_thread.run_sync(home_text, home, scene, limiter=request.app.store_threads)
     if wanted != "json":
         text = await request.app.workers.run(FORMATS[wanted].of_json, text)

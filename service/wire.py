@@ -1,7 +1,8 @@
 """HTTP's side of documents: content types, the limit on bodies, JSON or YAML by what the caller accepts."""
 
 import asyncio
-from typing import Final
+import re
+from typing import Any, Final
 from urllib.parse import quote
 
 from starlette.requests import Request
@@ -36,6 +37,10 @@ READ_AS: Final = {**_TEXTS, GLB_TYPE: GLB, **dict.fromkeys(FILE_TYPES, FILE)}
 """The format a body is read in, by its content type."""
 ACCEPTED: Final = {**_TEXTS, "*/*": "json", "application/*": "json"}
 """The format that satisfies a media range of an Accept header."""
+
+TAG: Final = re.compile(r'"[^"]*"')
+"""What is opaque of an entity tag (RFC 9110, 8.8.3)."""
+NOT_CHANGED: Final[dict[int | str, dict[str, Any]]] = {304: {"description": "It is what If-None-Match names"}}
 
 
 def format_sent(request: Request, takes_files: bool = False) -> str:
@@ -124,6 +129,29 @@ def written(document: Document, format: str) -> Response:
 def as_written(text: bytes | str, format: str) -> Response:
     """Returns a response of what is written in that format."""
     return Response(text, media_type=FORMATS[format].media_type, headers={"Vary": "Accept"})
+
+
+def tags_in(request: Request, header: str) -> set[str] | None:
+    """Returns the entity tags that If-Match or If-None-Match lists, weak ones as strong ones, or a star; None without it."""
+    said = ", ".join(request.headers.getlist(header)).strip()
+    found = {said} if said == "*" else set(TAG.findall(said))
+    return found if header in request.headers else None
+
+
+def is_known(request: Request, tag: str) -> bool:
+    """Tells whether the caller has the answer of that entity tag, and asks for another one alone."""
+    return not {"*", tag}.isdisjoint(tags_in(request, "if-none-match") or ())
+
+
+def tagged(answer: Response, tag: str) -> Response:
+    """Gives an answer its entity tag, which whoever keeps the answer asks about each time."""
+    answer.headers.update({"ETag": tag, "Cache-Control": "private, no-cache"})
+    return answer
+
+
+def not_changed(tag: str) -> Response:
+    """Answers who has the answer of that entity tag."""
+    return tagged(Response(status_code=304, headers={"Vary": "Accept"}), tag)
 
 
 def attached(file: ExportedFile) -> Response:

@@ -242,6 +242,21 @@ def test_the_catalog_tells_what_there_is(client: TestClient) -> None:
     assert all(set(style["materials"]) <= set(catalog["materials"]) for style in catalog["styles"].values())
 
 
+@pytest.mark.parametrize("question", ["catalog", "schema", "export"])
+def test_what_never_changes_is_sent_once_in_each_format(client: TestClient, question: str) -> None:
+    tags = set()
+    for wanted in ("application/json", "application/yaml"):
+        asked = {"Accept": wanted, "Accept-Encoding": "gzip"}
+        first = client.get(f"/{question}", headers=asked)
+        tag = first.headers["etag"]
+        again = client.get(f"/{question}", headers={**asked, "If-None-Match": tag})
+        assert (again.status_code, again.content, again.headers["etag"]) == (304, b"", tag)
+        other = client.get(f"/{question}", headers={**asked, "If-None-Match": '"another"'})
+        assert (other.status_code, other.content) == (200, first.content)
+        tags.add(tag)
+    assert len(tags) == 2, "a browser that has the one is not told that it has the other"
+
+
 def test_the_schema_is_that_of_scenes(client: TestClient, scene: dict[str, Any]) -> None:
     from jsonschema import Draft202012Validator
 
