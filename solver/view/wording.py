@@ -58,8 +58,8 @@ def is_changed(entry: Mapping[str, Any]) -> bool:
 
 
 def proofs(scene: Scene) -> str:
-    """Says in how many rooms the placement is proven optimal; empty where nothing is known."""
-    entries = room_certificates(scene).values()
+    """Says in how many rooms the placement is proven optimal; empty where nothing is known. Rooms left as they were have notes alone."""
+    entries = [entry for entry in room_certificates(scene).values() if entry.keys() != {"notes"}]
     if not entries:
         return ""
     changed = sum(map(is_changed, entries))

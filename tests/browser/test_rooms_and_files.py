@@ -244,6 +244,7 @@ def test_rooms_that_share_floor_are_not_furnished_until_they_do_not(visit: Visit
     for scene in (caught.value.json()["scene"], page.evaluate("compose.scene")):
         assert [len(room["furniture"]) for room in scene["rooms"]] == [0, 0]
     expect(checked).to_be_visible()
+    expect(page.locator("[data-count=optimality]")).to_have_text("2 rooms left as they were")
     board.open("Change this plan")
     page.locator(".drawing-side .issue", has_text="rooms that share floor").click()
     page.get_by_role("button", name="Delete the room").click()

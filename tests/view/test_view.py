@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import yaml
@@ -115,6 +116,13 @@ adjacency:
 
 def test_a_house_reads_as_it_should() -> None:
     assert view(HOUSE, AREAS)[0] == TEXT
+
+
+def test_rooms_left_as_they_were_are_none_of_those_to_be_proven() -> None:
+    left = {"notes": ["two rooms share this floor"]}
+    both = replace(HOUSE, certificate={"rooms": {"living_room_8": {"proven": True}, "hallway_0": left}})
+    assert view(both, AREAS)[0].splitlines()[2] == "# Placement: proven optimal in 1 of 1 rooms"
+    assert "Placement" not in view(replace(HOUSE, certificate={"rooms": {"hallway_0": left}}), AREAS)[0]
 
 
 def test_each_line_names_the_body_it_shows() -> None:

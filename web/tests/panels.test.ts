@@ -10,6 +10,7 @@ import { LineList, type Line } from "../src/panel/line_list";
 import type { Found } from "../src/memory/carrying";
 import { Link } from "../src/panel/link";
 import { Notice } from "../src/panel/notice";
+import { roomNames } from "../src/panel/room";
 import { optimalityOf, showShown } from "../src/panel/status";
 import { ServiceProblem } from "../src/service";
 
@@ -272,5 +273,16 @@ describe("what is proven", () => {
     expect(some?.short).toBe("proven optimal in 1 of 3 rooms");
     expect(some?.full).toContain("ended at its limit in b.");
     expect(some?.full).toContain("Changed since: c.");
+  });
+
+  it("is not said of rooms that were only left as they were", () => {
+    const rooms = [room("a", [0, 0, 4, 4]), room("b", [4, 0, 4, 4], { name: "Attic" })];
+    const of = (certified: object) => optimalityOf({ ...scene(rooms), certificate: { rooms: certified } as never });
+    const notes = ["no furniture is known for it"];
+    expect(of({ a: { notes }, b: { notes } })).toEqual({ short: "2 rooms left as they were", full: `Left as they were: ${roomNames(scene(rooms)).get("a")}, Attic.` });
+    expect(of({ b: { notes } })?.short).toBe("1 room left as it was");
+    const both = of({ a: { proven: true, notes: [] }, b: { notes } });
+    expect(both?.short).toBe("proven optimal in 1 of 1 rooms");
+    expect(both?.full).toContain("for every room. Left as they were: Attic.");
   });
 });

@@ -1,6 +1,7 @@
 /** The status bar: how much there is of what, how many issues, how long it took. */
 import type { GenerateAnswer, Issue, Scene } from "../contract";
 import type { Shown } from "../state/home";
+import { roomNames } from "./room";
 import { say, sayNumber, type Words } from "../words/language";
 
 export interface Counts {
@@ -69,19 +70,27 @@ function timeWords(ms: number): string {
   return ms >= 1000 ? `${sayNumber(ms / 1000, 1)} s` : `${sayNumber(ms, ms < 10 ? 1 : 0)} ms`;
 }
 
-/** What the certificate proves, in short and in full; null where it says nothing of rooms. */
-export function optimalityOf({ certificate }: Scene): { readonly short: string; readonly full: string } | null {
-  const rooms = Object.entries(certificate?.rooms ?? {});
-  if (rooms.length === 0) return null;
-  const named = (wanted: boolean | undefined): string => rooms.filter(([, { proven }]) => proven === wanted).map(([id]) => id).join(", ");
-  const [open, changed] = [named(false), named(undefined)];
-  const counts = { proven: rooms.filter(([, room]) => room.proven).length, rooms: rooms.length };
-  const said = [open || changed
-    ? say("No other placement of the pieces comes closer to what the room's rules want: proven for {proven} of {rooms} rooms.", counts)
-    : say("No other placement of the pieces comes closer to what the room's rules want: proven for every room.")];
+/** What the certificate proves, in short and in full; null where it says nothing of rooms. Of rooms that were only left as they were nothing was to be proven. */
+export function optimalityOf(scene: Scene): { readonly short: string; readonly full: string } | null {
+  const [names, rooms] = [roomNames(scene), Object.entries(scene.certificate?.rooms ?? {})];
+  const named = (found: typeof rooms): string => found.map(([id]) => names.get(id) ?? id).join(", ");
+  const left = rooms.filter(([, { notes, ...more }]) => notes && Object.keys(more).length === 0);
+  const placed = rooms.filter((room) => !left.includes(room));
+  const [open, changed] = [false, undefined].map((wanted) => named(placed.filter(([, { proven }]) => proven === wanted)));
+  const counts = { proven: placed.filter(([, room]) => room.proven).length, rooms: placed.length };
+  const said: string[] = [];
+  if (placed.length > 0) {
+    said.push(open || changed
+      ? say("No other placement of the pieces comes closer to what the room's rules want: proven for {proven} of {rooms} rooms.", counts)
+      : say("No other placement of the pieces comes closer to what the room's rules want: proven for every room."));
+  }
   if (open) said.push(say("The search ended at its limit in {rooms}.", { rooms: open }));
   if (changed) said.push(say("Changed since: {rooms}.", { rooms: changed }));
-  return { short: say("proven optimal in {proven} of {rooms} rooms", counts), full: said.join(" ") };
+  if (left.length > 0) said.push(say("Left as they were: {rooms}.", { rooms: named(left) }));
+  if (said.length === 0) return null;
+  const short = placed.length > 0 ? say("proven optimal in {proven} of {rooms} rooms", counts)
+    : left.length > 1 ? say("{count} rooms left as they were", { count: left.length }) : say("1 room left as it was");
+  return { short, full: said.join(" ") };
 }
 
 function showOptimality(host: HTMLElement, scene: Scene): void {
