@@ -225,14 +225,14 @@ export class Stage {
       element("plan_png").click();
       return;
     }
-    const made = await this.#viewport.picture(...PICTURE);
+    const made = await this.#viewport.picturing.png(...PICTURE, getComputedStyle(this.host).backgroundColor);
     if (made) save(made, `compose-${this.#scene?.seed ?? "home"}.png`);
   }
 
   /** Draws the view for the browser's own print; the plan is a sheet already. */
   #print(): void {
     const paper = document.querySelector<HTMLCanvasElement>("#view_print");
-    if (paper && !this.#isPlan && this.#scene) this.#viewport.printOn(paper);
+    if (paper && !this.#isPlan && this.#scene) this.#viewport.picturing.printOn(paper);
   }
 
   /** Names all pieces, or again only those pointed at and chosen. */
@@ -368,10 +368,10 @@ export class Stage {
   measure(times: number) {
     const rebuilds = Array.from({ length: this.#house ? times : 0 }, () => {
       const built = this.rebuild();
-      this.#viewport.cost();
+      this.#viewport.picturing.cost();
       return built;
     });
-    return { rebuilds, ...this.#viewport.cost() };
+    return { rebuilds, ...this.#viewport.picturing.cost() };
   }
 
   /** What is shown, told to whoever looks into the page from outside. */

@@ -1,11 +1,12 @@
 /** The canvas: renderer, lights, camera. Draws a frame only when something asks for one. */
-import { Box3, Color, MOUSE, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, type Object3D, type WebGLRenderer } from "three";
+import { Box3, MOUSE, NeutralToneMapping, PerspectiveCamera, Raycaster, Scene, TOUCH, Vector2, Vector3, type Object3D, type WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { timed } from "../timing";
 import { blend, frame, plus, PRESETS, windowOf, type Framing, type PresetName, type Vector } from "./cameras";
 import { Daylight, GROUND_REACH } from "./daylight";
 import { Orbiting, type OrbitStep } from "./orbiting";
 import { Overlaid } from "./overlaid";
+import { Picturing } from "./picturing";
 import { Portraits, type Sitter } from "./portraits";
 import { rendererForMachine } from "./renderer";
 import { gazeOf, type Pose } from "./walk";
@@ -43,6 +44,7 @@ export class Viewport {
   readonly #orbiting: Orbiting;
   readonly daylight = new Daylight();
   readonly #portraits: Portraits;
+  readonly picturing: Picturing;
   readonly #motions = new Set<Motion>();
   readonly #afterFrame: (() => void)[] = [];
   /** What a preset brings into view. */
@@ -81,6 +83,10 @@ export class Viewport {
     this.#renderer.shadowMap.enabled = true;
     this.#renderer.shadowMap.autoUpdate = false;
     this.#portraits = new Portraits(this.#renderer, this.daylight);
+    this.picturing = new Picturing(this.#renderer, this.#scene, this.camera, () => {
+      this.#renderer.setSize(this.#size.width, this.#size.height);
+      this.invalidate();
+    });
     host.prepend((this.canvas = this.#renderer.domElement));
     this.canvas.addEventListener("webglcontextrestored", () => this.castShadows()); // the card was taken away, and nothing is left on it
     this.#scene.add(this.daylight.root);
@@ -335,47 +341,6 @@ export class Viewport {
     const seen = point.clone().project(this.camera);
     if (seen.z > 1) return null;
     return { x: ((seen.x + 1) / 2) * this.#size.width, y: ((1 - seen.y) / 2) * this.#size.height };
-  }
-
-  /** What is in view as a picture of its own size, PNG; what the canvas shows is all in it. */
-  picture(width: number, height: number): Promise<Blob | null> {
-    return this.#pictured(width, height, getComputedStyle(this.host).backgroundColor, () => new Promise((done) => { this.canvas.toBlob(done, "image/png"); }));
-  }
-
-  /** Draws what is in view on white paper, at once: a printer does not wait. */
-  printOn(paper: HTMLCanvasElement): void {
-    this.#pictured(paper.width, paper.height, "white", () => paper.getContext("2d")?.drawImage(this.canvas, 0, 0));
-  }
-
-  /** Draws what is in view in another size, and takes it before the canvas is as it was. */
-  #pictured<Taken>(width: number, height: number, ground: string, take: () => Taken): Taken {
-    const [ratio, { aspect, fov }] = [this.#renderer.getPixelRatio(), this.camera];
-    this.#renderer.setPixelRatio(1);
-    this.#renderer.setSize(width, height, false);
-    Object.assign(this.camera, { aspect: width / height, fov: (Math.atan(Math.tan((fov * Math.PI) / 360) * Math.max(1, (aspect * height) / width)) * 360) / Math.PI });
-    this.camera.updateProjectionMatrix();
-    this.#scene.background ??= new Color(ground);
-    this.#renderer.render(this.#scene, this.camera);
-    this.#surround(this.#walker);
-    const taken = take();
-    this.#renderer.setPixelRatio(ratio);
-    this.#renderer.setSize(this.#size.width, this.#size.height);
-    Object.assign(this.camera, { aspect, fov });
-    this.camera.updateProjectionMatrix();
-    this.invalidate();
-    return taken;
-  }
-
-  /** Draws a frame with its shadows and one without them; returns what each costs. */
-  cost() {
-    const { info, shadowMap } = this.#renderer;
-    const drawn = (shadows: boolean): { calls: number; triangles: number } => {
-      shadowMap.needsUpdate = shadows;
-      this.#renderer.render(this.#scene, this.camera);
-      return { calls: info.render.calls, triangles: info.render.triangles };
-    };
-    const [all, shown] = [drawn(true), drawn(false)];
-    return { drawCalls: shown.calls, triangles: shown.triangles, shadowCalls: all.calls - shown.calls };
   }
 
   /** The way from what is looked at to the eye [m]. */
