@@ -24,9 +24,9 @@ const NUMBERED = / \d+$/;
 const SENTENCE = 12;
 const FAR = 1000;
 const SUM = " + ";
-/** An id or a name of the catalogs, alone; and those within words: a room's and a number, or parts that are joined. */
+/** An id or a name of the catalogs, alone; and those within words: parts that are joined, or letters and a number, as files of others call rooms. */
 const ID = /^(?:[\p{L}\d_]+\/)?[\p{L}_][\p{L}\d_]*$/u;
-const IDS = /(?<![\p{L}\d_/'"])(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+(?![\p{L}\d_/])/gu;
+const IDS = /(?<![\p{L}\d_/'"])(?:(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+|(?<!\d )\p{L}+\d+)(?![\p{L}\d_/])/gu;
 
 /** An id of a piece, or of what has a number: a door, a person. */
 const OF_A_HOME = /\/|_\d+$/;
@@ -125,6 +125,7 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
   const untyped = said.replace(TYPE_BEHIND, (whole, id, type) => (rooms.some((one) => one.id === id && one.type === type) ? id : whole) as string);
   return untyped.replace(KIND_BEFORE, "").replace(IDS, (id) => {
     const words = roomWords(id, rooms);
+    if (words === null && !id.includes("_")) return id; // m2 is no id
     return words === null && !OF_A_HOME.test(id) ? idWords(id) : withThe(words ?? idWords(id), rooms.some((one) => one.id === id && one.name));
   });
 }
