@@ -165,6 +165,23 @@ SEEN = f"""() => {{ const sheet = {BESIDE}, of = use => {{
 }}; return [...sheet.querySelectorAll('use[data-sort=furniture]')].flatMap(of); }}"""
 
 
+LENGTHS = """sheet => [...sheet.shadowRoot.querySelectorAll('.lengths .number')].map(one => one.getBoundingClientRect().width > 0)"""
+
+
+def test_no_length_lies_half_beside_the_house(visit: Visit) -> None:
+    """Of a home so small that they are near it."""
+    page = visit.page
+    page.set_viewport_size({"width": 1280, "height": 800})
+    assert len(visit.open("?width=4&depth=3&outdoor=false&seed=4")["scene"]["rooms"]) == 1
+    for key, sheet, is_seen in (("4", "#stage", True), ("5", "#beside", False)):
+        page.keyboard.press(key)
+        page.wait_for_function(f"() => document.querySelector('{sheet} .plan-sheet').shadowRoot.querySelector('use[data-id]') !== null")
+        visit.settle()
+        seen = page.locator(f"{sheet} .plan-sheet").evaluate(LENGTHS)
+        assert len(seen) > 2 and set(seen) == {is_seen}
+    page.keyboard.press("5")
+
+
 def test_what_is_chosen_beside_or_in_the_house_is_chosen_in_both(visit: Visit) -> None:
     page = visit.page
     visit.open(SMALL.format(4))

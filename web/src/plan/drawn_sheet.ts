@@ -10,7 +10,7 @@ export type DrawPlan = (scene: Scene, scale: number, signal: AbortSignal) => Pro
 const MM = 1000;
 const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
-  + ".unsized :is(.lengths,.size,.bar),.foot,.frame{display:none}.bar,.lengths.cut{visibility:hidden}svg>rect{fill:none}"
+  + ".unsized :is(.lengths,.size,.bar),.inner .lengths,.foot,.frame{display:none}.bar,.lengths.cut{visibility:hidden}svg>rect{fill:none}"
   + ".unsized text{fill:#333}.unsized .name{font-weight:normal}"
   + ".chosen{fill:#ffb000;fill-opacity:.18;stroke:#b36b00;stroke-width:3;vector-effect:non-scaling-stroke}";
 

@@ -52,6 +52,7 @@ export class PlanBeside extends DrawnSheet {
     if (drawn && scene) {
       const [box, pixels] = [this.#box(scene), this.pixels(scene)];
       drawn.setAttribute("viewBox", box.join(" "));
+      drawn.classList.add("inner"); // of a small home they lie so near that they were half in it
       drawn.style.width = `${box[2] * pixels}px`;
       drawn.style.height = `${box[3] * pixels}px`;
     }
