@@ -162,7 +162,8 @@ def test_the_tools_are_one_row_of_a_laptop_and_nothing_is_said_of_the_home_befor
         boxes = [tool.bounding_box() for tool in tools.all()]
         assert len(boxes) > 10
         assert len({round(box["y"] + box["height"] / 2) for box in boxes if box}) == 1
-    expect(page.locator("#status .optimality")).not_to_be_visible()
+    expect(page.locator("#status")).to_be_hidden()
+    assert page.locator("#drawing").evaluate("one => one.getBoundingClientRect().bottom") == 800, "there is no empty bar beneath it"
     tools.last.click()
     expect(page.locator(".sheet")).not_to_be_visible()
     expect(page.locator("#status [data-count=rooms]")).to_be_visible()
@@ -321,6 +322,13 @@ def test_a_wall_of_a_furnished_home_is_dragged(board: DrawingBoard) -> None:
     assert board.visit.console == []
 
 
+def in_view(board: DrawingBoard) -> None:
+    """The whole picture is seen on the sheet."""
+    sheet, picture = (board.page.locator(one).evaluate("one => one.getBoundingClientRect().toJSON()") for one in (".sheet", ".traced"))
+    assert sheet["left"] <= picture["left"] and picture["right"] <= sheet["right"]
+    assert sheet["top"] <= picture["top"] and picture["bottom"] <= sheet["bottom"]
+
+
 def test_a_picture_lies_beneath_and_is_scaled_by_a_known_length(board: DrawingBoard) -> None:
     page = board.page
     page.get_by_label("A picture to trace").set_input_files(
@@ -330,11 +338,18 @@ def test_a_picture_lies_beneath_and_is_scaled_by_a_known_length(board: DrawingBo
     page.get_by_role("button", name="Measure a known length").click()
     board.click(1000, 1000)
     board.click(4000, 1000)
-    field = page.get_by_label("That is, m")
-    field.fill("6")
-    field.press("Enter")
+    expect(page.get_by_label("That is, m")).to_be_focused()
+    page.keyboard.type("6\n")  # in place of what it was taken to be
     width = float(page.locator(".traced").get_attribute("width") or 0)
     assert width == pytest.approx(24000, rel=0.02)
+    in_view(board)
+    page.locator("[data-tool=choose]").last.click()  # the line is put away
+    field = page.get_by_label("Its width, m")
+    expect(field).to_have_value(f"{width / 1000:.2f}")
+    field.fill("50")
+    field.press("Enter")
+    assert float(page.locator(".traced").get_attribute("width") or 0) == pytest.approx(50000)
+    in_view(board)
     page.get_by_role("button", name="Remove the picture").click()
     page.get_by_label("A picture to trace").set_input_files({"name": "none.png", "mimeType": "image/png", "buffer": b"no picture"})
     expect(page.get_by_text("none.png is no picture")).to_be_visible()

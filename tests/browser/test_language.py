@@ -124,7 +124,9 @@ def test_all_german_tools_are_one_row_of_a_small_laptop(german: Visit) -> None:
     page.locator(".drawing-tools [data-tool=new]").click()
     page.locator(".drawing-tools [data-tool=new]").click()
     page.keyboard.press("Control+z")
-    in_one_row(page, ".drawing-tools", 15)
+    for width in (1024, 1180, 1240, 1280, 1366):
+        page.set_viewport_size({"width": width, "height": 768})
+        in_one_row(page, ".drawing-tools", 15)
 
 
 def in_one_row(page: Page, row: str, count: int) -> None:

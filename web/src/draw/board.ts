@@ -73,7 +73,7 @@ export class Board {
     this.#toolbar = new Toolbar(tools, this.#tools());
     this.#pencil = new Pencil(this.#sheet, this.#plan, {
       ghost: (box) => { this.#ghost = box; this.#draw(); },
-      measured: (points) => { this.#picture.measured = points; this.#redraw(); },
+      measured: (points, isDone) => this.#measured(points, isDone),
       said: (words) => this.#say(words),
     });
     this.#reflow = new Reflow(calls, {
@@ -229,15 +229,30 @@ export class Board {
     Object.assign(fade, { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity) });
     fade.setAttribute("aria-label", say("How strongly the picture is seen"));
     fade.addEventListener("input", () => { this.#picture.fade(fade.valueAsNumber); this.#draw(); });
-    const [a, b] = this.#picture.measured;
-    const drawn = a && b ? Math.hypot(a.x - b.x, a.z - b.z) : 0;
-    const scale = lengthField(say("That is, m"), drawn, (length) => {
+    const isMeasured = this.#picture.measured.length === 2;
+    const scale = lengthField(isMeasured ? say("That is, m") : say("Its width, m"), this.#picture.length, (length) => {
       const isSet = this.#picture.setScale(length);
+      if (isSet) {
+        this.#say("");
+        this.#fit(); // it has become another size
+      }
       this.#redraw();
       return isSet;
     });
+    scale.classList.add("picture-length");
     return group(say("Picture beneath"), fade, row(button(say("Measure a known length"), () => { this.#use("measure"); this.#say(say("Click the two ends of a length that you know.")); })),
-      ...(drawn > 0 ? [scale] : []), row(button(say("Remove the picture"), () => { this.#picture.remove(); this.#redraw(); })));
+      scale, row(button(say("Remove the picture"), () => { this.#picture.remove(); this.#redraw(); })));
+  }
+
+  /** A length of the picture is measured: once it is, its field waits for what it is. */
+  #measured(points: readonly Point[], isDone: boolean): void {
+    this.#picture.measured = points;
+    this.#redraw();
+    if (!isDone || points.length < 2) return;
+    this.#say(say("Type how long that is."));
+    const field = this.host.querySelector<HTMLInputElement>(".picture-length input");
+    field?.focus();
+    field?.select();
   }
 
   /** Lays a picture beneath the plan. */

@@ -17,8 +17,8 @@ const OPENINGS: ReadonlySet<string> = new Set(["door", "passage", "garage_door",
 export interface PencilWords {
   /** What is about to be drawn. */
   ghost(box: Box | null): void;
-  /** The points that are measured between. */
-  measured(points: readonly Point[]): void;
+  /** The points that are measured between; `isDone`: the pen is up again. */
+  measured(points: readonly Point[], isDone: boolean): void;
   /** Something cannot be drawn, and why. */
   said(words: string): void;
 }
@@ -71,7 +71,7 @@ export class Pencil {
     this.#stroke = null;
     this.words.ghost(null);
     this.#measured = [];
-    this.words.measured([]);
+    this.words.measured([], true);
     this.plan.cancel();
   }
 
@@ -250,9 +250,10 @@ export class Pencil {
 
   #measure(event: PointerEvent): Stroke {
     const before = this.#measured;
-    const show = (points: readonly Point[]): void => this.words.measured((this.#measured = points));
-    show([...(before.length === 2 ? [] : before), this.sheet.at(event)]);
-    return { move: () => undefined, end: () => undefined, undo: () => show(before) };
+    const show = (points: readonly Point[], isDone = false): void => this.words.measured((this.#measured = points), isDone);
+    const now = [...(before.length === 2 ? [] : before), this.sheet.at(event)];
+    show(now);
+    return { move: () => undefined, end: () => show(now, true), undo: () => show(before) };
   }
 }
 

@@ -30,10 +30,15 @@ export class PictureBeneath {
     this.#picture = { url, width: image.naturalWidth, height: image.naturalHeight, scale: LIKELY_WIDTH / image.naturalWidth, opacity: OPACITY };
   }
 
-  /** Makes the line between the measured points as long as it is known to be [mm]; false where no line was measured. */
-  setScale(length: number): boolean {
+  /** The length that is to be told: that of the line between the measured points, where there is one, else the picture's width [mm]. */
+  get length(): number {
     const [a, b] = this.measured;
-    const drawn = a && b ? Math.hypot(a.x - b.x, a.z - b.z) : 0;
+    return a && b ? Math.hypot(a.x - b.x, a.z - b.z) : (this.#picture?.width ?? 0) * (this.#picture?.scale ?? 0);
+  }
+
+  /** Makes that as long as it is known to be [mm]; false where it is none. */
+  setScale(length: number): boolean {
+    const drawn = this.length;
     if (!this.#picture || drawn === 0 || !(length > 0)) return false;
     const factor = length / drawn;
     this.#picture = { ...this.#picture, scale: this.#picture.scale * factor };
