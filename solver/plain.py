@@ -37,6 +37,12 @@ def path(way: Sequence[str | int]) -> str:
     return text
 
 
+def quoted(text: str, most: int = 60) -> str:
+    """Returns what somebody wrote, in quotes, and cut where it is longer than that."""
+    whole = repr(text)
+    return whole if len(whole) <= most else f"{whole[: most - 2]}…{whole[-1]}"
+
+
 def is_text(value: object) -> bool:
     """Tells whether a value is a string that UTF-8 can carry (no lone surrogates)."""
     if not isinstance(value, str):

@@ -11,6 +11,7 @@ from solver.guessing.room_marks import RoomMarks, marks_of
 from solver.guessing.room_numbers import SEVERAL
 from solver.guessing.suiting import Suiting
 from solver.guessing.types_in_home import TypesInHome
+from solver.plain import quoted
 from solver.scene import EXTERIOR, Room, Scene, robot_width_of
 
 
@@ -97,7 +98,7 @@ def _of_size(key: str, marks: RoomMarks, catalogs: Catalogs) -> str:
 
 
 def _by_name(room: Room, said: str, meaning: RoomMeaning, type_name: str) -> str:
-    return f"{room.id} is taken for {type_name}: it is called {said!r:.60}" + ("" if meaning.plain else ", which holds such a word")
+    return f"{room.id} is taken for {type_name}: it is called {quoted(said)}" + ("" if meaning.plain else ", which holds such a word")
 
 
 def _by_form(rooms: Sequence[Room], home: TypesInHome) -> dict[int, RoomGuess]:

@@ -45,7 +45,12 @@ DECLARED: Final = re.compile(r"\A\s*<\?xml[^>]*\?>")
 
 
 def said(error: Exception) -> str:
-    """Returns what a library says of what it cannot read, on one line and without the point at its end; its sort, where it says nothing."""
+    """Returns what a library says of what it cannot read, on one line and without the point at its end; its sort, where it says nothing.
+
+    What Python says of what lacks a part is no word about the file.
+    """
+    if isinstance(error, TypeError | AttributeError | IndexError | KeyError):
+        return "a part of it is missing, or is of another sort"
     return f"{' '.join(str(error).split()).rstrip('.') or type(error).__name__:.100}"
 
 
@@ -87,7 +92,8 @@ def _plan_in(archive: bytes) -> bytes:
             found = next(filter(None, ([name for name in names if one.fullmatch(name)] for one in PACKED)), [])
             if len(found) != 1:
                 old = "a home of Sweet Home 3D before version 5.3: save it again with a newer one"
-                raise SyntaxFault(old if OLD_HOME in names else f"an archive of {len(found)} plans: one is read, such as an .ifc")
+                several = f"an archive of {len(found)} plans: one is read, such as an .ifc"
+                raise SyntaxFault(old if OLD_HOME in names else several if found else "an archive without a plan, such as an .ifc")
             with opened.open(found[0]) as file:
                 content = file.read(MOST_BYTES + 1)
     except (BadZipFile, zlib.error, EOFError, OSError, ValueError, RuntimeError, NotImplementedError) as error:

@@ -8,6 +8,7 @@ from typing import Final
 from solver.errors import FieldError
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnWall, PlanNotes, Spot
 from solver.imports.straighten import turn_of, turned_by
+from solver.plain import quoted
 
 LEAST_CORNERS: Final = 3
 SMALLEST: Final = 500
@@ -28,7 +29,7 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     """
     for room in plan.rooms:
         if len(room.points) < LEAST_CORNERS:
-            notes.leave(room.where, f"room {room.label!r:.60}: its outline has {len(room.points)} corners")
+            notes.leave(room.where, f"room {quoted(room.label)}: its outline has {len(room.points)} corners")
     plan = replace(plan, rooms=tuple(room for room in plan.rooms if len(room.points) >= LEAST_CORNERS))
     counts = Counter(room.level for room in plan.rooms)
     names = {level.number: level.name for level in plan.levels}

@@ -14,6 +14,7 @@ from solver.imports.carried_things import RESTING, covers
 from solver.imports.drawn import DrawnPiece, PlanNotes, check_count
 from solver.imports.rectilinear import FloorCorner
 from solver.imports.unsized_things import with_usual_sizes
+from solver.plain import quoted
 from solver.scene import Decoration, Furniture, Room
 
 Body = TypeVar("Body", Furniture, Decoration)
@@ -58,11 +59,11 @@ def with_pieces(
         if place is None or size is None or not 0 < min(size) <= max(size) <= LARGEST or abs(piece.y) > LARGEST:
             words = "its size is none" if abs(piece.y) <= LARGEST else f"it is more than {LARGEST:g} m from the floor"
             words = "it stands in no room" if place is None else "the file gives no size" if size is None else words
-            notes.leave(piece.where, f"{piece.name!r:.60}: {words}")
+            notes.leave(piece.where, f"{quoted(piece.name)}: {words}")
             continue
         sort = _sort(meaning, catalogs)
         if sort == LIVING:
-            notes.leave(piece.where, f"{piece.name!r:.60}: people and pets are left out")
+            notes.leave(piece.where, f"{quoted(piece.name)}: people and pets are left out")
             continue
         kind = piece.kind if meaning is not None and meaning.key == _plain(piece.kind) else None
         room, sizes = rooms[place], tuple(max(0.001, round(one, 3)) for one in size)
@@ -73,15 +74,15 @@ def with_pieces(
             body = _named(body, f"{room.id}/small_", len(decorations[place]), taken)
             decorations[place].append(_written_body(Decoration, body, kind))
         elif meaning is not None and meaning.sort == "other":
-            notes.leave(piece.where, f"{piece.name!r:.60}: no furniture")
+            notes.leave(piece.where, f"{quoted(piece.name)}: no furniture")
         else:
             if piece.usual:
-                notes.guess(piece.where, "size", _written(sizes), f"{piece.name!r:.60}: the file gives no size")
+                notes.guess(piece.where, "size", _written(sizes), f"{quoted(piece.name)}: the file gives no size")
             body = _named(body, f"{room.id}/", len(furniture[place]), taken)
             body = _on_whole_mm(body)
             furniture[place].append(replace(_written_body(Furniture, body, kind), on=_under(body, furniture[place])))
     for (name, usual), many in unsized.items():
-        notes.guess("plan", "size", usual, f"{name!r:.60}: the file gives no size of {many} of them")
+        notes.guess("plan", "size", usual, f"{quoted(name)}: the file gives no size of {many} of them")
     return [
         replace(room, furniture=tuple(_beneath_sills(room, _tucked(_on_top(standing, catalogs, notes), catalogs), notes)),
                 decorations=tuple(small))
@@ -191,7 +192,7 @@ def _told_apart(pieces: Sequence[DrawnPiece], notes: PlanNotes) -> list[DrawnPie
     found = []
     for piece in pieces:
         if piece.id and piece.id in seen:
-            notes.change("furniture", piece.where, 0.0, f"another piece has the id {piece.id!r:.60}, too: this one gets an own")
+            notes.change("furniture", piece.where, 0.0, f"another piece has the id {quoted(piece.id)}, too: this one gets an own")
         found.append(replace(piece, id="") if piece.id in seen else piece)
         seen.add(piece.id)
     return found

@@ -37,6 +37,7 @@ from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
+from solver.plain import quoted
 
 MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
@@ -242,11 +243,11 @@ def _untold_layers(shapes: Sequence[DrawnShape], called: Sequence[DrawnShape]) -
     """Yields the layers whose names tell nothing: those of walls that are so by their form, and those of which nothing is read."""
     walls = {one.names for one in shapes if one.sort == "wall"} - {one.names for one in called}
     yield from (
-        Unread(f"layer {name!r:.60}", "it is taken as walls, as it encloses rooms: its name does not say what it holds")
+        Unread(f"layer {quoted(name)}", "it is taken as walls, as it encloses rooms: its name does not say what it holds")
         for name in sorted(walls)
     )
     for name, count in sorted(Counter(one.names for one in shapes if one.sort is None).items()):
-        yield Unread(f"layer {name!r:.60}", f"{count} shapes: its name tells neither rooms nor openings")
+        yield Unread(f"layer {quoted(name)}", f"{count} shapes: its name tells neither rooms nor openings")
 
 
 def _beside(
@@ -268,7 +269,8 @@ def _still_open(loose: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres:
         middles = [between(a, b) for a, b in pairwise(one.points)]
         if not len(sides) or any(to_lines(spot, sides) > near for spot in middles):
             counts[one.names] += 1
-    return [Unread(f"layer {name!r:.60}", f"{count} open outlines of rooms, which enclose none") for name, count in sorted(counts.items())]
+    found = sorted(counts.items())
+    return [Unread(f"layer {quoted(name)}", f"{count} open outlines of rooms, which enclose none") for name, count in found]
 
 
 def _turned(sheet: DrawnSheet, turn: float) -> DrawnSheet:
@@ -339,7 +341,7 @@ def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread
     inside = _texts_in(room, texts)
     known = {one.means for one in inside if one.words == room.label}
     for words in dict.fromkeys(one.words for one in inside if known and one.means and one.means not in known):
-        yield Unread(f"text {words!r:.60}", f"names a room, but no wall is drawn between it and {room.label!r:.60}")
+        yield Unread(f"text {quoted(words)}", f"names a room, but no wall is drawn between it and {quoted(room.label)}")
 
 
 def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
@@ -348,4 +350,4 @@ def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> It
     inside = {(one.x, one.z) for room in rooms for one in _texts_in(room, texts)}
     outside = (one for one in texts if one.means and (one.x, one.z) not in inside) if rooms else ()
     for words in dict.fromkeys(one.words for one in outside if one.words not in known):
-        yield Unread(f"text {words!r:.60}", "names a room, but stands in none: nothing encloses it")
+        yield Unread(f"text {quoted(words)}", "names a room, but stands in none: nothing encloses it")

@@ -14,6 +14,7 @@ from solver.imports.drawn import DrawnRoom, PlanNotes
 from solver.imports.joining import HEIGHTS, SILLS, Joined
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners
 from solver.imports.wall_depths import FacingEdges
+from solver.plain import quoted
 from solver.scene import EXTERIOR, Flooring, Opening, Room, Sides
 
 DOORWAY: Final = 900
@@ -58,10 +59,10 @@ def tell_type(room: NamedRoom, notes: PlanNotes) -> None:
     """Notes what a room's type was told from, where the file does not say it in our words."""
     said = next((word for word in (room.drawn.type, room.drawn.label) if word), "")
     if room.type == UNTYPED:
-        words = f"it is called {said!r:.60}, which names no room type" if said else "the file does not say what it is"
+        words = f"it is called {quoted(said)}, which names no room type" if said else "the file does not say what it is"
         notes.guess(room.id, "type", UNTYPED, words)
     elif room.drawn.type != room.type and "_".join(said.lower().split()) != room.type:
-        notes.guess(room.id, "type", room.type, f"it is called {said!r:.60}")
+        notes.guess(room.id, "type", room.type, f"it is called {quoted(said)}")
 
 
 def outdoor_told(room: NamedRoom, catalogs: Catalogs, notes: PlanNotes) -> NamedRoom:

@@ -17,6 +17,7 @@ from solver.guessing import guessed_types, is_shaft, with_entrance, with_types
 from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan
 from solver.pipeline.timing import Clock, Timing
+from solver.plain import quoted
 from solver.scene import Room, Scene
 from solver.scene_bodies import check_id, check_ids, check_is, check_scene
 from solver.streams import Stream
@@ -25,7 +26,7 @@ from solver.validator import check, sharing_floor, validate
 
 HOME: frozenset[str] = frozenset({"kitchen", "bathroom", "living_room"})
 """Types of which two make a home: its rooms hold what it has no room for, such as a bed where there is no bedroom."""
-_UNKNOWN: Final = "there is no furniture for what is called {called!r:.60}: say which type the room has, if it has one"
+_UNKNOWN: Final = "there is no furniture for what is called {called}: say which type the room has, if it has one"
 
 _SHARED: Final = "shares floor with {other}: what stands in one would stand in the other"
 _SHAFT: Final = "nobody can stand in it: it stays empty, as a shaft or a cupboard in a wall does"
@@ -157,7 +158,7 @@ def _furnished_rooms(scene: Scene, asked: set[str], keep: str, seed: int, known:
         scene = reroll_plan(scene, [room.id for room in empty], seed, known)
     unknown = [room for room in empty if room.type not in known.rooms]
     called = {room.id: ("" if is_shaft(room, scene) else room.type) if room.name is None else room.name for room in unknown}
-    left = shared | {name: _UNKNOWN.format(called=word) if word else _SHAFT for name, word in called.items()}
+    left = shared | {name: _UNKNOWN.format(called=quoted(word)) if word else _SHAFT for name, word in called.items()}
     for name in [room.id for room in scene.rooms if room.id in asked & stays]:
         try:
             scene = _around_all(scene, name, seed, known) if keep == "all" else reroll_plan(scene, [name], seed, known)

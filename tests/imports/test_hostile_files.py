@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import gzip
 import json
+import re
 import sys
 import tracemalloc
 from collections.abc import Callable
@@ -162,6 +163,7 @@ REFUSED: dict[str, bytes | Callable[[], bytes]] = {
     "a zip bomb of a building": lambda: bomb("house.ifc"),
     "a zip that is broken": packed(Home_xml=sweet_home(XML_ROOM)).replace(b"Kitchen", b"KitcheX"),
     "ifc that is cut off": IFC[:-40],
+    "ifc without a head": b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n",
     "ifc without a schema": IFC.replace(b"IFC4", b"IFC9"),
     "ifc without rooms": IFC,
     "ifc of noise": IFC.replace(b"#1=", b"#1=#1=((("),
@@ -258,7 +260,16 @@ def test_it_is_refused_with_words(name: str) -> None:
 
     error = bounded(refused, watched="zip" in name or "laughs" in name)
     assert error.field and error.problem
+    assert not re.search("NoneType|object is|has no attribute|index out of", error.problem), "what Python says of itself"
     assert untold_in_refusal(error) == []
+
+
+def test_a_long_name_is_told_in_quotes_that_end() -> None:
+    """What stands between quotes nobody translates: cut off without the second it was no name."""
+    name = "Kitchen with a name that nobody would ever write on a plan, however large it is"
+    answer = read(spoilt(lambda plan: plan["features"][0]["properties"].update(name=name, type=None)))
+    told = [guess["message"] for guess in answer.guesses if guess["what"] == "type"]
+    assert told == [f"it is called '{name[:57]}…'"]
 
 
 def test_a_room_within_itself_is_named() -> None:

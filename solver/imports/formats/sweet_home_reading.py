@@ -32,6 +32,7 @@ from solver.imports.drawn import (
 from solver.imports.plain_values import number_in
 from solver.imports.shapes_plan import DrawnText, labelled, text_at
 from solver.imports.walls_alone import with_rooms_between
+from solver.plain import quoted
 
 HOME: Final = "Home.xml"
 CM: Final = 0.01
@@ -170,7 +171,7 @@ def _kind(name: str, sill: float, said: str) -> OpeningKind:
 def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> Iterator[DrawnPiece]:
     name = element.get("name", "")[:LONGEST]
     if element.get("visible") == "false":
-        unread.append(Unread(where, f"{name!r:.60}: it is hidden"))
+        unread.append(Unread(where, f"{quoted(name)}: it is hidden"))
         return
     said = _said(element)
     size = (number_in(element, "width", where), number_in(element, "depth", where), number_in(element, "height", where))
