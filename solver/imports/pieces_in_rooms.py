@@ -130,14 +130,17 @@ def _sort(meaning: Meaning | None, catalogs: Catalogs) -> str | None:
     return catalogs.furniture[meaning.key].category if meaning is not None and meaning.sort == "furniture" else None
 
 
+def _sort_of(one: Furniture, catalogs: Catalogs) -> str | None:
+    """Returns the category of what a piece of the scene is: of its kind, else by its name and size."""
+    names = synonyms_of(catalogs)
+    return _sort(names.said(one.kind) or names.meaning(one.name, (one.width, one.depth, one.height)), catalogs)
+
+
 def _on_top(standing: Sequence[Furniture], catalogs: Catalogs, notes: PlanNotes) -> list[Furniture]:
     """Returns furniture whose screens stand on the pieces within which they are drawn, as in the open front of a cabinet."""
-    names = synonyms_of(catalogs)
     found = []
     for one in standing:
-        is_screen = (
-            one.y >= RESTING and one.on is None and _sort(names.meaning(one.name, (one.width, one.depth, one.height)), catalogs) in HIGH
-        )
+        is_screen = one.y >= RESTING and one.on is None and _sort_of(one, catalogs) in HIGH
         tops = ((round(other.y + other.height, 4), other) for other in standing if is_screen and covers(other, one.x, one.z))
         top, other = next(((top, other) for top, other in tops if other is not one and one.y < top <= OVERHEAD), (one.y, None))
         if other is not None:
@@ -148,8 +151,7 @@ def _on_top(standing: Sequence[Furniture], catalogs: Catalogs, notes: PlanNotes)
 
 def _tucked(standing: Sequence[Furniture], catalogs: Catalogs) -> list[Furniture]:
     """Returns furniture whose seats say which table they are drawn under."""
-    names = synonyms_of(catalogs)
-    sorts = [_sort(names.meaning(one.name, (one.width, one.depth, one.height)), catalogs) for one in standing]
+    sorts = [_sort_of(one, catalogs) for one in standing]
     tables = [one for one, sort in zip(standing, sorts, strict=True) if sort == "table" and one.y == 0.0 and one.height > TABLE_HEIGHT]
     found = []
     for one, sort in zip(standing, sorts, strict=True):

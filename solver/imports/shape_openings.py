@@ -30,7 +30,7 @@ DrawnBox = tuple[float, float, float, float]
 class DrawnShape(NamedTuple):
     """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called.
 
-    `width` is how thick its line is drawn, 0 where that means nothing.
+    `width` is how thick its line is drawn, 0 where that means nothing; `id` is what our own export says it is called.
     """
 
     names: str
@@ -40,6 +40,7 @@ class DrawnShape(NamedTuple):
     sort: str | None
     label: str = ""
     width: float = 0.0
+    id: str = ""
 
     def round(self) -> tuple[Spot, ...]:
         """Returns its points, of a closed one the first again at the end."""
@@ -62,6 +63,8 @@ class DrawnSwing(NamedTuple):
 def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnOpening]:
     """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
 
+    What says its id is one with what says the same alone: wide passages may meet at a corner.
+
     A hole with a leaf in it is a door. Where leaves swing and nothing is a window, what is drawn as a door may be one.
     """
     is_mixed = bool(swings) and all(one.sort != "window" for one in shapes)
@@ -70,9 +73,10 @@ def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> l
     for told, kind in SORTS.items():
         drawn = [(*longer_line(one.points), one) for one in shapes if one.sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
-            near = places.first(start, end)
+            near = next((at for at, other in enumerate(found) if other.id == one.id), None) if one.id else places.first(start, end)
             if near is None and math.dist(start, end) > 0:
-                found.append(DrawnOpening(kind, start, end, one.where, unsaid=told == "opening" or (told == "door" and is_mixed)))
+                unsaid = told == "opening" or (told == "door" and is_mixed)
+                found.append(DrawnOpening(kind, start, end, one.where, id=one.id, unsaid=unsaid))
                 places.add(start, end)
             elif near is not None and kind == "door" and found[near].kind == "passage":
                 found[near] = replace(found[near], kind="door", unsaid=False)

@@ -201,8 +201,12 @@ def _openings(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], faces:
     doors = doors_of_swings(swings, faces)
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
     taken = Places([(one.start, one.end) for one in doors])
-    others = (one for one in openings_of(shapes, swings) if taken.first(one.start, one.end) is None)
-    return [*doors, *(one for one in others if leaves.first(one.start, one.end, one.kind == "window") is None)]
+    return doors + [
+        one
+        for one in openings_of(shapes, swings)
+        if (one.id and one.kind != "door")
+        or (taken.first(one.start, one.end) is None and leaves.first(one.start, one.end, one.kind == "window") is None)
+    ]
 
 
 def _told_by_form(

@@ -102,7 +102,7 @@ def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowG
 
 
 def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None) -> tuple[list[DrawnOpening], list[WallGap]]:
-    """Returns openings, of which those that are drawn in a gap are as wide as it, and the gaps that are left.
+    """Returns openings, of which those that are drawn in a gap and say no id are as wide as it, and the gaps that are left.
 
     A door that is drawn as no more than its open leaf hangs at the corner of a gap that is as wide, the first of two leaves for both.
     """
@@ -116,11 +116,12 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
         ways = [(gap, new) for gap in nearest if (new := _in_gap(one, gap, beside))]
         if not ways and one.kind == "door" and not one.hinge:
             ways = [(gap, new) for gap in nearest if (new := _hung(one, gap))]
-        if ways and ways[0][0] in left:
-            del left[ways[0][0]]
-            found.append(ways[0][1])
-        elif not ways:
+        if one.id or not ways:
             found.append(one)
+        elif ways[0][0] in left:
+            found.append(ways[0][1])
+        if ways:
+            left.pop(ways[0][0], None)
     return found, list(left)
 
 
@@ -129,7 +130,7 @@ def _of_parts(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], beside:
     middles, found = np.array([between(one.start, one.end) for one in openings]).reshape(-1, 2), dict(enumerate(openings))
     for gap in gaps:
         near = map(int, np.flatnonzero(np.hypot(*(middles - between(gap.start, gap.end)).T) < gap.width / 2))
-        spans = {at: _along(found[at], gap, beside) for at in near if at in found and not found[at].hinge}
+        spans = {at: _along(found[at], gap, beside) for at in near if at in found and not (found[at].hinge or found[at].id)}
         parts = [at for at, (wide, common) in spans.items() if common >= FILLING * wide > 0 and wide * WIDEST < gap.width]
         if len({found[at].kind for at in parts}) == 1 and sum(spans[at][0] for at in parts) >= FILLING * gap.width:
             found[parts[0]] = replace(found[parts[0]], start=gap.start, end=gap.end)

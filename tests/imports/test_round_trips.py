@@ -85,6 +85,45 @@ def test_a_house_reads_back(program: str, format: str) -> None:
     assert changed == (["plan"] if format == "ifc" else [])  # its spaces are drawn by their inner faces
 
 
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_wide_passages_that_meet_at_a_corner_read_back(format: str) -> None:
+    hall = Room(
+        "hall", type="hallway", width=7.0, depth=2.0,
+        openings=(Opening("p", kind="passage", wall="south", position=3.5, width=1.0, connects_to="kitchen"),
+                  Opening("q", kind="passage", wall="south", position=5.1, width=2.2, connects_to="living"),
+                  Opening("front", kind="door", wall="west", position=1.0, connects_to=EXTERIOR, main_entrance=True)),
+    )  # fmt: skip
+    kitchen = Room(
+        "kitchen", type="kitchen", z=2.0, width=4.0, depth=4.0,
+        openings=(Opening("p", kind="passage", wall="north", position=3.5, width=1.0, connects_to="hall"),
+                  Opening("r", kind="passage", wall="east", position=2.0, width=4.0, connects_to="living")),
+    )  # fmt: skip
+    living = Room(
+        "living", type="living_room", x=4.0, z=2.0, width=6.0, depth=4.0,
+        openings=(Opening("q", kind="passage", wall="north", position=1.1, width=2.2, connects_to="hall"),
+                  Opening("r", kind="passage", wall="west", position=2.0, width=4.0, connects_to="kitchen")),
+    )  # fmt: skip
+    before = Scene(rooms=(hall, kitchen, living), wall_thickness=0.1)
+    (name, content), *_ = export(before, format).items()
+    assert openings_of(read(content, name).scene, swings=False) == openings_of(before, swings=False)
+
+
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_pieces_that_people_named_read_back_where_they_stood(format: str) -> None:
+    """They are what their kinds say: a chair is under its table whatever both are called."""
+    furnished = home("an L, decorated")
+    named = (tuple(replace(one, name=f"Oma's {number}") for number, one in enumerate(room.furniture)) for room in furnished.rooms)
+    before = replace(
+        furnished, rooms=tuple(replace(room, furniture=those) for room, those in zip(furnished.rooms, named, strict=True)), certificate=None
+    )
+    (name, content), *_ = export(before, format).items()
+    answer = read(content, name)
+    assert [change for change in answer.changes if change["step"] == "furniture"] == []
+    assert {one.id for room in answer.scene.rooms for one in room.furniture if one.under} == {
+        one.id for room in before.rooms for one in room.furniture if one.under
+    }
+
+
 CALLED = ("Maria's", "Oma", "Küche alt", "Bureau de Paul", "x^2", "Lotte\n& Max", "The room of those who come late and stay long")
 """Names of rooms: some tell nothing, some another type."""
 

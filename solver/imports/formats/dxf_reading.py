@@ -282,7 +282,9 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, b
             points = _spots(make_path(one).flattening(math.inf, CHORDS))
             closed = len(points) > 3 and math.dist(points[0], points[-1]) <= SHUT * math.dist(points[0], points[len(points) // 2])
             width = abs(one.dxf.get(WIDTHS[kind], 0.0)) if kind in WIDTHS else 0.0
-            shapes += [DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width)] if points else []
+            called = next((tag.value for tag in said[where] if tag.code == TEXT), "")
+            shape = DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width, id=called)
+            shapes += [shape] if points else []
         elif kind in FILLED and sort == "wall":
             shapes += [DrawnShape(layer, points, True, where, sort) for points in _filled(one) if len(points) > 2]
         elif kind == "LINE":
