@@ -30,7 +30,7 @@ AS_PLANNED: Final = 0.5
 """At most this to enter a room through the one it was planned behind: its bathroom belongs to the bedroom in front."""
 
 
-_PRIVATE: Final = ("bed", "single_bed", "toilet")
+_PRIVATE: Final = frozenset(("bed", "single_bed", "toilet"))
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def passing_cost(through: str, entered: str, rooms: Mapping[str, RoomType]) -> f
 
 def is_private(name: str, rooms: Mapping[str, RoomType]) -> bool:
     """Tells whether a type is a bedroom or a bathroom: one sleeps, bathes or uses the toilet there."""
-    return any(kind in _PRIVATE for line in rooms[name].requires for kind in line)
+    return not all(map(_PRIVATE.isdisjoint, rooms[name].requires))
 
 
 @dataclass(frozen=True)

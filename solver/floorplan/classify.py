@@ -5,7 +5,7 @@ No randomness: the plan's rooms are varied enough.
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from catalogs.schema import RoomType
@@ -77,13 +77,12 @@ class _Draft:
             self.types[index] = name
         self.unforced = sorted((i for i, t in enumerate(self.types) if t is None), key=lambda i: (self.area[i], i))
         self.fixed: set[int] = set()
-        garages = {name for name, kind in fitness.rooms.items() if kind.plan.garage_door}
-        self.group = {name: "garage" if name in garages else name for name in fitness.rooms}
+        self.group = dict(zip(fitness.rooms, fitness.rooms, strict=True)) | dict.fromkeys(fitness.cars, "garage")
         """Garages of any size count as one type."""
         self.counts = Counter(self.group[t] for t in self.types if t is not None)
         self.households = 1 + (len(layout.rooms) - layout.hallways) // 40
         self.wish = self._wishes(len(layout.rooms) - layout.hallways)
-        self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | garages)
+        self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | fitness.cars.keys())
 
     def _wishes(self, count: int) -> Counter[str]:
         wish = Counter(PROGRAMME[i % len(PROGRAMME)] for i in range(count))
@@ -135,26 +134,30 @@ class _Draft:
         own = 1.0 if room in self.fitness.access_plan.through else 0.0
         return self.fitness.cost(room, "bedroom_master", self.types) + small - own, room
 
-    def repeated(self, room: int, name: str) -> float:
-        """Cost of one more room of a type: a bonus up to the wish, then ever steeper; a second one that is too large is no bonus."""
-        group = self.group[name]
-        if self.counts[group] >= self.households * MOST.get(group, MAX_ROOMS):
-            return TOO_MANY
-        over = self.counts[group] + 1 - self.wish[group]
-        steep = 6.0 if group in HOUSEHOLD else 2.0
-        if over <= 0:
-            return 2.0 if self.counts[group] and self.area[room] > self.fitness.rooms[name].area.max else -0.8
-        return steep * math.pow(over, 1.3)
-
     def _more(self, room: int, name: str) -> float:
-        """Cost of a type besides what it costs in the room."""
-        return FOYER[bool(self.fitness.outside[room])] if name == "hallway" else self.repeated(room, name)
+        """Cost of a type besides what it costs in the room: of one more room of it.
 
-    def _offers(self, room: int, names: Sequence[str]) -> Iterator[tuple[float, float, str]]:
-        """Yields types with what they cost in the room at least, the least first, and what they cost besides."""
-        shape = self.fitness.shape
-        offers = [(shape(room, name) + more, more, name) for name in names for more in (self._more(room, name),)]
-        return iter(sorted(offers))
+        That is a bonus up to the wish, then ever steeper; a second one that is too large is no bonus.
+        """
+        if name == "hallway":
+            return FOYER[bool(self.fitness.outside[room])]
+        group = self.group[name]
+        there, over = self.counts[group], self.counts[group] + 1 - self.wish[group]
+        if there >= self.households * MOST.get(group, MAX_ROOMS):
+            return TOO_MANY
+        if over <= 0:
+            return 2.0 if there and self.area[room] > self.fitness.rooms[name].area.max else -0.8
+        return (6.0 if group in HOUSEHOLD else 2.0) * math.pow(over, 1.3)
+
+    def _least(self, room: int, names: Sequence[str]) -> tuple[float, str]:
+        """Returns what the type costs that suits the room best now, and the type; a shape costs nothing at least."""
+        fitness, best = self.fitness, (math.inf, "")
+        for more, name in sorted([(self._more(room, name), name) for name in names]):
+            if more > best[0]:
+                break
+            if fitness.shape(room, name) + more <= best[0]:
+                best = min(best, (fitness.cost(room, name, self.types) + more, name))
+        return best
 
     def names_for(self, room: int) -> list[str]:
         """Returns the types to choose from: a room that others are entered through may be a hallway."""
@@ -163,12 +166,7 @@ class _Draft:
 
     def best(self, room: int) -> str:
         """Returns the type that suits the room best now."""
-        best = (math.inf, "")
-        for least, more, name in self._offers(room, self.names_for(room)):
-            if least > best[0]:
-                break
-            best = min(best, (self.fitness.cost(room, name, self.types) + more, name))
-        return best[1]
+        return self._least(room, self.names_for(room))[1]
 
     def fronts(self) -> None:
         """Rooms that others are entered through, largest first, each together with a room behind it."""
@@ -186,10 +184,8 @@ class _Draft:
             if cost >= IMPOSSIBLE:
                 continue
             self.types[front] = name
-            for least, more, other in self._offers(back, self.names):
-                if cost + least > best[0]:
-                    break
-                best = min(best, (cost + (self.fitness.cost(back, other, self.types) + more), name, other))
+            more, other = self._least(back, self.names)
+            best = min(best, (cost + more, name, other))
         self.types[front] = None
         if best[1]:
             self.give(front, best[1])

@@ -3,7 +3,8 @@
 All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence, Set
+from functools import lru_cache
 from math import log
 from typing import Final
 
@@ -31,6 +32,13 @@ def cars_of(kind: RoomType) -> int:
     return max((*asked, *held, 1))
 
 
+@lru_cache(maxsize=64)
+def _wet_and_garages(catalogs: Catalogs) -> tuple[Set[str], Mapping[str, int]]:
+    """Returns the types that are wet, and how many cars those hold that have a garage door."""
+    rooms = catalogs.rooms
+    return {name for name in rooms if rooms[name].plan.wet}, {name: cars_of(rooms[name]) for name in rooms if rooms[name].plan.garage_door}
+
+
 class Fitness:
     """Costs of types in the rooms of one layout; remembers what it has computed."""
 
@@ -44,42 +52,33 @@ class Fitness:
             if parent is not None:
                 self.children.setdefault(parent, []).append(child)
         more = layout.walls.more
-        sides = [sorted((rect.width - more, rect.depth - more)) for rect in layout.rooms]
-        self.area = [short * long / 1e6 for short, long in sides]
-        self._sides = [(short, long) for short, long in sides]
+        self._sides = [sorted((rect.width - more, rect.depth - more)) for rect in layout.rooms]
+        self.area = [short * long / 1e6 for short, long in self._sides]
         self._shape: dict[tuple[int, str], float] = {}
-        self._wet = {name for name, kind in self.rooms.items() if kind.plan.wet}
-        self._cars = {name: cars_of(kind) for name, kind in self.rooms.items() if kind.plan.garage_door}
+        self._wet, self.cars = _wet_and_garages(catalogs)
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
         known = self._shape.get((room, name))
         if known is None:
-            kind = self.rooms[name]
-            known = self._area(room, kind) + self._form(room, kind) + self._outside(room, name)
-            self._shape[room, name] = known
+            known = self._shape[room, name] = self._shape_of(room, name)
         return known
 
-    def _area(self, room: int, kind: RoomType) -> float:
-        area, asked = self.area[room], kind.area
+    def _shape_of(self, room: int, name: str) -> float:
+        (short, long), sides, kind = self._sides[room], self.outside[room], self.rooms[name]
+        area, asked, plan = self.area[room], kind.area, kind.plan
         least = asked.min[room in self.access_plan.through]
         if area < least:
-            return 10.0 + 20.0 * (least - area) / least
-        over = 2.0 + 8.0 * log(area / asked.max) if area > asked.max else 0.0
-        return over + 0.7 * abs(log(area / asked.typical))
-
-    def _form(self, room: int, kind: RoomType) -> float:
-        short, long = self._sides[room]
-        return (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
-
-    def _outside(self, room: int, name: str) -> float:
-        sides, plan = self.outside[room], self.rooms[name].plan
-        cost = DARK if plan.habitable and not sides else 0.0
-        if name in self._cars:
-            rect, need = self.layout.rooms[room], CAR_DOOR_MM * self._cars[name] + 400
-            wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
-            return cost + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5)
-        return cost + (IMPOSSIBLE if plan.street and not sides else 0.0)
+            size = 10.0 + 20.0 * (least - area) / least
+        else:
+            size = (2.0 + 8.0 * log(area / asked.max) if area > asked.max else 0.0) + 0.7 * abs(log(area / asked.typical))
+        form = (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
+        light = DARK if plan.habitable and not sides else 0.0
+        if name not in self.cars:
+            return size + form + (light + (IMPOSSIBLE if plan.street and not sides else 0.0))
+        rect, need = self.layout.rooms[room], CAR_DOOR_MM * self.cars[name] + 400
+        wide = [side for side in sides if rect.along(side)[1] - rect.along(side)[0] >= need]
+        return size + form + (light + (IMPOSSIBLE if not wide else 0.0 if "south" in wide else 1.5))
 
     def access(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
