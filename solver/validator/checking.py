@@ -20,7 +20,7 @@ from solver.scene import Room, Scene
 from solver.understanding import understood
 from solver.validator.judging import FINDING_WORK, RuleCase
 from solver.validator.kinds import Kinds, kinds_of
-from solver.validator.rules import CHECKS, homeless, issues_of
+from solver.validator.rules import CHECKS, UNJUDGED, homeless, issues_of
 from solver.validator.sent_rooms import NumberedKinds, room_bytes
 from solver.validator.walk import ANY_NUMBER, judged_storey, storeys
 from solver.validator.world import AnyBody, PlacedRoom, World, world_of
@@ -151,7 +151,7 @@ def _storey_cases(
 def _judge(case: RuleCase, known: _Judged | None) -> _Judged:
     """Judges a room; of what is known already of the same room nothing that still holds is checked again."""
     if known is None:
-        return _Judged(case, issues_of(case.due(CHECKS), case))
+        return _Judged(case, issues_of(CHECKS if case.may_break_judged else UNJUDGED, case))
     open_again = set[str]()
     if known.case.walk is not case.walk:
         open_again.add("unreachable")

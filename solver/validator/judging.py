@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, NamedTuple
@@ -62,10 +62,10 @@ class RuleCase:
         """What the catalogs say."""
         return self.table.kinds
 
-    def due(self, rules: Iterable[str]) -> Iterable[str]:
-        """Returns the rules that the room may break: without those that the core judges, where it finds nothing."""
-        is_broken = self.judged.findings or self.judged.of_plan or len(self.room.holes) < len(self.room.room.openings)
-        return rules if is_broken else [rule for rule in rules if rule not in JUDGED]
+    @property
+    def may_break_judged(self) -> bool:
+        """Tells whether there may be something to say by the rules that the core judges."""
+        return bool(self.judged.findings or self.judged.of_plan) or len(self.room.holes) < len(self.room.room.openings)
 
     @cached_property
     def told(self) -> Mapping[str, Sequence[Told]]:

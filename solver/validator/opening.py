@@ -43,8 +43,8 @@ class FrontTravel(NamedTuple):
 def front_blocked(case: RuleCase) -> Iterator[Finding]:
     """Fronts of a piece open less than half of their way; where its kind says that one must open, that is an error."""
     blocked: dict[tuple[str, bool], list[FrontTravel]] = {}
-    for one in (_travel(case, told) for told in _opened(case) if told[1] != _NOTHING):
-        if one.share < ENOUGH:
+    for told in _opened(case):
+        if told[1] != _NOTHING and (one := _travel(case, told)).share < ENOUGH:
             blocked.setdefault((one.piece, one.must_open), []).append(one)
     for (piece, must_open), fronts in blocked.items():
         met = dict.fromkeys(one.meets for one in fronts if one.meets is not None and one.meets != WALL)
@@ -66,13 +66,9 @@ def _opened(case: RuleCase) -> Iterator[_Opened]:
     return _OPENED.iter_unpack(case.judged.opened)
 
 
-def _fronts(case: RuleCase, body: int) -> tuple[KindFront, ...]:
-    return case.kinds.fronts[case.room.keys[body]].each
-
-
 def _travel(case: RuleCase, told: _Opened) -> FrontTravel:
     travel, meets, body, number = told
-    name, slides, reach, must_open = _fronts(case, body)[number]
+    name, slides, reach, must_open = case.kinds.fronts[case.room.keys[body]].each[number]
     way, by = (reach, None) if meets == _NOTHING else (travel / _MILLIONTHS, WALL if meets < 0 else case.name(meets))
     return FrontTravel(case.name(body), name, slides, way, reach, by, must_open)
 
@@ -85,12 +81,12 @@ def travels_in(case: RuleCase) -> list[FrontTravel]:
 def certified_fronts(case: RuleCase) -> dict[str, dict[str, Any]]:
     """Returns what a certificate says of a room's fronts, by piece and front: 1 where it opens wholly, else the share and what it meets."""
     said: dict[str, dict[str, Any]] = {}
-    names = furniture_ids(case.room.room) if case.judged.opened else ()
+    names, keys, kinds = furniture_ids(case.room.room), case.room.keys, case.kinds.fronts
     before, fronts, own = -1, tuple[KindFront, ...](), dict[str, Any]()
     for told in _opened(case):
         _, meets, body, number = told
         if body != before:
-            before, fronts, own = body, _fronts(case, body), said.setdefault(names[body], {})
+            before, fronts, own = body, kinds[keys[body]].each, said.setdefault(names[body], {})
         own[fronts[number][0]] = 1 if meets == _NOTHING else _certified(_travel(case, told))
     return said
 

@@ -34,19 +34,22 @@ _SEVERITIES: Final[dict[Callable[[RuleCase], Iterator[Finding]], str]] = {
 RULES: Final = {check.__name__: severity for check, severity in _SEVERITIES.items()}
 """Every rule and its severity."""
 CHECKS: Final = {check.__name__: check for check in _SEVERITIES}
+UNJUDGED: Final = tuple([rule for rule in RULES if rule not in JUDGED])
+"""The rules that the core does not judge."""
 
 
 def issues_of(rules: Iterable[str], case: RuleCase) -> dict[str, tuple[Issue, ...]]:
     """Lists what breaks rules in one room, by those of them that something breaks; what the core found was counted before."""
-    found = ((rule, tuple([_issue(rule, case.room.room.id, one) for one in _found(rule, case)])) for rule in rules)
-    return {rule: issues for rule, issues in found if issues}
-
-
-def _found(rule: str, case: RuleCase) -> Iterator[Finding]:
-    for one in CHECKS[rule](case):
-        if rule not in JUDGED:
-            demand(FINDING_WORK)
-        yield one
+    found = dict[str, tuple[Issue, ...]]()
+    for rule in rules:
+        issues = list[Issue]()
+        for one in CHECKS[rule](case):
+            if rule not in JUDGED:
+                demand(FINDING_WORK)
+            issues.append(_issue(rule, case.room.room.id, one))
+        if issues:
+            found[rule] = tuple(issues)
+    return found
 
 
 def homeless(scene: Scene) -> Iterator[Issue]:

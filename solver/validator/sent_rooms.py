@@ -135,8 +135,8 @@ class _NumberedIds(dict[str | None, int]):
     """The ids of a room's bodies as numbers, equal ones alike, nobody's -1. Those of rows are made where one comes that may be of them."""
 
     def __init__(self, room: Room) -> None:
-        super().__init__({None: -1})
-        self.count, self._before, self._as_rows = 0, f"{room.id}/", list[tuple[int, BodyRows]]()
+        self[None] = -1
+        self.count, self._room, self._as_rows = 0, room, list[tuple[int, BodyRows]]()
 
     def add(self, rows: BodyRows | None) -> None:
         """Numbers the ids of bodies that are told as rows, if any."""
@@ -145,7 +145,7 @@ class _NumberedIds(dict[str | None, int]):
             self.count += len(rows)
 
     def __missing__(self, name: str | None) -> int:
-        while self._as_rows and str(name).startswith(self._before):
+        while self._as_rows and str(name).startswith(f"{self._room.id}/"):
             first, rows = self._as_rows.pop(0)
             self.update(zip(rows.ids, count(first)))
         if name not in self:
