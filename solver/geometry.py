@@ -19,8 +19,8 @@ ALONG_X: Final = ("north", "south")
 INWARDS: Final = {"north": 1, "west": 1, "south": -1, "east": -1}
 """Which way along its other axis a wall's room lies."""
 _WALLS_FACED: Final = ("south", "east", "north", "west")
-_EDGES: Final = {"west": 0, "north": 1, "east": 2, "south": 3}
-"""Which number of a rectangle says where its edge at a wall lies."""
+EDGES: Final = {"north": 1, "south": 3, "east": 2, "west": 0}
+"""Which number of a rectangle says where its edge at a wall lies, in the order of the scene's WALLS."""
 _QUARTERS: Final = {"front": 0, "right": 1, "back": 2, "left": 3}
 ROTATION_AT_WALL: Final = {"north": 0, "west": 90, "south": 180, "east": 270}
 """The rotation of a body whose back is to that wall: it faces away from it."""
@@ -188,7 +188,7 @@ class Rect(NamedTuple):
 
     def line(self, wall: str) -> int:
         """Returns where the edge at a wall lies: its z for north and south, its x for east and west."""
-        return self[_EDGES[wall]]
+        return self[EDGES[wall]]
 
     def wall_distance(self, wall: str, room: Rect) -> int:
         """Returns how far the edge at a wall is from that wall of a room's rectangle; negative beyond it."""

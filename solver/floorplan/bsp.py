@@ -151,8 +151,7 @@ class Plot(NamedTuple):
 
     def keeps(self, axis: str) -> bool:
         """Tells whether both children of a cut across the axis still touch a hallway."""
-        halls = self.halls
-        return any(side in halls for side in ACROSS[axis]) or all(side in halls for side in ENDS[axis])
+        return not self.halls.isdisjoint(ACROSS[axis]) or self.halls.issuperset(ENDS[axis])
 
     def child(self, rect: Rect, axis: str, end: int, role: str = "") -> "Plot":
         """Returns the child at one end (0: west or north) of a cut across the axis."""

@@ -8,7 +8,7 @@ from typing import Any, Final
 from catalogs.schema import Catalogs
 from solver.floorplan.openings import Cut, OpenedHouse, door_places, pane_of
 from solver.floorplan.tiling import Joint, Layout
-from solver.geometry import ALONG_X, OPPOSITE, Rect, half_m, to_m
+from solver.geometry import ALONG_X, OPPOSITE, Rect, to_m
 from solver.records import changed
 from solver.scene import EXTERIOR, WALLS, Flooring, Opening, Room, Sides
 
@@ -73,9 +73,9 @@ def _rooms(drawing: Drawing, ids: tuple[str, ...]) -> tuple[Room, ...]:
     flags = _wall_flags(drawing.layout)
     openings: dict[int, list[Opening]] = {}
     for cut in drawing.cuts:
-        heights = _heights(drawing, cut)
+        alike = _alike(drawing, cut)
         for room in cut.sides:
-            openings.setdefault(room, []).append(_opening(drawing, cut, room, ids, heights))
+            openings.setdefault(room, []).append(_opening(drawing, cut, room, ids, alike))
     return tuple(_room(drawing, i, flags[i], tuple(openings.get(i, ()))) for i in range(len(ids)))
 
 
@@ -104,31 +104,29 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     )
 
 
-def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], heights: tuple[float, float]) -> Opening:
-    """Writes an opening as one of its rooms sees it."""
+def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike: Mapping[str, Any]) -> Opening:
+    """Writes an opening as one of its rooms sees it; `alike` is what both say."""
     wall, partner = cut.wall_of(room), cut.other if room == cut.room else cut.room
     return changed(
         _OPENING,
-        id=cut.id,
-        kind=cut.kind,
+        **alike,
         wall=wall,
-        position=half_m(sum(cut.ends) - 2 * drawing.rects[room].along(wall)[0]),
-        width=to_m(cut.width),
-        height=heights[0],
-        sill=heights[1],
+        position=to_m(cut.centre - drawing.rects[room].along(wall)[0]),
         connects_to=ids[partner] if partner is not None else EXTERIOR,
-        hinge=_hinge(cut, drawing) if cut.kind == "door" else None,
         swing=("in" if cut.leaf == room else "out") if cut.kind == "door" else None,
-        main_entrance=cut.main,
         render_panel=partner is None or room < partner,
     )
 
 
-def _heights(drawing: Drawing, cut: Cut) -> tuple[float, float]:
+def _alike(drawing: Drawing, cut: Cut) -> dict[str, Any]:
+    """Returns what all rooms at an opening say of it."""
+    height, sill = (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
     if cut.kind == "window":
         pane = pane_of(drawing.catalogs.rooms[drawing.types[cut.room]])
-        return to_m(pane.height), to_m(pane.sill)
-    return (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
+        height, sill = to_m(pane.height), to_m(pane.sill)
+    hinge = _hinge(cut, drawing) if cut.kind == "door" else None
+    sizes = {"width": to_m(cut.width), "height": height, "sill": sill}
+    return {"id": cut.id, "kind": cut.kind, **sizes, "hinge": hinge, "main_entrance": cut.main}
 
 
 def _hinge(cut: Cut, drawing: Drawing) -> str:
@@ -187,8 +185,8 @@ def with_door_at(plan: FloorPlan, opening_id: str, position_mm: int) -> FloorPla
     moved = _cut(plan, opening_id)._replace(centre=position_mm)
     cuts = tuple(moved if cut.id == opening_id else cut for cut in drawing.cuts)
     drawing = replace(drawing, cuts=cuts)
-    ids, heights, rooms = drawing.ids(), _heights(drawing, moved), list(plan.rooms)
+    ids, alike, rooms = drawing.ids(), _alike(drawing, moved), list(plan.rooms)
     for room in moved.sides:
-        written_anew = _opening(drawing, moved, room, ids, heights)
+        written_anew = _opening(drawing, moved, room, ids, alike)
         rooms[room] = changed(rooms[room], openings=tuple(written_anew if one.id == opening_id else one for one in rooms[room].openings))
     return replace(plan, rooms=tuple(rooms), drawing=drawing)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Final, NamedTuple
 
-from solver.geometry import OPPOSITE, Rect, gaps_between
+from solver.geometry import EDGES, OPPOSITE, Rect, gaps_between
 from solver.scene import WALLS
 
 LATTICE_MM: Final = 50
@@ -137,7 +137,7 @@ class Layout:
 
 def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
     """Returns the walls of a part of a rectangular house that lie on its outline, in the order of WALLS."""
-    return tuple([wall for wall in WALLS if rect.line(wall) == outline.line(wall)])
+    return tuple([wall for wall, edge in EDGES.items() if rect[edge] == outline[edge]])
 
 
 def exposures(layout: Layout) -> tuple[Mapping[str, Stretches], ...]:
