@@ -3,9 +3,8 @@
 A home has some five hundred bodies, and whoever judges, counts or writes it needs numbers alone.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from itertools import chain
 from struct import Struct
 from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeAlias, TypeVar
 
@@ -22,8 +21,11 @@ BODY: Final = Struct("<8i8q")
 """
 KIND: Final = Struct("<i92x")
 """The kind of such a row alone."""
-_KIND_AND_SIZE: Final = Struct("<i68x3q")
+_KIND_AND_SIZE: Final = Struct("<i68x24s")
+SIZE: Final = Struct("<3q")
 _TURN: Final = Struct("<16xi76x")
+_NUMBER: Final = Struct("<24xi68x")
+_POSE: Final = Struct("<16xi12x7q8x")
 _KIND_AND_COLOUR: Final = Struct("<i16xi72x")
 """What else is asked of such rows alone: all of their numbers take longer."""
 BODY_WALLS: Final = (*WALLS, None)
@@ -52,8 +54,8 @@ def key_of(one: KindKey) -> BodyKey:
     return one.key if isinstance(one, Look) else one
 
 
-LooksBySize = Mapping[tuple[int, int, int, int], Look]
-"""How bodies look, by the number of their kind and their size, mm."""
+LooksBySize = Mapping[tuple[int, bytes], Look]
+"""How bodies look, by the number of their kind and their size, packed."""
 
 
 def furniture_look(kind: str, size_mm: tuple[int, int, int], catalogs: "Catalogs") -> Look:
@@ -96,15 +98,20 @@ class BodyRows:
         return [*BODY.iter_unpack(self.content)]
 
     @property
+    def poses(self) -> Iterator[BodyRow]:
+        """The rotation of each, degrees; x0, z0, x1, z1, low, width and depth, mm."""
+        return _POSE.iter_unpack(self.content)
+
+    @property
     def turns(self) -> Sequence[int]:
         """The rotation of each, degrees."""
-        return [*chain.from_iterable(_TURN.iter_unpack(self.content))]
+        return [turn for (turn,) in _TURN.iter_unpack(self.content)]
 
     @kept
     def ids(self) -> Sequence[str]:
         """The id of each."""
         before = f"{self.room.id}/"
-        return [f"{before}{look.name}_{row[6]}" for look, row in zip(self.looks, self.rows, strict=True)]
+        return [f"{before}{look.name}_{number}" for look, (number,) in zip(self.looks, _NUMBER.iter_unpack(self.content), strict=True)]
 
     @property
     def colours(self) -> Sequence[str | None]:
@@ -152,7 +159,8 @@ class FurnitureRows(BodyRows):
     @property
     def colours(self) -> Sequence[str]:
         """The colour of each."""
-        return [*map(self._by_kind.__getitem__, chain.from_iterable(KIND.iter_unpack(self.content)))]
+        colours = self._by_kind
+        return [colours[kind] for (kind,) in KIND.iter_unpack(self.content)]
 
 
 class DecorationRows(BodyRows):

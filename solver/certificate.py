@@ -71,7 +71,7 @@ def _poses(room: Room) -> Iterator[tuple[str, float, float, float, float, float,
 def _poses_told(rows: FurnitureRows) -> Iterator[str]:
     """Yields the same of pieces that are told as rows, written, in the same order."""
     said = _WRITTEN
-    for name, (_, _, _, _, turn, _, _, _, x0, z0, x1, z1, low, wide, deep, _) in sorted(zip(rows.ids, rows.rows, strict=True)):
+    for name, (turn, x0, z0, x1, z1, low, wide, deep) in sorted(zip(rows.ids, rows.poses, strict=True)):
         yield f"{name} {said[x0 + x1]} {said[2 * low]} {said[z0 + z1]} {said[2000 * turn]} {said[2 * wide]} {said[2 * deep]}"
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from struct import Struct
 from typing import Final, Literal, NamedTuple
 
-from solver.body_rows import Look, LooksBySize
+from solver.body_rows import Look
 from solver.geometry import Rect, gaps_between, strip, turned
 from solver.records import kept, late, maker_in
 from solver.scene import WALL_NUMBERS
@@ -283,7 +283,7 @@ NamedKinds = tuple[NamedKind, ...]
 class WantedRows(NamedTuple):
     """What the core furnishes and places in one go: a room and its type as bytes, and what the numbers of its answer mean.
 
-    `kinds` are those of the room's type, `looks` is how furniture of these looks. `label` returns the label of a wanted piece from
+    `kinds` are those of the room's type, `looks` is how furniture of each looks. `label` returns the label of a wanted piece from
     rows of spec, number and side of floor (NameRow of core/rooms/made.hpp) and its place among them, `candidate` a candidate from its row
     and all labels.
     """
@@ -292,7 +292,7 @@ class WantedRows(NamedTuple):
     type_rows: bytes
     room_rows: bytes
     kinds: NamedKinds
-    looks: LooksBySize
+    looks: Sequence[Look]
     label: Callable[[Sequence[tuple[int, int, int]], int], str]
     candidate: Callable[[bytes, Sequence[str]], Candidate]
 

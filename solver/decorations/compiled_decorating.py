@@ -18,7 +18,7 @@ from catalogs.insides import InsideSurface, insides_of
 from catalogs.kind_book import UPRIGHT, KindBook
 from catalogs.shapes import Solid
 from catalogs.styles import Leaning, Style
-from solver.body_rows import BodyTurn, Look, LooksBySize, key_of
+from solver.body_rows import SIZE, BodyTurn, Look, LooksBySize, key_of
 from solver.core.core_tables import CoreTables, TableRange
 from solver.free_floor import sides_seen
 from solver.geometry import Rect, to_mm, wall_faced
@@ -187,9 +187,9 @@ def looks_by_kind(catalogs: Catalogs) -> LooksBySize:
     kinds, book = tuple(catalogs.decorations), KindBook(catalogs)
     tipped = frozenset(name for name in kinds if name + UPRIGHT in catalogs.shapes)
 
-    def look(key: tuple[int, int, int, int]) -> Look:
-        number, width, depth, height = key
-        name, size = kinds[number], (width / 1000, depth / 1000, height / 1000)
+    def look(key: tuple[int, bytes]) -> Look:
+        width, depth, height = SIZE.unpack(key[1])
+        name, size = kinds[key[0]], (width / 1000, depth / 1000, height / 1000)
         return Look("decoration", name, book.kind_of("decoration", name, size) if name in tipped else name, size)
 
     return MadeOnce(look, _MOST_LOOKS)

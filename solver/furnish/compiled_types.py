@@ -12,7 +12,7 @@ from typing import Final
 
 from catalogs.entries import Run
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType, Variant
-from solver.body_rows import LooksBySize, furniture_look
+from solver.body_rows import Look, furniture_look
 from solver.core.core_tables import CoreTables, TableRange
 from solver.furnish.floor_about import FloorAbout, asked_about, floors_about
 from solver.geometry import to_mm
@@ -40,13 +40,13 @@ _MOST_CATALOGS: Final = 16
 class CompiledType:
     """A room type for the core: its bytes, and the pieces and kinds that its rows speak of.
 
-    `looks` is how furniture of these looks, `made_from` the room type and what it was compiled with.
+    `looks` is how furniture of each kind looks, `made_from` the room type and what it was compiled with.
     """
 
     data: bytes
     specs: tuple[PieceSpec, ...]
     kinds: tuple[Kind, ...]
-    looks: LooksBySize
+    looks: Sequence[Look]
     made_from: tuple[object, ...]
 
     @cached_property
@@ -74,7 +74,7 @@ def compiled_type(room_type: RoomType | None, catalogs: Catalogs, name: str = ""
         tables = _Tables(catalogs, name if room_type and not room_type.outdoor else None)
         specs = tuple(spec for spec in (room_type.pieces if room_type else ()) if not spec.without)
         data, kinds = tables.compiled(room_type.run if room_type else None, specs), tuple(tables.kinds.values())
-        looks = {(number, *kind.size): furniture_look(kind.name, kind.size, catalogs) for number, kind in enumerate(kinds)}
+        looks = [furniture_look(kind.name, kind.size, catalogs) for kind in kinds]
         found = _kept[key] = CompiledType(data, specs, kinds, looks, made_from)
     return found
 

@@ -10,7 +10,7 @@ from math import inf
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from solver.body_rows import BODY, looks_in
+from solver.body_rows import BODY, KIND
 from solver.core import CoreInstance, borrowed
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Residuals, StandingRows, WantedRows
@@ -138,7 +138,8 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
     for row, count in ((_NAME, made.names), (_PLACED, made.placed), (BODY, made.placed), (_LEFT_OUT, made.left_out)):
         ends.append(ends[-1] + row.size * count)
     names, ways, bodies, missing = (data[start:end] for start, end in pairwise(ends))
-    placing = _Placing(room, names, ways, StandingRows(bodies, room.kinds, looks_in(bodies, room.looks)))
+    standing = StandingRows(bodies, room.kinds, [room.looks[kind] for (kind,) in KIND.iter_unpack(bodies)])
+    placing = _Placing(room, names, ways, standing)
     left_out = tuple(_reasons(room, placing, [*_LEFT_OUT.iter_unpack(missing)], made.placed)) if made.left_out else ()
     notes = () if made.walkable else (NOT_WALKABLE,)
     proven, best = bool(made.proven), bool(made.best)

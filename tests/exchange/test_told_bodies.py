@@ -9,7 +9,7 @@ from unittest import mock
 import pytest
 
 from solver import core
-from solver.body_rows import BODY, DecorationRows, FurnitureRows, Look, LooksBySize, looks_in, told
+from solver.body_rows import BODY, SIZE, DecorationRows, FurnitureRows, Look, LooksBySize, looks_in, told
 from solver.exchange import dump_scene, dump_text, scene_text, write_scene
 from solver.scene import Room, Scene
 
@@ -25,7 +25,7 @@ def random_rows(rng: Random, sort: str, count: int, carriers: int) -> tuple[byte
         kind, size = rng.randrange(len(NAMES)), (rng.choice((1, 5, 10, 999, 1000, 123456)), rng.randrange(1, 9999), rng.randrange(FAR))
         category = rng.choice(NAMES) if sort == "furniture" else None
         metres = size[0] / 1000, size[1] / 1000, size[2] / 1000
-        looks[kind, *size] = Look(sort, NAMES[kind], rng.choice((None, "kind", NAMES[1])), metres, category)
+        looks[kind, SIZE.pack(*size)] = Look(sort, NAMES[kind], rng.choice((None, "kind", NAMES[1])), metres, category)
         on, under = (rng.randrange(-1, carriers + count) for _ in range(2))
         turn = rng.randrange(-1, 4), rng.randrange(360), rng.randrange(-1, len(COLOURS)), rng.randrange(10**9), 0
         rect = [rng.choice((0, 1, -1, rng.randrange(-FAR, FAR), rng.randrange(-9999, 9999))) for _ in range(4)]
