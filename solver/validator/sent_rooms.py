@@ -1,9 +1,9 @@
 """Rooms and storeys as the core reads them (solver/core/validate/room.hpp and walk.hpp)."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from itertools import count
+from itertools import chain, count
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
@@ -61,9 +61,9 @@ class NumberedKinds(dict[KindKey, int]):
         at = self[key] = len(self)
         return at
 
-    def sent(self) -> bytes:
+    def sent(self) -> Iterable[bytes]:
         """Returns the kinds."""
-        return b"".join(map(self._kinds.rows.__getitem__, self)) if self._kinds else NO_KIND * len(self)
+        return map(self._kinds.rows.__getitem__, self) if self._kinds else [NO_KIND] * len(self)
 
 
 def room_bytes(world: World, place: PlacedRoom, kinds: NumberedKinds) -> bytes:
@@ -73,17 +73,17 @@ def room_bytes(world: World, place: PlacedRoom, kinds: NumberedKinds) -> bytes:
     head = _ROOM.pack(*outline.bounds, place.ceiling, *sizes, place.room.outdoor)
     boxes = [_BOX.pack(*box) for box in (*outline.inside, *outline.missing)]
     lines = [_BOX.pack(WALL_NUMBERS[side], line, start, end) for side, line, start, end in edges]
-    return b"".join([head, *boxes, *lines, openings.rows, *bodies.told, bodies.rows])
+    return b"".join([head, *boxes, *lines, openings.rows, *bodies.told, *bodies.rows])
 
 
 def storey_bytes(world: World, placed: Sequence[tuple[PlacedRoom, bytes]], kinds: NumberedKinds, floors: Floors) -> bytes:
     """Returns the rooms of a storey as bytes."""
-    rooms = [_PLACE.pack(place.x, place.z) + rows for place, rows in placed]
+    rooms = chain.from_iterable([(_PLACE.pack(place.x, place.z), rows) for place, rows in placed])
     entrances, most, deepest = floors
     turns = _TURNS if any(any(_ROOM.unpack_from(rows)[_AS_ROWS]) for _, rows in placed) else b""
-    counts = len(rooms), len(entrances), len(turns) // _TURN.size, most, len(kinds), 0
+    counts = len(placed), len(entrances), len(turns) // _TURN.size, most, len(kinds), 0
     head = _STOREY.pack(world.half_wall, reach_of(world), deepest, *counts)
-    return b"".join([head, *(_BOX.pack(*box) for box in entrances), turns, kinds.sent(), *rooms])
+    return b"".join([head, *(_BOX.pack(*box) for box in entrances), turns, *kinds.sent(), *rooms])
 
 
 def reach_of(world: World) -> int:
@@ -99,7 +99,7 @@ class _SentBodies(NamedTuple):
 
     told: list[bytes]
     names: int
-    rows: bytes
+    rows: list[bytes]
     counts: tuple[int, int, int]
 
 
@@ -128,7 +128,7 @@ def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
         told.append(pack(*place_of, _PERSON, names[person.id], names[person.on], none, none, kind))
     as_rows = [rows for rows in (pieces, things) if rows is not None]
     counts = 0 if pieces is None else len(pieces), 0 if things is None else len(things), first
-    return _SentBodies(told, names.count, b"".join([_as_told(rows, kinds) for rows in as_rows]), counts)
+    return _SentBodies(told, names.count, [part for rows in as_rows for part in _as_told(rows, kinds)], counts)
 
 
 class _NumberedIds(dict[str | None, int]):
@@ -154,9 +154,9 @@ class _NumberedIds(dict[str | None, int]):
         return self[name]
 
 
-def _as_told(bodies: BodyRows, kinds: NumberedKinds) -> bytes:
+def _as_told(bodies: BodyRows, kinds: NumberedKinds) -> tuple[bytes, bytes]:
     """Returns bodies that are told as rows already, and behind them the number of each one's kind."""
-    return bodies.content + pack(f"<{len(bodies)}q", *map(kinds.__getitem__, bodies.looks))
+    return bodies.content, pack(f"<{len(bodies)}q", *map(kinds.__getitem__, bodies.looks))
 
 
 @lru_cache(maxsize=1024)
