@@ -142,13 +142,13 @@ def exterior_sides(rect: Rect, outline: Rect) -> tuple[str, ...]:
 
 def exposures(layout: Layout) -> tuple[Mapping[str, Stretches], ...]:
     """Returns what of each room's walls no other room lies at, by room and wall, in the order of WALLS."""
-    covered: dict[tuple[int, str], list[tuple[int, int]]] = defaultdict(list)
+    covered: list[dict[str, list[tuple[int, int]]]] = [{wall: [] for wall in WALLS} for _ in layout.rooms]
     for a, b, wall, low, high in layout.met:
-        covered[a, wall].append((low, high))
-        covered[b, OPPOSITE[wall]].append((low, high))
+        covered[a][wall].append((low, high))
+        covered[b][OPPOSITE[wall]].append((low, high))
     found = []
-    for i, rect in enumerate(layout.rooms):
-        free = {wall: tuple(gaps_between(rect.along(wall), covered[i, wall])) for wall in WALLS}
+    for rect, lain_at in zip(layout.rooms, covered, strict=True):
+        free = {wall: tuple(gaps_between(rect.along(wall), blocked)) for wall, blocked in lain_at.items()}
         found.append({wall: stretches for wall, stretches in free.items() if stretches})
     return tuple(found)
 

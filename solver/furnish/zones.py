@@ -2,10 +2,12 @@
 
 import math
 from collections.abc import Sequence
+from typing import Final
 
 from catalogs.access_profiles import AccessProfile
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, Rect, edges_round, strip_at, tiles_between, to_mm, walls_round
 from solver.pieces import Doorway, Opened, Space, Zone
+from solver.records import changed
 from solver.relations.subject import Scope
 from solver.scene import WALLS, Opening, Room, Sides
 from solver.wall_fittings import WIDEST_LEAF
@@ -15,6 +17,7 @@ DOOR_SQUARE_MM = 900
 WINDOW_DEPTH_MM, WINDOW_SIDE_MM = 500, 100
 """Before a window and to each side of it nothing taller than its sill may stand (docs/scene.md, blocks_window)."""
 
+_SPACE: Final = Space("", Rect(0, 0, 0, 0), (), ())
 WallLine = tuple[str, int, int, int]
 """A stretch of wall line: the wall it is part of, its coordinate across, and its ends along, mm."""
 
@@ -49,9 +52,8 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
-    return Space(
-        room.id, lines.shrunk(half), tuple(zones), tuple(entered), to_mm(robot_width), cover_mm2=cover_mm2, openings=tuple(openings)
-    )
+    found = {"zones": tuple(zones), "doorways": tuple(entered), "openings": tuple(openings), "cover_mm2": cover_mm2}
+    return changed(_SPACE, room=room.id, clear=lines.shrunk(half), robot_mm=to_mm(robot_width), **found)
 
 
 def _opened(opening: Opening, line: WallLine) -> Opened:

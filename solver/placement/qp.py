@@ -147,4 +147,4 @@ def _split(numbers: Numbers, *sizes: int) -> list[Numbers]:
 
 def _decade(value: float) -> int:
     """Returns the least power of ten that a value does not exceed, so that the last digits of a machine decide nothing."""
-    return max(LEAST_DECADE, math.ceil(math.log10(value))) if value > 0 else LEAST_DECADE
+    return max(LEAST_DECADE, math.ceil(math.log10(value))) if value > 10.0**LEAST_DECADE else LEAST_DECADE

@@ -6,6 +6,7 @@ Not here: where the rooms lie.
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import log
 from typing import Final, NamedTuple
 
@@ -84,10 +85,11 @@ def _home(kind: RoomType) -> Home:
     return kind.home
 
 
-def words_of(rooms: Mapping[str, RoomType]) -> dict[str, list[str]]:
+@lru_cache(maxsize=16)
+def words_of(catalogs: Catalogs) -> Mapping[str, list[str]]:
     """Returns the words a programme may count, each with its room types in the order they take turns."""
     words: dict[str, list[str]] = {}
-    for name, kind in sorted(rooms.items(), key=lambda entry: (entry[1].home.turn if entry[1].home else 0, entry[0])):
+    for name, kind in sorted(catalogs.rooms.items(), key=lambda entry: (entry[1].home.turn if entry[1].home else 0, entry[0])):
         if kind.home is not None:
             words.setdefault(kind.home.word or name, []).append(name)
     return words
@@ -107,7 +109,7 @@ def counts_of(request: Request, catalogs: Catalogs) -> dict[str, int]:
             raise RequestError("program", f"no preset is called {program!r}", ", ".join(sorted(catalogs.presets)))
         program = catalogs.presets[program].rooms
     else:
-        words = words_of(catalogs.rooms)
+        words = words_of(catalogs)
         for word in program:
             if word not in words:
                 raise RequestError(f"program.{word}", "is no word for rooms", ", ".join(sorted(words)))
@@ -134,7 +136,7 @@ def _preset_for(request: Request, catalogs: Catalogs) -> str:
 
 def types_of(counts: Mapping[str, int], catalogs: Catalogs) -> list[str]:
     """Returns the room types a programme comes to, in a fixed order."""
-    words, types = words_of(catalogs.rooms), list[str]()
+    words, types = words_of(catalogs), list[str]()
     for word in sorted(counts):
         names = words[word]
         if word == GARAGE:
