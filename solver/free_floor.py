@@ -23,7 +23,7 @@ from solver.free_places import (
     rect_rows,
 )
 from solver.geometry import Rect, wall_faced
-from solver.pieces import Space
+from solver.pieces import DOORWAY, Space
 from solver.scene import WALL_NUMBERS, WALLS, Room
 
 HEADROOM_MM: Final = 2000
@@ -63,9 +63,6 @@ class FreeFloor:
         self._goals = b"".join([goal.row() for goal in goals])
         self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
         self._bodies += self._taken_between(-math.inf, HEADROOM_MM, loose=True)
-        outer, through = space.walked
-        self._outer, self._doors = len(outer), len(outer) + len(through)
-        self._doorways = b"".join([door.row() for door in (*outer, *through)])
         self._taken: dict[tuple[float, float], bytes] = {}
 
     @classmethod
@@ -130,9 +127,10 @@ class FreeFloor:
         besides its own.
         """
         bodies, asked = self._bodies + rect_rows(more), b"".join([self._goals, *(goal.row() for goal in goals)])
-        counts = len(bodies) // RECT.size, self._doors, len(asked) // _GOAL.size
-        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, self._outer)
-        request = b"".join([header, bodies, self._doorways, asked])
+        doorways = self.space.rows[1]
+        counts = len(bodies) // RECT.size, len(doorways) // DOORWAY.size, len(asked) // _GOAL.size
+        header = _FLOOR.pack(*self.space.clear, self.space.robot_mm, *counts, self.space.outer)
+        request = b"".join([header, bodies, doorways, asked])
         with borrowed() as core:
             return bool(core.call("connects", core.write(request), len(request)))
 

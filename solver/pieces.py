@@ -100,12 +100,12 @@ class Space:
     def rows(self) -> tuple[bytes, bytes]:
         """Its zones, and the doorways to be joined, as the core reads them."""
         zones = [ZONE.pack(*rect, above, cause == "outline") for rect, above, cause in self.zones]
-        return b"".join(zones), b"".join([door.row() for door in self.doorways if door.walked != "not"])
+        return b"".join(zones), b"".join([door.row() for use in ("in", "through") for door in self.doorways if door.walked == use])
 
     @property
-    def walked(self) -> tuple[Sequence[Doorway], Sequence[Doorway]]:
-        """The doors by which one comes into the house, and those to be joined with them."""
-        return [door for door in self.doorways if door.walked == "in"], [door for door in self.doorways if door.walked == "through"]
+    def outer(self) -> int:
+        """By how many of its doors, the first that the core reads, one comes into the house."""
+        return sum(door.walked == "in" for door in self.doorways)
 
     def free_stretches(self, wall: str, depth_mm: int, height_mm: int, bodies: Iterable[Rect] = ()) -> list[Stretch]:
         """Returns where along a wall a body of that depth and height, its back to it, meets no zone and no body, west or north first."""

@@ -230,7 +230,7 @@ def _went(before: SentBody, now: SentBody, way: tuple[float, float]) -> bool:
     return near and replace(now, x=before.x, z=before.z) == before
 
 
-VERSION: Final = 3
+VERSION: Final = 4
 _HEAD: Final = Struct("<6q")
 _MOVER: Final = Struct("<2q")
 _RIDER: Final = Struct("<q")

@@ -1,14 +1,14 @@
 """A room and its pieces -> the kernel's arrays, once a room."""
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Final
 
 import numpy as np
 
-from solver.geometry import INWARDS, LEAST_FLOOR_MM2
-from solver.pieces import Candidate, Doorway, Link, Piece, Space, Stance
+from solver.geometry import LEAST_FLOOR_MM2
+from solver.pieces import Candidate, Link, Piece, Space, Stance
 from solver.placement import layout
 from solver.placement.budget import charge
 from solver.placement.kernel import new_engine, request_of
@@ -55,27 +55,6 @@ def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[
     return [((name,), (bit, 0, 0), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
 
 
-def door_target(space: Space, door: Doorway) -> tuple[int, int, int, int]:
-    """Returns where the person's centre is when it has just come through a door, doubled mm."""
-    square, clear, robot = door.square, space.clear, space.robot_mm
-    along = (square.x0, square.x1, clear.x0, clear.x1)
-    if door.wall in ("east", "west"):
-        along = (square.z0, square.z1, clear.z0, clear.z1)
-    start, end = 2 * max(along[0], along[2]), 2 * min(along[1], along[3])
-    a, b = start + robot, end - robot
-    if a > b:
-        a = b = (start + end) // 4 * 2 + robot % 2
-    inner = max if INWARDS[door.wall] > 0 else min
-    at = 2 * inner(clear.line(door.wall), square.line(door.wall)) + INWARDS[door.wall] * robot
-    return (at, a, at, b) if door.wall in ("east", "west") else (a, at, b, at)
-
-
-def kin(candidate: Candidate) -> Hashable:
-    """Returns what decides feasibility: candidates that agree here differ only in their anchor and cost."""
-    a = candidate
-    return (a.kind, a.stance, a.size_mm, a.rotation, a.wall, a.within, a.attach, a.bottom_mm, a.slack_mm, a.under, a.on)
-
-
 def _matrix(flat: Sequence[int], columns: int) -> Ints:
     """Returns rows that lie one behind the other as a table: numpy takes nested sequences at half the speed."""
     return np.array(flat, dtype=np.int64).reshape(-1, columns)
@@ -106,14 +85,13 @@ class Tables:
     def add(self, piece: Piece, walk: str) -> None:
         """Adds a piece with its candidates, links and choices of sides."""
         starts = self._counts()
-        numbers: dict[Hashable, int] = {}
         for a in piece.candidates:
             parent = -1 if a.attach is None else self.piece.get(a.attach.parent)
             if parent is None:
                 continue
             if parent >= len(self.rows):
                 raise ValueError(f"{piece.label} must come after what it is attached to")
-            self.alts += self._candidate(a, numbers.setdefault(kin(a), len(numbers)))
+            self.alts += self._candidate(a)
             self.alt_costs += (*a.weights, a.cost)
             self.candidates.append(a)
         for link in piece.links:
@@ -125,14 +103,14 @@ class Tables:
             self.side_costs.append(cost)
         ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
         empty = layout.EMPTY_FLOOR if piece.is_floor else 0
-        self.rows.append([int(piece.required), *ranges, len(self.rows) + 1, empty])
+        self.rows.append([int(piece.required), *ranges, int(piece.with_next), empty])
 
     def _counts(self) -> tuple[int, int, int]:
         """Returns how many candidates, links and choices of sides there are so far."""
         return len(self.candidates), len(self.link_costs) // LINK_COSTS, len(self.side_names)
 
-    def _candidate(self, a: Candidate, number: int) -> tuple[int, ...]:
-        """Returns a candidate's row."""
+    def _candidate(self, a: Candidate) -> tuple[int, ...]:
+        """Returns a candidate's row; the core derives which are of one kin."""
         kind = self.kinds.setdefault((a.kind, a.stance), len(self.kinds))
         slack = -1 if a.slack_mm is None else a.slack_mm
         if a.attach is None:
@@ -145,7 +123,7 @@ class Tables:
             attach = (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
         under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
         own = (kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
-        return (*own, *attach, under, on, slack, number)
+        return (*own, *attach, under, on, slack, 0)
 
     def _link(self, link: Link) -> None:
         turn = -1 if link.turn is None else link.turn
@@ -194,12 +172,10 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
     for piece in pieces:
         tables.add(piece, walk)
     charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))
-    _group(tables.rows, pieces)
-    outer, through = space.walked
     room = RoomArrays(
-        _space_row(space, walk, len(outer)),
+        _space_row(space, walk),
         np.frombuffer(space.rows[0], np.int64).reshape(-1, 6),
-        _matrix([value for door in (*outer, *through) for value in door_target(space, door)], 4),
+        np.frombuffer(space.rows[1], np.int64).reshape(-1, 5),
         _matrix([value for row in tables.rows for value in row], 9),
         np.array([piece.skip_cost for piece in pieces], dtype=np.float64),
         _matrix(tables.sides, 3),
@@ -212,21 +188,8 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, R
     return tables, room
 
 
-def _group(rows: list[list[int]], pieces: Sequence[Piece]) -> None:
-    """Joins optional pieces that stand only together with the one after them, if that one can only stand with them or those before."""
-    for k in range(len(pieces) - 2, -1, -1):
-        own, first = pieces[k], k
-        while first > 0 and pieces[first - 1].with_next:
-            first -= 1
-        there = {piece.label for piece in pieces[first : k + 1]}
-        carried = all(a.attach is not None and a.attach.parent in there for a in pieces[k + 1].candidates)
-        bound = any(link.required and link.of == own.label for link in pieces[k + 1].links)
-        if own.with_next and (carried or bound) and not own.required:
-            rows[k][layout.GROUP_END] = rows[k + 1][layout.GROUP_END]
-
-
-def _space_row(space: Space, walk: str, outer: int) -> Ints:
+def _space_row(space: Space, walk: str) -> Ints:
     clear = space.clear
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
-    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, outer]
+    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, space.outer]
     return np.array(row, dtype=np.int64)

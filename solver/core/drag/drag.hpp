@@ -11,7 +11,7 @@
 
 namespace drag {
 
-constexpr i64 VERSION = 3;
+constexpr i64 VERSION = 4;
 
 // What the host sends at the start: this, a `placement::RoomRequest`, the room as a storey of its own (`validate::StoreyRow`), and then
 // movers and riders.

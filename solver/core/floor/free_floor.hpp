@@ -7,13 +7,6 @@
 #include "plain/lists.hpp"
 #include "plain/rects.hpp"
 
-// A door or passage: the wall it is in and its square inside the room, mm.
-struct Doorway {
-  Wall wall;
-  i32 swings_in;  // its leaf opens over its square; of what is decorated alone
-  Rect square;
-};
-
 // Something to come to: a body's footprint, mm, the walls its sides look to as bits 1 << Wall, and whether all of them are needed.
 struct Goal {
   Rect rect;

@@ -4,6 +4,7 @@
 // Where a row is about another piece, candidate and so on it has its number, or -1.
 #pragma once
 
+#include "plain/rects.hpp"
 #include "plain/spans.hpp"
 
 namespace placement {
@@ -99,6 +100,12 @@ struct Room {
   Rows<LinkRow> links;
   Rows<LinkCost> link_costs;
 };
+
+// Where the person's centre is when it has just come through each door.
+Rows<Door> doors_of(const SpaceRow& space, const Span<Doorway>& doorways);
+
+// Derives which candidates are of one kin, and groups: a piece whose `group_end` is 1 comes with the next only, one with 0 by itself.
+void derive(const Room& room);
 
 // What is decided: of each piece 8 * candidate + the number of its choice of sides, or ABSENT.
 using Decisions = Span<i64>;

@@ -48,7 +48,7 @@ Room room_of(RoomRequest* request) {
   Room room;
   room.space = {from.take<SpaceRow>(1), sizeof(SpaceRow) / 8};
   room.zones = from.rows<Zone>(sent.zones);
-  room.doors = from.rows<Door>(sent.doors);
+  room.doors = doors_of(*room.space.data, from.span<Doorway>(sent.doors));
   room.pieces = from.rows<PieceRow>(sent.pieces);
   room.skip_costs = from.span<f64>(sent.pieces);
   room.sides = from.rows<SidesRow>(sent.sides);
@@ -57,6 +57,7 @@ Room room_of(RoomRequest* request) {
   room.candidate_costs = from.rows<CandidateCost>(sent.candidates);
   room.links = from.rows<LinkRow>(sent.links);
   room.link_costs = from.rows<LinkCost>(sent.links);
+  derive(room);
   return room;
 }
 

@@ -122,6 +122,13 @@ struct Rect {
   }
 };
 
+// A door or passage as the host sends it: its wall, whether its leaf opens over its square (of what is decorated alone), its square, mm.
+struct Doorway {
+  Wall wall;
+  i32 swings_in;
+  Rect square;
+};
+
 // The line of a wall of two rectangles that lies further inwards.
 constexpr i64 inner_line(Wall wall, const Rect& a, const Rect& b) {
   return inwards(wall) > 0 ? most(a.line(wall), b.line(wall)) : least(a.line(wall), b.line(wall));

@@ -33,14 +33,14 @@ class Asked {
 
   placement::Room all() {
     add_pieces();
-    group_pieces();
     placement::Room made;
     made.space = {space().data, sizeof(placement::SpaceRow) / 8};
     // A zone is the same row to both stages.
     static_assert(sizeof(furnish::Zone) == sizeof(placement::Zone));
     made.zones = {reinterpret_cast<placement::Zone*>(room_.scope.zones.data), room_.scope.zones.size, sizeof(placement::Zone) / 8};
-    made.doors = doors();
+    made.doors = placement::doors_of(*made.space.data, room_.doorways);
     tables_.give_to(made);
+    placement::derive(made);
     return made;
   }
 
@@ -49,23 +49,6 @@ class Asked {
     const Rect& clear = room_.scope.clear;
     const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
     found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2, ways_, 0};
-    return found;
-  }
-
-  // Where the person's centre is when it has just come through each door, doubled.
-  Rows<placement::Door> doors() const {
-    const Rect& clear = room_.scope.clear;
-    const Rows<placement::Door> found = reserved_rows<placement::Door>(room_.doorways.size);
-    for (i32 k = 0; k < room_.doorways.size; k++) {
-      const auto& [wall, _, square] = room_.doorways[k];
-      const Interval own = square.along(wall), whole = clear.along(wall);
-      const i64 start = 2 * most(own.low, whole.low), end = 2 * least(own.high, whole.high);
-      i64 low = start + robot_, high = end - robot_;
-      if (low > high) low = high = floor_div(start + end, 4) * 2 + robot_ % 2;
-      const i64 across = 2 * inner_line(wall, clear, square) + inwards(wall) * robot_;
-      const bool along_x = runs_along_x(wall);
-      found[k] = {{along_x ? low : across, along_x ? across : low}, {along_x ? high : across, along_x ? across : high}};
-    }
     return found;
   }
 
@@ -90,20 +73,15 @@ class Asked {
       }
       tables_.mark(own, 1);
       own.required = piece.required;
-      own.group_end = tables_.pieces.size() + 1;
+      own.group_end = piece.with_next;
       own.empty = is_floor ? placement::EMPTY_FLOOR : 0;
       tables_.pieces.add(own);
       tables_.skip_costs.add(piece.skip_cost);
     }
   }
 
-  // Adds a piece's candidates; those that differ only in their anchor and cost are of one kin.
   void add_candidates(Span<Candidate> ways) {
-    List<const Candidate*> kins;
     for (const Candidate& way : ways) {
-      i32 kin = 0;
-      while (kin < kins.size() && !is_kin(*kins[kin], way)) kin++;
-      if (kin == kins.size()) kins.add(&way);
       CandidateRow own = {};
       i64 size[3];
       room_.size_of(way, size);
@@ -123,7 +101,6 @@ class Asked {
       own.under = way.is_under ? way.parent : -1;
       own.on = way.is_on ? way.parent : -1;
       own.slack = -1;
-      own.kin = kin;
       tables_.candidates.add(own);
       tables_.candidate_costs.add({{way.weight, way.weight}, way.cost});
     }
@@ -152,14 +129,6 @@ class Asked {
     return room_.type.levels_of(room_.type.kind(way.parent_kind))[way.slot_number].name;
   }
 
-  bool is_kin(const Candidate& a, const Candidate& b) const {
-    return a.kind == b.kind && a.rotation == b.rotation && a.wall == b.wall && a.parent == b.parent && a.parent_kind == b.parent_kind &&
-           a.across.low == b.across.low && a.across.high == b.across.high && a.along.low == b.along.low && a.along.high == b.along.high &&
-           a.bottom == b.bottom && a.is_under == b.is_under && a.is_on == b.is_on && slot_of(a) == slot_of(b) &&
-           a.floor.x == b.floor.x && a.floor.z == b.floor.z && a.within.x0 == b.within.x0 && a.within.z0 == b.within.z0 &&
-           a.within.x1 == b.within.x1 && a.within.z1 == b.within.z1;
-  }
-
   void add_link(const furnish::Link& link) {
     constexpr i64 WALLS[] = {placement::ANY_WALLS, placement::SAME, placement::OPPOSITE, placement::ADJACENT, placement::OTHER};
     tables_.links.add({link.of, link.turn, WALLS[static_cast<i32>(link.walls)], link.required});
@@ -186,25 +155,6 @@ class Asked {
     }
     for (i32 k = 0; k < sides.size; k++) add_sides({BITS[static_cast<i32>(sides[k])], 0, 0}, OTHER_SIDE_COST * k);
   }
-
-  // Joins optional pieces that stand only together with the one after them, if that one can only stand with them or those before them.
-  void group_pieces() {
-    for (i32 k = tables_.pieces.size() - 2; k >= 0; k--) {
-      if (!is_with_next(k) || tables_.pieces[k].required) continue;
-      i32 first = k;
-      while (first > 0 && is_with_next(first - 1)) first--;
-      bool carried = true, bound = false;
-      for (i64 way = tables_.pieces[k + 1].candidates[0]; way < tables_.pieces[k + 1].candidates[1]; way++) {
-        carried = carried && tables_.candidates[way].parent >= first && tables_.candidates[way].parent <= k;
-      }
-      for (i64 link = tables_.pieces[k + 1].links[0]; link < tables_.pieces[k + 1].links[1]; link++) {
-        bound = bound || (tables_.links[link].required && tables_.links[link].of == k);
-      }
-      if (carried || bound) tables_.pieces[k].group_end = tables_.pieces[k + 1].group_end;
-    }
-  }
-
-  bool is_with_next(i32 piece) const { return room_.wanted.pieces[piece].with_next; }
 
   const WantingRoom& room_;
   i64 robot_, ways_;

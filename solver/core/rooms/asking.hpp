@@ -6,13 +6,6 @@
 
 namespace rooms {
 
-// A door or passage as the walk sees it: its wall, and its square inside the room.
-struct Doorway {
-  Wall wall;
-  i32 swings_in;  // of what is decorated alone
-  Rect square;
-};
-
 // What Python sends of a room behind what furnish reads; doorways follow.
 struct PlaceHeader {
   i64 robot;  // how wide the person is, mm
