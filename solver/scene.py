@@ -39,8 +39,8 @@ FORMAT: Final = "compose-scene/1"
 EXTERIOR: Final = "EXTERIOR"
 """What an opening connects to when it leads outside."""
 WALLS: Final = ("north", "south", "east", "west")
-WALL_NUMBERS: Final = {wall: number for number, wall in enumerate(WALLS)}
-"""As the core numbers them."""
+WALL_NUMBERS: Final[dict[str | None, int]] = {None: -1, **{wall: number for number, wall in enumerate(WALLS)}}
+"""As the core numbers them, and none."""
 ROBOT_WIDTH: Final = 0.6
 """Side of the square that must be able to walk, m, where nothing else is said."""
 OPENING_KINDS: Final = ("door", "garage_door", "passage", "window")

@@ -17,10 +17,9 @@ from solver.furnish.compiled_types import KindTables
 from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
 from solver.furnish.habits import Habits
 from solver.pieces import Piece, Placed, Space, Stance
-from solver.relations.rows import WALL
 from solver.relations.subject import Kind
 from solver.requested import PieceRequest
-from solver.scene import Room
+from solver.scene import WALL_NUMBERS, Room
 
 _LIST: Final = Struct("<4i")
 _ASKED: Final = Struct("<6i4q2i")
@@ -127,7 +126,7 @@ def _stands_row(placed: Placed | None, is_loose: bool) -> bytes:
     """Returns where a piece stands, and how, as a row."""
     stance = placed.chosen.stance if placed else None
     rotation, wall = stance or _FREE
-    return _STANDS.pack(*(placed.footprint if placed and stance else _NOWHERE), rotation, WALL[wall], is_loose)
+    return _STANDS.pack(*(placed.footprint if placed and stance else _NOWHERE), rotation, WALL_NUMBERS[wall], is_loose)
 
 
 class _ListTables(KindTables):
@@ -141,12 +140,12 @@ class _ListTables(KindTables):
         for piece in there:
             way, word = piece.candidates[0], self._word(piece.label)
             rotation, wall = way.stance or _FREE
-            rows.append(_ASKED.pack(word, word, number[piece.label], 1, 0, 0, *(way.within or _NOWHERE), rotation, WALL[wall]))
+            rows.append(_ASKED.pack(word, word, number[piece.label], 1, 0, 0, *(way.within or _NOWHERE), rotation, WALL_NUMBERS[wall]))
         for label, request in listing.listed.items():
             rules = self._added("rule", listing.relations(label), self._rule)
             words = self._word(label), self._word(request.id)
             cell = listing.habits.cells.get(label, _NOWHERE)
-            rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, *_FREE[:1], WALL[None]))
+            rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, *_FREE[:1], WALL_NUMBERS[None]))
         for kind in listing.kinds.values():
             self._added("kind", [kind], lambda kind: self._kind_row(kind, (0, 0), 0))
         room = room_rows(listing.room, listing.space, 0.0, 0)

@@ -163,8 +163,8 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
     allowed = budget or Budget()
     necessary = needed(pieces)
     ordered = sorted((replace(piece, required=piece.label in necessary) for piece in pieces), key=lambda piece: not piece.required)
-    tables, room = lay_out(space, ordered, "stands")
-    whole = kernel.arrange_whole(room, limits.row, allowed.left, walk, wide)
+    tables, request = lay_out(space, ordered, "stands")
+    whole = kernel.arrange_whole(request, limits.row, allowed.left, walk, wide)
     allowed.left -= whole.spent
     core = Core(_as_arranged(replace(space, ways_mm=whole.ways or space.ways_mm), ordered, tables.candidates, whole))
     gone = [(ordered[piece], CANNOT_STAND if certain else NOT_FOUND) for piece, certain in whole.left_out]

@@ -3,30 +3,27 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
+from struct import pack
 from typing import Final
 
-import numpy as np
-
 from solver.geometry import LEAST_FLOOR_MM2
-from solver.pieces import Candidate, Link, Piece, Space, Stance
-from solver.placement import layout
+from solver.pieces import DOORWAY, Candidate, Link, Piece, Space, Stance
 from solver.placement.budget import charge
-from solver.placement.kernel import new_engine, request_of
-from solver.placement.layout import Engine, Ints, RoomArrays
+from solver.placement.kernel import new_engine
+from solver.placement.layout import Engine
+from solver.scene import WALL_NUMBERS
 
-WALLS = {None: layout.NO_WALL, "north": layout.NORTH, "south": layout.SOUTH, "east": layout.EAST, "west": layout.WEST}
-SIDES = {"front": layout.FRONT, "back": layout.BACK, "left": layout.LEFT, "right": layout.RIGHT}
-_RELATIONS = {
-    None: layout.ANY_WALLS,
-    "same": layout.SAME,
-    "opposite": layout.OPPOSITE,
-    "other": layout.OTHER,
-    "adjacent": layout.ADJACENT,
-}
+SIDES = {"front": 1, "back": 2, "left": 4, "right": 8}
+EMPTY_FLOOR = 16
+"""Floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies."""
+_RELATIONS = (None, "same", "opposite", "other", "adjacent")
+"""Of walls, as the core numbers them."""
 OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
+OF_ROOM = [0] * 9
+"""In place of how large a room's problem may get (`struct Sizes` of solver/core/placement/space.hpp): as large as follows from the room."""
 
 
 @dataclass(frozen=True)
@@ -55,13 +52,12 @@ def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[
     return [((name,), (bit, 0, 0), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
 
 
-def _matrix(flat: Sequence[int], columns: int) -> Ints:
-    """Returns rows that lie one behind the other as a table: numpy takes nested sequences at half the speed."""
-    return np.array(flat, dtype=np.int64).reshape(-1, columns)
+def _longs(values: Sequence[int]) -> bytes:
+    return pack(f"<{len(values)}q", *values)
 
 
-def _values(flat: Sequence[float], columns: int) -> layout.Floats:
-    return np.array(flat, dtype=np.float64).reshape(-1, columns)
+def _doubles(values: Sequence[float]) -> bytes:
+    return pack(f"<{len(values)}d", *values)
 
 
 class Tables:
@@ -102,7 +98,7 @@ class Tables:
             self.sides += bits
             self.side_costs.append(cost)
         ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
-        empty = layout.EMPTY_FLOOR if piece.is_floor else 0
+        empty = EMPTY_FLOOR if piece.is_floor else 0
         self.rows.append([int(piece.required), *ranges, int(piece.with_next), empty])
 
     def _counts(self) -> tuple[int, int, int]:
@@ -122,12 +118,12 @@ class Tables:
             parent_kind = self.kinds.setdefault((a.attach.parent_kind, a.attach.parent_stance), len(self.kinds))
             attach = (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
         under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
-        own = (kind, *a.size_mm, a.rotation % 360, WALLS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
+        own = (kind, *a.size_mm, a.rotation % 360, WALL_NUMBERS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
         return (*own, *attach, under, on, slack, 0)
 
     def _link(self, link: Link) -> None:
         turn = -1 if link.turn is None else link.turn
-        self.links += (self.piece[link.of], turn, _RELATIONS[link.walls], int(link.required))
+        self.links += (self.piece[link.of], turn, _RELATIONS.index(link.walls), int(link.required))
         self.link_costs += (link.cost, link.align, link.near, link.apart_m, link.apart_cost)
 
 
@@ -151,9 +147,9 @@ def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encod
     Raises:
         ValueError: a piece comes before the one it is attached to.
     """
-    tables, room = lay_out(space, pieces, walk)
+    tables, request = lay_out(space, pieces, walk)
     names = tuple(tables.side_names)
-    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(room))
+    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(request))
 
 
 def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
@@ -162,34 +158,21 @@ def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
     Raises:
         ValueError: as `encode`.
     """
-    _, room = lay_out(space, pieces, "test")
-    return request_of(room)
+    return lay_out(space, pieces, "test")[1]
 
 
-def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, RoomArrays]:
-    """Returns what `encode` tells the kernel, and what its numbers stand for, without work space."""
+def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, bytes]:
+    """Returns what the numbers stand for that `encode` tells the kernel, and what it is sent: `RoomRequest` of placement/space.hpp."""
     tables = Tables(space, pieces)
     for piece in pieces:
         tables.add(piece, walk)
     charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))
-    room = RoomArrays(
-        _space_row(space, walk),
-        np.frombuffer(space.rows[0], np.int64).reshape(-1, 6),
-        np.frombuffer(space.rows[1], np.int64).reshape(-1, 5),
-        _matrix([value for row in tables.rows for value in row], 9),
-        np.array([piece.skip_cost for piece in pieces], dtype=np.float64),
-        _matrix(tables.sides, 3),
-        np.array(tables.side_costs, dtype=np.float64),
-        _matrix(tables.alts, 24),
-        _values(tables.alt_costs, 3),
-        _matrix(tables.links, 4),
-        _values(tables.link_costs, LINK_COSTS),
-    )
-    return tables, room
-
-
-def _space_row(space: Space, walk: str) -> Ints:
-    clear = space.clear
+    zones, doorways = space.rows
+    counts = len(space.zones), len(doorways) // DOORWAY.size, len(pieces), len(tables.side_names), len(tables.candidates)
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
-    row = [clear.x0, clear.z0, clear.x1, clear.z1, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, space.outer]
-    return np.array(row, dtype=np.int64)
+    asked = *space.clear, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, space.outer
+    return tables, b"".join([
+        _longs([*OF_ROOM, *counts, len(tables.link_costs) // LINK_COSTS, *asked]), zones, doorways, _longs([*chain(*tables.rows)]),
+        _doubles([piece.skip_cost for piece in pieces]), _longs(tables.sides), _doubles(tables.side_costs), _longs(tables.alts),
+        _doubles(tables.alt_costs), _longs(tables.links), _doubles(tables.link_costs),
+    ])  # fmt: skip

@@ -7,30 +7,22 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from solver.core import taken
-from solver.placement.layout import COUNT, SHOWN_BYTES, Engine, Floats, Ints, RoomArrays
+from solver.placement.layout import COUNT, SHOWN_BYTES, Engine, Floats, Ints
 from solver.placement.problem import Solution
 
 HOLDING_ROW = 7
 """Numbers of `struct HoldingRow`."""
-OF_ROOM = [0] * 9
-"""In place of how large a room's problem may get (`struct Sizes` of solver/core/placement/space.hpp): as large as follows from the room."""
 _WHOLE: Final = Struct("<7qd3q")
 
 
-def request_of(room: RoomArrays) -> bytes:
-    """Returns what the core is sent of a room: `RoomRequest` of solver/core/placement/space.hpp."""
-    counts = [len(part) for part in (room.zones, room.doors, room.pieces, room.sides, room.candidates, room.links)]
-    return b"".join(array.tobytes() for array in (np.array([*OF_ROOM, *counts], dtype=np.int64), *room))
-
-
-def new_engine(room: RoomArrays) -> Engine:
+def new_engine(request: bytes) -> Engine:
     """Returns all work space for a room, and the room in it.
 
     Raises:
         CoreFull: the core's memory is too small for it.
     """
     instance = taken(roomy=True)
-    return Engine(instance, int(instance.call("new_desk", instance.write(request_of(room)))))
+    return Engine(instance, int(instance.call("new_desk", instance.write(request))))
 
 
 def without_search(engine: Engine) -> Engine:
@@ -71,7 +63,7 @@ class ArrangedRoom(NamedTuple):
     """Required pieces left out by number, and whether it is certain that they cannot stand."""
 
 
-def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wide: bool) -> ArrangedRoom:
+def arrange_whole(request: bytes, limits: Ints, budget: float, walk: bool, wide: bool) -> ArrangedRoom:
     """Arranges a whole room, required pieces first, by the seven numbers of `Limits`; the placement is left in its engine.
 
     `walk`: doors and use sides must be joined; `wide`: ways from door to door are to be wider than who walks.
@@ -80,7 +72,7 @@ def arrange_whole(room: RoomArrays, limits: Ints, budget: float, walk: bool, wid
         CoreFull: the core's memory is too small for it.
     """
     instance = taken(roomy=True)
-    sent, asked = instance.write(request_of(room)), instance.write(limits.tobytes())
+    sent, asked = instance.write(request), instance.write(limits.tobytes())
     address = int(instance.call("arrange_whole", sent, asked, budget, walk, wide))
     desk, walked, complete, proven, best, solves, ways, spent, pieces, ways_there, gone = _WHOLE.unpack(instance.read(address, _WHOLE.size))
     numbers = np.frombuffer(instance.read(address + _WHOLE.size, 8 * (pieces + ways_there + 2 * gone)), np.int64).tolist()

@@ -1,6 +1,6 @@
 """The core's arrays of one room, as Python sees them, and the columns that Python reads or writes.
 
-A room comes in as `RoomArrays`, its problem is laid out in `Work`, what a search finds is left in `Nodes`. Integers are millimetres
+A room comes in as bytes (encode), its problem is laid out in `Work`, what a search finds is left in `Nodes`. Integers are millimetres
 unless a name says otherwise, floats are metres and costs; everything is C-contiguous int64 or float64. What all columns mean is said
 in solver/core/placement/room.hpp and engine.hpp: a row is a struct, a column one of its fields.
 """
@@ -21,28 +21,15 @@ Seen = TypeVar("Seen")
 
 ABSENT: Final = -1
 
-# RoomArrays.space
+# RoomSeen: of the space, a piece, a candidate
 WAYS = 8
-# RoomArrays.pieces
-REQUIRED, CANDIDATE_0, CANDIDATE_1, LINK_0, LINK_1, SIDES_0, SIDES_1, GROUP_END, EMPTY = range(9)
-EMPTY_FLOOR = 16
-# EMPTY is EMPTY_FLOOR for floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies
-# RoomArrays.sides: bits of the use sides that get a stand
-STANDS = 0
-FRONT, BACK, LEFT, RIGHT = 1, 2, 4, 8
-# RoomArrays.candidates
+CANDIDATE_0, CANDIDATE_1, SIDES_0, GROUP_END = 1, 2, 5, 7
 KIN = 23
-NO_WALL, NORTH, SOUTH, EAST, WEST = -1, 0, 1, 2, 3
-# RoomArrays.links
-ANY_WALLS, SAME, OPPOSITE, OTHER, ADJACENT = range(5)
-# Work.counts
+# Work.counts, Work.parts
 N_ROWS, N_PARTS, N_CHOICES, N_PULLS = range(4)
-# rows and options
-AXIS, I, J, S = range(4)
-# Work.parts
-PIECE, STAND, VAR_X, VAR_Z, OFF_X, OFF_Z, EXT_X, EXT_Z, LOW, HIGH = range(10)
+VAR_X, OFF_X, EXT_X = 2, 4, 6
 # Nodes.result
-FOUND, EXHAUSTED, SOLVES, TURNED_DOWN, PICKS, FORCES = range(6)
+FOUND, EXHAUSTED, SOLVES, FORCES = 0, 1, 2, 5
 # Tree.counters
 CLOSED, BEST, DEEPEST, DOUBTED = 4, 6, 7, 9
 # what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
@@ -56,22 +43,6 @@ MANY: Final = 1_000_000
 """A limit that is none."""
 PERSON_MM: Final = 1800
 """Height a standing person needs free, mm."""
-
-
-class RoomArrays(NamedTuple):
-    """What placement is asked, as arrays; see the columns above."""
-
-    space: Ints
-    zones: Ints
-    doors: Ints
-    pieces: Ints
-    skip_costs: Floats
-    sides: Ints
-    side_costs: Floats
-    candidates: Ints
-    candidate_costs: Floats
-    links: Ints
-    link_costs: Floats
 
 
 class RoomSeen(NamedTuple):

@@ -75,8 +75,8 @@ class _Proof:
 
     def __init__(self, space: Space, pieces: Sequence[Piece], most: int) -> None:
         self.pieces, self.left = pieces, most
-        self.tables, room = lay_out(space, pieces, "stands")
-        self.engine = kernel.new_engine(room)
+        self.tables, request = lay_out(space, pieces, "stands")
+        self.engine = kernel.new_engine(request)
         self.nodes = kernel.new_proof(self.engine, MOST_DEPTH)
         self.decisions = np.full(len(pieces), layout.ABSENT, dtype=np.int64)
 

@@ -15,9 +15,9 @@ from typing import Final, NamedTuple
 from catalogs.schema import RelationSpec
 from solver.core import borrowed
 from solver.geometry import WALL_BEHIND, Rect, extents
-from solver.relations.rows import RELATION_WORDS, RULE, WALL, name_row, opened_rows, rule_row, side_numbers
+from solver.relations.rows import RELATION_WORDS, RULE, name_row, opened_rows, rule_row, side_numbers
 from solver.relations.subject import Scope
-from solver.scene import Furniture
+from solver.scene import WALL_NUMBERS, Furniture
 
 _NONE: Final = Rect(0, 0, 0, 0)
 _QUESTION: Final = Struct(RULE + "12q8i")
@@ -77,7 +77,7 @@ def _question(spec: RelationSpec, own: Standing, other: Standing, names: Sequenc
     rests = own.on == other.id and own.bottom in other.levels
     head = _QUESTION.pack(
         *rule_row(spec, (0, len(names)), (0, len(sides)), (0, 0)), *(scope.clear if scope else _NONE), *own.rect, *other.rect, own.rotation,
-        other.rotation, WALL[own.wall], WALL[other.wall], rests, len(sides), len(names), len(openings),
+        other.rotation, WALL_NUMBERS[own.wall], WALL_NUMBERS[other.wall], rests, len(sides), len(names), len(openings),
     )  # fmt: skip
     words = [*sides, *([0] if len(sides) % 2 else []), *chain.from_iterable(name_row(0, name) for name in names)]
     return b"".join((head, pack(f"<{len(words)}i", *words), opened_rows(openings)))

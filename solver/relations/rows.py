@@ -10,14 +10,13 @@ from solver.geometry import to_mm
 from solver.pieces import Opened
 from solver.relations.knee_room import PartBox
 from solver.relations.subject import SurfaceHeight
-from solver.scene import WALLS
+from solver.scene import WALL_NUMBERS
 
 RELATION_WORDS: Final[tuple[str, ...]] = get_args(RelationWord)
 SIDES: Final = ("left", "right", "front", "back")
 """As the core numbers them."""
 WALLS_ASKED: Final = (None, "same", "opposite", "adjacent", "other")
 """How the walls of two pieces should lie, as the core numbers it."""
-WALL: Final[dict[str | None, int]] = {None: -1, **{wall: i for i, wall in enumerate(WALLS)}}
 _ALIGNS: Final = (None, "back", "centre", "front", "any")
 _OPENED: Final = Struct("<2i3q")
 _OPENING: Final = {name: i for i, name in enumerate((*OPENINGS, "passage"))}
@@ -50,7 +49,7 @@ def level_row(level: SurfaceHeight, name: int) -> tuple[int, ...]:
 
 def opened_rows(openings: Iterable[Opened]) -> bytes:
     """Returns the rows of a room's openings."""
-    return b"".join(_OPENED.pack(_OPENING.get(one.kind, -1), WALL[one.wall], *one.interval, one.across) for one in openings)
+    return b"".join(_OPENED.pack(_OPENING.get(one.kind, -1), WALL_NUMBERS[one.wall], *one.interval, one.across) for one in openings)
 
 
 def side_numbers(sides: Sequence[str]) -> list[int]:

@@ -22,7 +22,6 @@ _BODY: Final = Struct("<6d40s6i")
 _TURN: Final = Struct("<4d2i")
 _STOREY: Final = Struct("<3q6i")
 _PLACE: Final = Struct("<2q")
-_WALL: Final = WALL_NUMBERS | {None: -1}
 _NO_SUCH_WALL: Final = 4
 _FURNITURE, _DECORATION, _PERSON = 0, 1, 2
 _ALONG, _CROSSWISE, _BETWEEN = 0, 1, 2
@@ -112,7 +111,7 @@ def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
     for piece, key in zip(room.furniture, place.keys, strict=True) if pieces is None else ():
         place_of = piece.x, piece.y, piece.z, piece.width, piece.depth, piece.height, _turn(piece.rotation)
         ids = names[piece.id], names[piece.on], names[piece.under]
-        told.append(pack(*place_of, _FURNITURE, *ids, _WALL.get(piece.wall, _NO_SUCH_WALL), kinds[key]))
+        told.append(pack(*place_of, _FURNITURE, *ids, WALL_NUMBERS.get(piece.wall, _NO_SUCH_WALL), kinds[key]))
     names.add(pieces)
     first = names.count
     names.add(things)
@@ -121,7 +120,7 @@ def _bodies(place: PlacedRoom, kinds: NumberedKinds) -> _SentBodies:
         kind = kinds["decoration", thing.name, width, depth, height, thing.kind]
         place_of = thing.x, thing.y, thing.z, width, depth, height, _turn(thing.rotation)
         ids = names[thing.id], names[thing.parent], none
-        told.append(pack(*place_of, _DECORATION, *ids, _WALL.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
+        told.append(pack(*place_of, _DECORATION, *ids, WALL_NUMBERS.get(thing.mounted_on_wall, _NO_SUCH_WALL), kind))
     for person in place.people:
         kind = kinds["person", person.kind, 0.0, 0.0, 0.0, None if person.on is None else SEATED]
         place_of = person.x, person.y, person.z, person.width, person.depth, person.height, _turn(person.rotation)

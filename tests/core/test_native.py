@@ -33,9 +33,9 @@ def room(seed: int) -> Room:
     """A random room; every fifth need not be walkable."""
     stream, walk, wide = Stream(seed, "native"), seed % 5 > 0, seed % 7 == 0
     space = random_space(stream)
-    _, arrays = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
-    whole = kernel.arrange_whole(arrays, LIMITS.row, Budget().left, walk, wide)
-    engine, request = whole.engine, kernel.request_of(arrays)
+    _, request = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
+    whole = kernel.arrange_whole(request, LIMITS.row, Budget().left, walk, wide)
+    engine = whole.engine
     said = [whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways, *whole.pieces, *sum(whole.left_out, ())]
     answer: list[NDArray[Any]] = [engine.call.decisions.copy(), np.array(said, dtype=np.int64), engine.nodes.best_cost]
     if engine.nodes.result[FOUND]:

@@ -15,11 +15,13 @@ from solver.core import taken
 from solver.geometry import Rect
 from solver.placement import kernel, layout
 from solver.placement.core import solution_of
-from solver.placement.layout import Engine, RoomArrays, Work
+from solver.placement.layout import Engine, Work
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
+TABLES, SPACE = 6, 10
+"""Tables that a request counts the rows of, and numbers of its space."""
 
 
 @dataclass(frozen=True)
@@ -128,7 +130,7 @@ def laid_out(problem: Problem) -> Engine:
     pulls = sum(term.i != ORIGIN for term in problem.terms)
     sizes = np.array([1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1], dtype=np.int64).tobytes()
     instance = taken(roomy=True)
-    sent = instance.write(sizes + kernel.request_of(_nowhere())[len(sizes) :])
+    sent = instance.write(sizes + bytes(8 * (TABLES + SPACE)))  # without a row
     engine = Engine(instance, int(instance.call("new_desk", sent)))
     work = engine.work
     work.counts[:] = 0
@@ -161,8 +163,3 @@ def _write_terms(problem: Problem, work: Work) -> None:
             work.pulls[k] = term.axis, term.i, term.j
             work.pull_costs[k] = term.offset, term.weight
             work.counts[layout.N_PULLS] += 1
-
-
-def _nowhere() -> RoomArrays:
-    rows, none = np.zeros((0, 5), dtype=np.int64), np.zeros(0)
-    return RoomArrays(np.zeros(8, dtype=np.int64), rows, rows, rows, none, rows, none, rows, np.zeros((0, 3)), rows, np.zeros((0, 5)))
