@@ -71,12 +71,12 @@ def drawing_ranks(bodies: Sequence[ModelBody]) -> dict[str, float]:
     ranks: dict[str, float] = {}
     known = {body.id: body for body in bodies}
     for body in bodies:
-        rank = body.y + body.height
-        carrier = known.get(body.parent or "")
-        below = ranks.get(body.parent or "", 0.0)
-        if carrier and rank <= below and not covers(carrier, body):
-            rank = below + 1e-4
-        ranks[body.id] = rank
+        path, at = dict[str, ModelBody](), known.get(body.id)
+        while at and at.id not in ranks and at.id not in path:
+            path[at.id], at = at, known.get(at.parent or "")
+        for one in reversed(path.values()):
+            top, below = one.y + one.height, ranks.get(one.parent or "", -math.inf)
+            ranks[one.id] = below + 1e-4 if top <= below and not covers(known[one.parent or ""], one) else top
     return ranks
 
 

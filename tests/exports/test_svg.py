@@ -218,6 +218,9 @@ def test_what_lies_on_a_piece_is_drawn_over_it_unless_it_is_covered() -> None:
     pillows = [body for body in model.bodies if body.name == "pillow" and body.parent]
     assert pillows
     assert all(ranks[body.id] > ranks[body.parent or ""] for body in pillows)
+    assert drawing_ranks(model.bodies[::-1]) == ranks, "in whatever order they come"
+    ring = [pillows[0]._replace(id=f"{k}", parent=f"{(k + 1) % 3000}") for k in range(3000)]
+    assert drawing_ranks(ring).keys() == {body.id for body in ring}
     assert any(ranks[body.id] < ranks[body.parent] for body in model.bodies if body.parent in ranks)
 
 

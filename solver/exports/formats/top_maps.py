@@ -18,7 +18,7 @@ from solver.exports.floor_grid import WALKED_ON, FloorGrid, floor_mask, grid_of,
 from solver.exports.home_picture import picture_of
 from solver.exports.model import HouseModel, ModelBody
 from solver.exports.paints import channels
-from solver.exports.plan_storeys import covers, on_line, opening_box
+from solver.exports.plan_storeys import drawing_ranks, on_line, opening_box
 from solver.exports.writers import ExportSettings, Files
 
 PIXEL: Final = 0.02
@@ -77,31 +77,10 @@ def _maps(model: HouseModel, level: int, grid: FloorGrid, classes: Mapping[str, 
             said = "bare_floor" if one.kind == "passage" else "window" if one.kind == "window" else "door"
             semantic[grid.centred(*opening_box(one))] = classes[said]
     numbered = [(body, number) for number, body in enumerate(model.bodies, 1) if levels.get(body.room or "") == level]
-    tops = _tops(model.bodies)
-    for body, number in sorted(numbered, key=lambda one: tops[one[0].id]):
+    ranks = drawing_ranks(model.bodies)
+    for body, number in sorted(numbered, key=lambda one: ranks[one[0].id]):
         _mark(grid, body, (semantic, classes[body.category]), (instance, number))
     return semantic, instance, rooms
-
-
-def _tops(bodies: Sequence[ModelBody]) -> dict[str, float]:
-    """Returns how high each body reaches, m; what is carried a little higher than what carries it, whose back may be the higher.
-
-    What lies beneath a part of what carries it, on a shelf or in a drawer, reaches no higher than it does.
-    """
-    found: dict[str, float] = {}
-    by_id = {body.id: body for body in bodies}
-
-    def top(body: ModelBody, below: int) -> float:
-        if body.id not in found:
-            carrier = by_id.get(body.parent or "")
-            found[body.id] = body.y + body.height
-            if carrier and below and not covers(carrier, body):
-                found[body.id] = max(found[body.id], top(carrier, below - 1) + 0.001)
-        return found[body.id]
-
-    for body in bodies:
-        top(body, len(bodies))
-    return found
 
 
 def _mark(grid: FloorGrid, body: ModelBody, *layers: tuple[Numbers, int]) -> None:
