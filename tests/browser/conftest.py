@@ -13,7 +13,7 @@ from tests.browser.service_process import ServiceProcess, running
 from tests.browser.visit import ANSWER_MS, AT_REST, CAN_GO_ON, FORGET, PROBE, WINDOW, Visit
 from tests.browser.ways import Touch, Way
 from tests.chromium import FLAGS, executable
-from tests.conftest import OPENED_ANEW
+from tests.conftest import OPENED_ANEW, opens_a_page
 
 DESK: ViewportSize = {"width": 1280, "height": 800}
 PHONE: ViewportSize = {"width": 390, "height": 800}
@@ -39,8 +39,6 @@ NO_TRIANGLES = """{
 }"""
 """Every call to draw is made, with none of its thousands of triangles: no shader runs, which is most of a frame without a graphics card."""
 
-FORGET_CHOICES = "() => location.protocol !== 'http:' || localStorage.clear()"
-"""The same, of a page that is handed on: it forgets its homes itself, once it shows the next."""
 SHOWN = """if (location.protocol === 'http:') {
     for (const name of ['reading', 'home', 'furnishing', 'view', 'files']) localStorage.setItem(`compose.${name}`, 'shown');
     localStorage.setItem('compose.tour', 'seen');
@@ -49,7 +47,23 @@ SHOWN = """if (location.protocol === 'http:') {
 KEPT = "async () => location.protocol === 'http:' ? localStorage.length + (await indexedDB.databases()).length : 0"
 """How much a page has put where the next one finds it."""
 KEPT_BESIDE_HOMES = KEPT.replace("length : 0", "filter(one => one.name !== 'compose').length : 0")
-"""The same beside the homes, which a page that is handed on still holds open."""
+"""The same beside the homes, which a page that is handed on still holds open: it forgets them itself, once it shows the next."""
+LEAVE = f"""async isClosed => {{
+    const isLeft = !isClosed && ({AT_REST})(), goesOn = isLeft && ({CAN_GO_ON})();
+    await (goesOn ? () => localStorage.clear() : {FORGET})();
+    const kept = await (goesOn ? {KEPT_BESIDE_HOMES} : {KEPT})();
+    if (isLeft && kept === 0) {{
+        {SHOWN}
+        performance.clearMarks();
+        performance.clearMeasures();
+    }}
+    const asFirst = '(prefers-reduced-motion: reduce) and (prefers-color-scheme: light) and (forced-colors: none)';
+    return [isLeft, goesOn, kept, matchMedia(asFirst).matches];
+}}"""
+"""Has a page forget what it keeps, and, unless it is closed, remember what a new one does: all at once, as each call to a page costs.
+
+Tells whether it is at rest, whether it can go on to another home, how much it keeps all the same, and whether it looks as new ones do.
+"""
 
 expect.set_options(timeout=ANSWER_MS)
 
@@ -105,32 +119,30 @@ def page(request: pytest.FixtureRequest, context: BrowserContext, handed_on: lis
 
     Only that of a test marked `draws_all`, a new one too, draws all that a person would see.
     """
-    draws_all = request.node.get_closest_marker("draws_all") is not None
-    is_own = draws_all or request.node.get_closest_marker("own_page") is not None
+    is_own = opens_a_page(request.node)
     if is_own and handed_on:
         close(handed_on.pop())
-    page = handed_on.pop() if handed_on else opened(context, draws_all)
+    page = handed_on.pop() if handed_on else opened(context, draws_all=request.node.get_closest_marker("draws_all") is not None)
     faults: list[str] = []
     page.on("pageerror", lambda fault: faults.append(str(fault)))
     failed = request.session.testsfailed
     yield page
-    is_left = not is_own and request.session.testsfailed == failed and page.evaluate(AT_REST)
-    goes_on = is_left and page.evaluate(CAN_GO_ON)
+    is_closed = is_own or request.session.testsfailed > failed
+    is_left, goes_on, kept, as_first = page.evaluate(LEAVE, is_closed)
     if not (is_own or goes_on):
         request.node.user_properties.append((OPENED_ANEW, f"left at {page.url}, {'at rest' if is_left else 'not at rest'}"))
-    page.evaluate(FORGET_CHOICES if goes_on else FORGET)
-    left = (context.cookies(), page.evaluate(KEPT_BESIDE_HOMES if goes_on else KEPT))
+    left = (context.cookies(), kept)
     if is_left and (left, faults) == (([], 0), []):
-        make_ready(page)
+        make_ready(page, as_first)
         handed_on.append(page)
     else:
-        close(page)
+        page.close()
     context.clear_permissions()
     assert faults == []
     assert left == ([], 0), "the next page would find this"
 
 
-def opened(context: BrowserContext, draws_all: bool) -> Page:
+def opened(context: BrowserContext, *, draws_all: bool) -> Page:
     """A new page that draws all, or as little as does for who looks at no picture."""
     page = context.new_page()
     if not draws_all:
@@ -144,14 +156,14 @@ def close(page: Page) -> None:
     page.close()
 
 
-def make_ready(page: Page) -> None:
+def make_ready(page: Page, as_first: bool) -> None:
     """Takes back what a test has told the browser of a page; what it did in the page, `Visit.open` finds."""
     page.unroute_all()
-    page.emulate_media(reduced_motion="reduce", color_scheme="light", forced_colors="none")
-    page.set_viewport_size(WINDOW)
+    if not as_first:
+        page.emulate_media(reduced_motion="reduce", color_scheme="light", forced_colors="none")
+    if page.viewport_size != WINDOW:
+        page.set_viewport_size(WINDOW)
     page.mouse.move(0, 0)
-    page.evaluate(SHOWN)
-    page.evaluate("performance.clearMarks(); performance.clearMeasures()")
 
 
 @pytest.fixture(scope="session")
@@ -164,7 +176,7 @@ def service() -> Iterator[ServiceProcess]:
 @pytest.fixture
 def visit(request: pytest.FixtureRequest, page: Page, service: ServiceProcess) -> Iterator[Visit]:
     """A browser page that has not opened anything yet."""
-    visit = Visit(page, service.address)
+    visit = Visit(page, service.address, hands_on=not opens_a_page(request.node))
     yield visit
     request.node.user_properties += [(OPENED_ANEW, other) for other in visit.found_other]
 

@@ -101,14 +101,17 @@ FOUND_NEW = f"""() => {{
     sessionStorage.foundNew = ({CONTROLS})();
     sessionStorage.unfolded = JSON.stringify([...document.querySelectorAll('details.group[open]')].map(one => one.id));
 }}"""
-OTHER_THAN_NEW = f"""() => {{
+OTHER_THAN_NEW = f"""async patience => {{
+    if (!await ({COME_TO_REST})(patience)) return null;
+    await ({FORGET_OTHERS})();
+    if (!await ({COME_TO_REST})(patience)) return null;
     const [before, now] = [sessionStorage.foundNew, ({CONTROLS})()].map(text => {{
         const [ofElements, ...others] = JSON.parse(text);
         return [ofElements.length, ...ofElements, ...others].map(one => JSON.stringify(one));
     }});
     return now.filter((one, at) => one !== before[at]);
 }}"""
-"""What of that is other than it was when the page was new: nothing, where the page is as a new one."""
+"""What of that is other than it was when the page was new, once it has forgotten the homes before: nothing, where it is as new."""
 DRIVER = "GL Driver Message (OpenGL, Performance"
 """What a software renderer says of its own pace, mostly when the machine is busy: no word of the page's."""
 SAID: dict[str, str] = json.loads((ROOT / "web" / "src" / "words" / "names.en.json").read_text(encoding="utf-8"))
@@ -124,10 +127,10 @@ SMALL = "?width=12&depth=9&seed={}"
 class Visit:
     """The page, opened at a service; `answers` holds what the service answered to each call."""
 
-    def __init__(self, page: Page, address: str) -> None:
+    def __init__(self, page: Page, address: str, *, hands_on: bool = False) -> None:
         self.page = page
         page.set_default_timeout(ANSWER_MS)
-        self.address = address
+        self.address, self.hands_on = address, hands_on
         self.handed_on = page.url.startswith(address)
         self.found_other: list[str] = []
         self.console: list[str] = []
@@ -143,30 +146,36 @@ class Visit:
     def open(self, query: str = "") -> Document:
         """Open the page and wait for its house; returns the answer to /generate.
 
-        A page that another test has handed on goes to the house by itself, and stays if it is as a new page would be: in the window that
-        both have had, before it is in another.
+        A page that tests hand on goes to the house by itself, and stays if it is as a new page would be: in the window that all have had,
+        before it is in another. A new one, which is handed on next, begins in that window too.
         """
+        size = self.page.viewport_size
+        if not self.hands_on or size == WINDOW:
+            return self._opened(query)
+        assert size
+        self.page.set_viewport_size(WINDOW)
+        answer = self._opened(query)
+        self.page.set_viewport_size(size)
+        self.page.locator("#camera_corner").dispatch_event("click")
+        self.settle()
+        return answer
+
+    def _opened(self, query: str) -> Document:
         if self.handed_on:
             self.handed_on = False
             if self.page.evaluate(CAN_GO_ON):
-                size = self.page.viewport_size
-                assert size
-                self.page.set_viewport_size(WINDOW)
-                answer = self.after(lambda: self.page.evaluate(OPEN_ANOTHER, self.address + query))
-                self.page.evaluate(FORGET_OTHERS)
-                self.settle()
-                self.found_other = self.page.evaluate(OTHER_THAN_NEW)
-                self.page.set_viewport_size(size)
+                with self.page.expect_response(_generated, timeout=ANSWER_MS) as caught:
+                    self.page.evaluate(OPEN_ANOTHER, self.address + query)
+                self.found_other = self.page.evaluate(OTHER_THAN_NEW, ANSWER_MS)
+                assert self.found_other is not None, "the page does not come to rest"
                 if self.found_other == []:
-                    if size != WINDOW:
-                        self.page.locator("#camera_corner").dispatch_event("click")
-                        self.settle()
+                    answer: Document = caught.value.json()
                     return answer
                 self.page.evaluate(FORGET)
                 for heard in (self.console, self.requests, self.answers):
                     heard.clear()
         answer = self.after(lambda: self._load(query))
-        if self.page.viewport_size == WINDOW:
+        if self.hands_on:
             self.page.evaluate(FOUND_NEW)
         return answer
 
