@@ -14,6 +14,7 @@ from solver.pipeline.insisted import insisted_in
 from solver.pipeline.own_plan import furnish
 from solver.request import Request
 from solver.scene import Furniture, Opening, Room, Scene
+from solver.version import VERSION
 from tests.guessing.plans import as_plan
 from tests.sweeps import seeds
 
@@ -130,6 +131,20 @@ def test_a_shaft_is_no_bathroom(width: float, called: str | None, thickness: flo
     beside = Furniture("shelf", "bookshelf", x=0.2, z=0.5, width=0.3, depth=0.3, height=1.0)
     kept = furnish(Scene(rooms=(BEDROOM, replace(shaft, furniture=(beside,))), wall_thickness=thickness), seed=1)
     assert kept.left == {}
+
+
+def test_a_home_says_what_it_was_furnished_as_and_by_what_unless_it_said_so() -> None:
+    kitchen = Room("k", type="kitchen", x=5.0, width=3.0, depth=3.5, openings=(replace(DOOR, id="k_door", position=1.5),))
+    bathroom = Room("c", type="bathroom", x=9.0, width=2.5, depth=3.0, openings=(replace(DOOR, id="c_door", position=1.2),))
+    ours = {"version": VERSION, "catalog": KNOWN.fingerprint}
+    home = furnish(Scene(rooms=(BEDROOM, kitchen, bathroom)), style="modern", seed=5).scene
+    assert (home.seed, home.generator) == (5, ours)
+    assert home.request == {"program": {"bathrooms": 1, "bedrooms": 1, "kitchen": 1}, "style": "modern"}
+    for rooms in ((BEDROOM,), (BEDROOM, kitchen)):
+        assert furnish(Scene(rooms=rooms), style="modern", seed=5).scene.request == {"style": "modern"}, "no home"
+    theirs = {"version": "0.1.0", "catalog": "of others"}
+    again = furnish(Scene(rooms=(kitchen, bathroom), seed=3, generator=theirs, request={"style": "rustic"}), seed=5).scene
+    assert (again.seed, again.generator, again.request) == (3, theirs, {"style": "rustic"})
 
 
 def test_a_told_type_wins_over_name_and_guess() -> None:

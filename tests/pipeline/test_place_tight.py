@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import combinations, takewhile
@@ -11,6 +13,9 @@ import pytest
 
 from catalogs.schema import RelationSpec
 from solver import place
+from solver.pieces import Piece
+from solver.pipeline.place_task import PlaceTask
+from solver.pipeline.rounds import Round, best_placement, quick_placement
 from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Opening, Room
 from tests.sweeps import seeds, times
@@ -183,6 +188,30 @@ def test_a_piece_for_which_a_limit_ended_the_search_may_be_left_out(monkeypatch:
     monkeypatch.setattr("solver.pipeline.place.ROOM_WORK", 0.0)
     (conflict,) = place(Room("den", width=2.2, depth=2.4), [PieceRequest("bed"), PieceRequest("single_bed")]).conflicts
     assert conflict.message.startswith("not found") and conflict.repairs == ({"action": "leave_out", "id": conflict.ids[0]},)
+
+
+def test_a_call_whose_work_is_spent_tries_no_other_ways_to_place_its_list(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whichever would be tried: the list as it was sent, without partings, free of walls, without wishes."""
+    tried: list[str] = []
+
+    def telling(name: str, way: Callable[[PlaceTask, Sequence[Piece]], Round]) -> Callable[[PlaceTask, Sequence[Piece]], Round]:
+        def told(task: PlaceTask, pieces: Sequence[Piece]) -> Round:
+            tried.append(name)
+            return way(task, pieces)
+
+        return told
+
+    for name, way in (("best_placement", best_placement), ("quick_placement", quick_placement)):
+        monkeypatch.setattr(f"solver.pipeline.place.{name}", telling(name, way))
+    apart = RelationSpec(type="far_from", of=("bed",), distance=0.5, required=True)
+    wanted = [PieceRequest("bed", width=4.0), PieceRequest("wardrobe", width=4.0, relations=(apart,))]
+    room = Room("den", width=2.2, depth=2.4)
+    assert [one.id for one in place(room, wanted).best.unplaced] == ["bed", "wardrobe"]
+    assert Counter(tried) == {"best_placement": 6, "quick_placement": 1}, "each by name of the two first, too"
+    tried.clear()
+    monkeypatch.setattr("solver.pipeline.place.is_call_spent", lambda: True)
+    assert [one.id for one in place(room, wanted).best.unplaced] == ["bed", "wardrobe"]
+    assert tried == ["best_placement"]
 
 
 def test_of_two_that_cannot_both_stand_the_first_does_where_it_can_alone() -> None:
