@@ -16,6 +16,9 @@ from solver import export
 from solver.errors import FieldError
 from solver.exports import describe
 from solver.imported import PlanImport
+from solver.imports.drawn import DrawnOpening
+from solver.imports.joining import PlacedDrawing
+from solver.imports.missing_walls import without_niches
 from solver.scene import Flooring, Room
 from tests.imports.plans import box as room_box
 from tests.imports.plans import collection, opening, read
@@ -131,6 +134,19 @@ def test_rooms_that_reach_into_the_reveal_of_a_door_are_joined() -> None:
     answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), niche, ROOMS[1], DOOR, FRONT, WINDOW, BED))
     check_sweet_home(answer)
     assert any("niches" in str(change["message"]) for change in answer.changes)
+
+
+@pytest.mark.parametrize(("depth", "door", "is_left"), [
+    (1, False, False), (40, False, False), (41, False, True), (41, True, False), (150, True, False), (151, True, True),
+    (-1, True, True), (-40, True, True),
+])  # fmt: skip
+def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, door: bool, is_left: bool) -> None:
+    south, east = 1500 + max(1, min(depth, 900)), 4000 + depth
+    corners = [(0, 0), (4000, 0), (4000, 1500), (east, 1500), (east, south), (4000, south), (4000, 4000), (0, 4000)]
+    ends = (east, 1500), (east, south)
+    openings = [PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)] if door else []
+    bare = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)]
+    assert without_niches(corners, openings) == ((corners, 0) if is_left else (bare, depth))
 
 
 def test_storeys_are_told_apart() -> None:

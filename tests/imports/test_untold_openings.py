@@ -113,20 +113,39 @@ def test_what_is_too_narrow_to_step_outdoors_by_is_a_window() -> None:
     assert sorted(one[:2] for one in kinds(answer)["Schlafzimmer"]) == [("door", 0.9), ("window", 0.45)]
 
 
-@pytest.mark.parametrize("left", [0, 1])
-def test_holes_of_a_building_without_any_window_are_windows_where_their_sills_are_high(left: int) -> None:
-    """Where one window is left, holes without one are niches."""
-    building = ifcopenshell.file.from_string(next(iter(export(home("family"), "ifc").values())).decode())
+def without_windows(program: str, left: int = 0, sill: float | None = None) -> tuple[int, PlanImport]:
+    """What is read of a home of which so many windows are left, and holes of the others; of how many. The holes may have other sills."""
+    building: Any = ifcopenshell.file.from_string(next(iter(export(home(program), "ifc").values())).decode())
     windows = building.by_type("IfcWindow")
     for window in windows[left:]:
         for fills in window.FillsVoids:
+            place = fills.RelatingOpeningElement.ObjectPlacement.RelativePlacement
+            x, z, y = place.Location.Coordinates
+            place.Location = building.create_entity("IfcCartesianPoint", (x, z, y if sill is None else sill))
             building.remove(fills)
         building.remove(window)
-    answer = read(str(building.to_string()).encode())
-    found = {one.id for room in answer.scene.rooms for one in room.openings if one.kind == "window"}
-    assert len(windows) > 4
-    assert len(found) == (left or len(windows))
-    assert guessed(answer).count("window") == (0 if left else len(windows))
+    return len(windows), read(str(building.to_string()).encode())
+
+
+def windows_of(answer: PlanImport) -> set[str]:
+    return {one.id for room in answer.scene.rooms for one in room.openings if one.kind == "window"}
+
+
+@pytest.mark.parametrize("left", [0, 1])
+def test_holes_of_a_building_without_any_window_are_windows_where_their_sills_are_high(left: int) -> None:
+    """Where one window is left, holes without one are niches."""
+    many, answer = without_windows("family", left)
+    assert many > 4
+    assert len(windows_of(answer)) == (left or many)
+    assert guessed(answer).count("window") == (0 if left else many)
+
+
+@pytest.mark.parametrize(("sill", "is_high"), [(0.3, True), (0.299, False)])
+def test_a_sill_is_high_from_30_centimetres_on(sill: float, is_high: bool) -> None:
+    many, answer = without_windows("studio", sill=sill)
+    assert len(windows_of(answer)) == (many if is_high else 0)
+    unread = [one["reason"] for one in answer.unread]
+    assert unread.count("a hole in a wall that is neither filled nor a passage") == (0 if is_high else many)
 
 
 @pytest.mark.parametrize(("layer", "told"), [("Fenster", []), ("Türen", ["window"])])

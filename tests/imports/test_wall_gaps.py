@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from io import StringIO
-from math import pi, tan
+from math import dist, pi, tan
 from typing import Any
 
 import ezdxf.filemanagement as files
 import pytest
 
 from solver.imported import PlanImport
+from solver.imports.drawn import Spot
+from solver.imports.shape_openings import DrawnSwing, doors_of_swings
 from solver.scene import Opening
 from tests.imports.plans import read
 
@@ -102,6 +104,18 @@ def test_two_leaves_that_meet_are_shut_where_they_meet_whatever_is_beside_them()
         space.add_arc((middle, 300), 650, *ends, dxfattribs={"layer": "Türen"})
     found = [one for room in imported(made).scene.rooms for one in room.openings if one.main_entrance]
     assert [(one.wall, one.width) for one in found] == [("south", 1.3)]
+
+
+@pytest.mark.parametrize(("hinge", "shut", "widths"), [
+    ((1750, 0), (850, 0), [1750]),  # as leaves drawn 5 cm over one another
+    ((1890, 0), (990, 0), [900, 900]),  # 9 cm apart
+    ((900, 900), (900, 0), [900, 900]),  # hung around the corner
+])  # fmt: skip
+def test_two_leaves_that_meet_are_one_door_where_they_hang_opposite(hinge: Spot, shut: Spot, widths: list[int]) -> None:
+    first = DrawnSwing((0, 0), ((900, 0), (0, 900)), "here")
+    other = DrawnSwing(hinge, (shut, (hinge[0] + hinge[1], 900 - hinge[1])), "there")
+    walls = [[(-500, 0), (0, 0)], [(2500, 0), (900, 0), (900, 2000)]]
+    assert [dist(one.start, one.end) for one in doors_of_swings([first, other], walls)] == widths
 
 
 LAYERS = ("MUR", "Duvar", "Zdi", "Väggar", "Vegger", "墙", "外壁", "Стены", "Parede")
