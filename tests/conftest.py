@@ -32,8 +32,8 @@ providers._get_local_constants = lambda: NO_CONSTANTS
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and `&` leave it: what tests start would never hear Ctrl-C
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-BROWSERS = 3
-"""Workers with a Chromium and a service of their own; each takes memory, and draws without a graphics card."""
+BROWSERS = 2
+"""Workers with a Chromium and a service of their own; each takes memory, and seconds to begin, and draws without a graphics card."""
 BROWSER_TESTS = Path(__file__).parent / "browser"
 GENERATED_CALLS = Path(__file__).parent / "service" / "test_openapi_cases.py"
 """The longest file beside the browser's."""
