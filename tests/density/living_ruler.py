@@ -132,6 +132,7 @@ def free_before(depth: float, *names: str) -> Callable[[Scene], Count]:
 fronts_free = free_before(FRONT, *STORES)
 shelves_free = free_before(0.4, "bookshelf", "storage_shelf", "toy_shelf")
 racks_free = free_before(0.3, "coat_rack")
+seats_free = free_before(0.38, *SEATS)
 
 
 def desks_lit(scene: Scene) -> Count:
@@ -384,6 +385,7 @@ LINES = (
     Line("dining table in the living room beside a dining room", dining_beside_dining_room, {"*": 0.0}, most=True),
     Line("home with a dining table", tables_to_eat_at, {"*": 0.98}),
     Line("armchair, sofa: faces nothing", faces_nothing, {"*": 0.02}, most=True),
+    Line("armchair, sofa: front free, 0.38 m", seats_free, {"*": 0.9}),
     Line("armchair: neither company nor a table or lamp at hand", stranded, {"*": 0.05}, most=True),
     Line("sofa: screen in sight within 30 degrees, 1.5-4.5 m", screen_before_sofa, {"*": 0.92}),
     Line("fireplace: a seat looks at it", fireplaces_faced, {"*": 0.9}),

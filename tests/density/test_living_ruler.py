@@ -40,6 +40,15 @@ def test_open_shelves_are_free_along_their_fronts() -> None:
     assert sum(held for held, _ in found) >= 0.9 * sum(cases for _, cases in found) > 50  # 0.67 before it was wished
 
 
+def test_seats_are_free_along_their_fronts() -> None:
+    chair = body("armchair", (1, 1), (0.8, 0.82))
+    near, far = (body("bookshelf", (0.7, z), (0.3, 1.0), 90) for z in (2.19, 2.21))
+    assert ruler.seats_free(scene(chair, replace(near, x=1.2))) == (0, 1)
+    assert ruler.seats_free(scene(chair, replace(far, x=1.2))) == (1, 1)
+    found = [ruler.seats_free(generate(Request(seed=seed)).scene) for seed in range(8_642_000, 8_642_006)]
+    assert sum(held for held, _ in found) >= 0.9 * sum(cases for _, cases in found) > 30  # 0.84 before it was wished
+
+
 def test_coat_racks_are_come_to() -> None:
     rack = body("coat_rack", (1, 0.08), (0.5, 0.36))
     near, far = (body("console_table", (1.2, z), (1.2, 0.34)) for z in (0.73, 0.75))

@@ -6,6 +6,8 @@ from dataclasses import replace
 
 import pytest
 
+from solver import generate
+from solver.request import Request
 from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from tests.density import wet_ruler as ruler
 from tests.density.living_ruler import Count, floor_of
@@ -55,6 +57,26 @@ def test_a_tub_stands_in_a_corner_and_a_pantry_there_or_at_the_run() -> None:
     assert ruler.pantries_apart(scene(*row("pantry"))) == (1, 1)
     assert ruler.pantries_apart(scene(*row("pantry", "counter"))) == (0, 1)
     assert ruler.pantries_apart(scene(*row("pantry", start=0.1))) == (0, 1)
+
+
+def test_a_basin_has_floor_before_it_and_a_mirror_over_it() -> None:
+    basin = body("vanity", (2.0, 0.08), (0.8, 0.48))
+    near, far = (body("toilet", (2.7, z), (0.4, 0.66), 180) for z in (1.08, 1.1))
+    free = ruler.baths_free("vanity", "sink")
+    assert free(scene(basin, near, kind="bathroom")) == (0, 1)
+    assert free(scene(basin, far, kind="bathroom")) == (1, 1)
+    assert free(scene(basin, near)) == (0, 0)
+    for kind, wall, x, held in (("wall_mirror", "north", 2.4, 1), ("wall_mirror", "north", 2.9, 0), ("wall_art", "north", 2.4, 0)):
+        home = scene(basin, kind="bathroom")
+        thing = Decoration("d", kind, x=x, y=1.1, z=0.07, width=0.6, depth=0.04, height=0.8, mounted_on_wall=wall)
+        assert ruler.basins_mirrored(replace(home, rooms=(replace(home.rooms[0], decorations=(thing,)),))) == (held, 1)
+
+
+def test_bathrooms_are_used_from_free_floor_and_basins_have_mirrors() -> None:
+    scenes = [generate(Request(seed=seed, decorate=True)).scene for seed in range(8_642_000, 8_642_012)]
+    for line, share in ((ruler.baths_free("vanity", "sink"), 0.9), (ruler.baths_free("shower"), 0.85), (ruler.basins_mirrored, 0.98)):
+        found = [line(one) for one in scenes]
+        assert sum(held for held, _ in found) >= share * sum(cases for _, cases in found) > 25  # 0.82, 0.75 and 0.96 before
 
 
 def test_a_mirror_is_seen_and_things_at_a_wall_hang_apart() -> None:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from solver.scene import Decoration, Room, Scene
 from tests.density.living_ruler import Count, Floor, Line, count, floors, free_before, strip, windows_behind
@@ -100,6 +101,24 @@ def pantries_apart(scene: Scene) -> Count:
         for floor in floors(scene, "kitchen")
         for box in floor.named("pantry")
     )
+
+
+def baths_free(*names: str) -> Callable[[Scene], Count]:
+    """Counts what is stood before in bathrooms with BEFORE of floor free along its front."""
+    return lambda scene: free_before(BEFORE, *names)(replace(scene, rooms=tuple(_rooms(scene, "bathroom"))))
+
+
+def basins_mirrored(scene: Scene) -> Count:
+    """Basins with a mirror at the wall over them."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene, "bathroom"):
+            mirrors = [one for one in floor.room.decorations if "mirror" in one.name and one.mounted_on_wall]
+            for box in floor.named("vanity", "sink"):
+                x0, z0, x1, z1 = strip(box, "back", NEAR)
+                yield any(x0 <= one.x <= x1 and z0 <= one.z <= z1 for one in mirrors)
+
+    return count(cases())
 
 
 def mirrors_seen(scene: Scene) -> Count:
@@ -288,6 +307,9 @@ def _pieces(scene: Scene, name: str) -> int:
 LINES = (
     Line("toilet: 0.38 m free at both sides of its axis", toilets_with_room, {"*": 0.9}),
     Line("toilet: looks straight out of a door", toilets_faced, {"*": 0.02}, most=True),
+    Line("basin: 0.53 m free along its front", baths_free("vanity", "sink"), {"*": 0.9}),
+    Line("shower: 0.53 m free along its front", baths_free("shower"), {"*": 0.8}),
+    Line("basin: a mirror over it", basins_mirrored, {"*": 0.98}),
     Line("bathtub: in a corner", tubs_in_corners, {"*": 0.9}),
     Line("pantry: neither beside the run nor in a corner", pantries_apart, {"*": 0.35}, most=True),
     Line("standing mirror: front free, 0.6 m", mirrors_seen, {"*": 0.9}),
