@@ -250,3 +250,31 @@ def test_rooms_that_share_floor_are_not_furnished_until_they_do_not(visit: Visit
     page.get_by_role("button", name="Delete the room").click()
     board.judge()
     assert len(board.furnish()["scene"]["rooms"]) == 1
+
+
+MARKS = """() => [...document.querySelectorAll('.mark-label:not([hidden])')].map(one => {
+    const {x, y, width, height} = one.getBoundingClientRect();
+    return [x, y, x + width, y + height, one.innerText];
+})"""
+
+
+@pytest.mark.parametrize(("across", "along", "words"), [(2, 1, "UNREACHABLE"), (8, 5, "")])
+def test_marks_of_rooms_say_words_where_there_is_room_for_them(visit: Visit, across: int, along: int, words: str) -> None:
+    """Of forty rooms without a door one saw nothing but forty words, each over three rooms."""
+    corners = ((0, 0), (3, 0), (3, 3), (0, 3), (0, 0))
+    squares = [[[3 * i + x, 3 * j + z] for x, z in corners] for i in range(across) for j in range(along)]
+    features = [{"type": "Feature", "properties": {"name": f"Den {n}"}, "geometry": {"type": "Polygon", "coordinates": [one]}}
+                for n, one in enumerate(squares)]  # fmt: skip
+    content = json.dumps({"type": "FeatureCollection", "unit": "m", "features": features}).encode()
+    visit.open(SMALL.format(4))
+    visit.reopened(
+        lambda: visit.page.locator("#file").set_input_files({"name": "dens.geojson", "mimeType": "application/json", "buffer": content})
+    )
+    visit.page.keyboard.press("2")
+    visit.settle()
+    marks = visit.page.evaluate(MARKS)
+    assert len(marks) == across * along - 1, "ways are judged from one of them"
+    assert {said for *_, said in marks} == {words}
+    for n, (west, north, east, south, _) in enumerate(marks):
+        others = marks[:n]
+        assert not any(west < other[2] and other[0] < east and north < other[3] and other[1] < south for other in others)

@@ -17,6 +17,8 @@ type Named = LabelElement & { readonly id: string };
 const OVERLAYS = "#tools, #walk_leave, #compass, #minimap, .views, .fold";
 const TIP_LIFT = 22;
 const MARK_LIFT = 12;
+/** How wide a mark is that says no words [CSS pixels]. */
+const SHORT_MARK = 20;
 /** Who walks reads the names of the pieces this near [m]. */
 const PIECES_WITHIN = 7;
 
@@ -147,7 +149,7 @@ export class Labels {
     this.#asked = false;
     this.#bodies = new Map(this.#house?.bodies.map((body) => [body.id, body]));
     const pieces = this.#askedPieces();
-    const asked = [...this.#rooms.asked(), ...this.#askedAt(this.#marks, MARK_LIFT, RANK.mark), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
+    const asked = [...this.#rooms.asked(), ...this.#askedMarks(), ...this.#askedChosen(), ...this.#askedTip(), ...pieces]
       .filter((wish) => this.#onCanvas(wish))
       .map((wish) => ({ ...wish, ...keptInside(wish, this.viewport.size) }));
     const named = asked.filter(({ isDot }) => !isDot);
@@ -184,6 +186,15 @@ export class Labels {
       const body = this.#bodies.get(label.id);
       const seen = body ? this.#overBody(body) : this.#rooms.middleOf(label.id);
       return seen ? [{ label, x: seen.x, y: seen.y - lift, width: label.width, height: label.height, importance }] : [];
+    });
+  }
+
+  /** Words of what is wrong: of a room that is seen narrower than these, a mark alone; they would hide those of its neighbours. */
+  #askedMarks(): Asked[] {
+    return this.#marks.flatMap((mark) => {
+      const isShort = mark.width > this.#rooms.widthOf(mark.id);
+      mark.element.classList.toggle("short", isShort);
+      return this.#askedAt([mark], MARK_LIFT, RANK.mark).map((wish) => (isShort ? { ...wish, width: SHORT_MARK } : wish));
     });
   }
 

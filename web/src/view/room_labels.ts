@@ -77,6 +77,12 @@ export class RoomLabels {
     return label ? this.viewport.project(new Vector3(label.at[0], this.#heightOf(label), label.at[2])) : null;
   }
 
+  /** How wide a room is seen to be from outside [CSS pixels]; of what is no room there is no such width. */
+  widthOf(id: string): number {
+    const label = this.viewport.pose ? undefined : this.#labels.find(({ room }) => room.id === id);
+    return label ? this.#widthSeen(label) : Number.POSITIVE_INFINITY;
+  }
+
   /** The names wished for in this frame. */
   asked(): Asked[] {
     const { pose } = this.viewport;
