@@ -11,6 +11,8 @@ from tests.browser.visit import SMALL, Document, Visit
 
 PHONE: ViewportSize = {"width": 390, "height": 844}
 ZOOMED: ViewportSize = {"width": 720, "height": 450}
+FRAME = 4
+"""How far the frame of what has the focus reaches around it [CSS pixels]."""
 """A laptop at 200 %."""
 OF_LINES = """id => {
     const [region, line] = ['#yaml', `#yaml [data-id="${id}"]`].map(one => document.querySelector(one).getBoundingClientRect());
@@ -155,6 +157,8 @@ def test_nothing_shines_through_the_tour(visit: Visit) -> None:
     visit.page.emulate_media(color_scheme="dark")
     visit.page.evaluate("document.getElementById('tour_again').click()")
     expect(visit.page.locator("#tour")).to_be_visible()
+    title, words = (visit.page.locator(f"#tour {one}").first.bounding_box() for one in ("h2", "p"))
+    assert title and words and title["y"] + title["height"] + FRAME <= words["y"], "the frame of what has the focus lies over the words"
     ground = visit.page.locator("#tour").evaluate("one => getComputedStyle(one).backgroundColor")
     assert float(re.split(r"[,/ ]+", ground.rstrip(")"))[-1]) > 0.99, ground
     visit.page.set_viewport_size(ZOOMED)
