@@ -43,9 +43,9 @@ EXPORTERS: Final[dict[str, Exporter]] = {
     "arena": Exporter(
         "Isaac Lab-Arena: the usd, and an environment's YAML that names its bodies", "usd_stage", "application/zip", None, True
     ),
-    "usdc": Exporter("the same, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd"), True, 300),
+    "usdc": Exporter("the same as usd, binary", "usd_stage", "model/vnd.usd", ("pxr", "usd"), True, 300),
     "usdz": Exporter(
-        "the same, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd"), True, 300
+        "the same as usd, packed as one file: phones, tablets, previews", "usd_stage", "model/vnd.usdz+zip", ("pxr", "usd"), True, 300
     ),
     "mjcf": Exporter("MuJoCo: colliders, masses, doors on hinges, light things free to move", "mujoco_xml", "application/xml", None, True),
     "urdf": Exporter("ROS, Drake, PyBullet: one robot, fixed but for its doors", "urdf_robot", "application/xml"),

@@ -2,7 +2,7 @@
 import type { Beside } from "../asking";
 import type { Scene } from "../contract";
 import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
-import { say } from "../words/language";
+import { capital, say } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
 /** What a browser shows as a picture; a drawing, as of DXF, is called an image too. */
@@ -29,6 +29,7 @@ export class Files {
   onFailure: (reason: unknown) => void = () => undefined;
   readonly #chooser: HTMLInputElement;
   readonly #formats: HTMLSelectElement;
+  #words: ReadonlyMap<string, string> = new Map();
 
   constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null, readonly beside: Beside) {
     this.#chooser = host.querySelector("#file") as HTMLInputElement;
@@ -36,6 +37,7 @@ export class Files {
       host.querySelector(`#download_${format}`)?.addEventListener("click", () => this.#download(format));
     }
     this.#formats = host.querySelector("#export_format") as HTMLSelectElement;
+    this.#formats.addEventListener("change", () => this.#describe());
     host.querySelector("#export")?.addEventListener("click", () => this.#export());
     void this.#offerFormats();
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
@@ -56,8 +58,15 @@ export class Files {
   /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
   async #offerFormats(): Promise<void> {
     const formats = await exportFormats(new AbortController().signal).catch(() => []);
-    this.#formats.replaceChildren(...formats.map(({ name, words }) => new Option(`${name}: ${tellPlainly(words)}`, name)));
+    this.#words = new Map(formats.map(({ name, words }) => [name, tellPlainly(words)]));
+    this.#formats.replaceChildren(...[...this.#words].map(([name, words]) => new Option(`${name}: ${words}`, name)));
+    this.#describe();
     this.#formats.closest(".export")?.toggleAttribute("hidden", formats.length === 0);
+  }
+
+  /** Says whole what the chosen format is: the list, once it is shut, cuts that off. */
+  #describe(): void {
+    this.host.querySelector("#export_words")?.replaceChildren(capital(this.#words.get(this.#formats.value) ?? ""));
   }
 
   #export(): void {
