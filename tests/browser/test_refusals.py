@@ -203,6 +203,19 @@ def test_a_palette_that_was_refused_is_filled_once_it_is_asked_for_again(visit: 
     expect(page.get_by_role("alert")).to_be_hidden()
 
 
+@pytest.mark.own_page
+def test_formats_that_were_not_told_are_asked_for_again_where_they_are_looked_for(visit: Visit) -> None:
+    page = visit.page
+    intercept(page, "**/export", lambda route: route.fulfill(status=503, body="busy"))
+    visit.open(SMALL.format(3))
+    page.locator("#files").evaluate("one => { one.open = false; }")
+    expect(page.locator("#export")).to_be_hidden()
+    page.unroute("**/export")
+    page.locator("#files > summary").click()
+    expect(page.locator("#export")).to_be_visible()
+    assert page.locator("#export_format option").count() > 10
+
+
 BARE = {413: "Too large", 429: "Too many requests", 503: "busy", 504: "slow", 500: "refused", 401: "wants a key"}
 
 

@@ -40,6 +40,7 @@ export class Files {
     this.#formats.addEventListener("change", () => this.#describe());
     host.querySelector("#export")?.addEventListener("click", () => this.#export());
     void this.#offerFormats();
+    host.addEventListener("toggle", () => { if (this.#words.size === 0) void this.#offerFormats(); }); // of a service that was not there when the page came
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
     this.#chooser.addEventListener("change", () => this.#chosen());
     window.addEventListener("dragover", (event) => this.#over(event));
