@@ -139,7 +139,7 @@ struct Child {
 struct SearchResult {
   i64 found, exhausted, solves, turned_down, picks, forces;
   i64 dear;  // whether a node was left for its cost, so that "none" holds for what costs less than asked alone
-  i64 unused;
+  i64 beside;  // whether it rests on the optimum of what stood before
 };
 
 // A constraint that holds something at the optimum: free variables that its row keeps apart along an axis, or -1 (a bound, a fixed end).
@@ -221,7 +221,7 @@ struct Counters {
   i64 doubted;  // whether a placement was turned down for the walk alone
   i64 incumbent, lapsed, solved_qps, moves_left;
   u64 refused_bits;  // one for each refused fingerprint: by its upper bits
-  i64 unused;
+  i64 begun;         // whether it began with decisions whose optimum is known
 };
 
 struct HeapEntry {
@@ -254,6 +254,12 @@ struct Costs {
 
 constexpr Costs NOTHING_SPENT = {0.0, 0.0, 1e12};
 
+// What is known of a state: what its terms cost, whether that is the optimum, and whether a placement was turned down for the wider ways.
+struct Optimum {
+  f64 cost;
+  i64 proven, closed;
+};
+
 // Best-first search over prefixes; see grow.hpp.
 struct Tree {
   One<Counters> counters;
@@ -261,6 +267,9 @@ struct Tree {
   Table<i64> decisions;
   Span<f64> costs, preferences;
   Span<i64> depths;
+  Span<Optimum> optima;  // of the first states
+  Cube<f64> places;      // and where their variables are, m
+  Span<i64> begun;       // the decisions that those of number 0 are of
   Rows<HeapEntry> heap;
   Span<f64> heap_cost;
   Span<u64> refused;      // fingerprints

@@ -1,5 +1,6 @@
 // What the host calls of placement. `desk` is where `new_desk` put a room; what is handed over beside numbers lies on it.
 #include "placement/assembly.hpp"
+#include "placement/beside.hpp"
 #include "placement/confirm.hpp"
 #include "placement/grid.hpp"
 #include "placement/grow.hpp"
@@ -58,6 +59,7 @@ u8* entry_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budg
 
 EXPORT(best_first) i32 entry_best_first(const Desk* desk, i32 walk) {
   const SearchLimits limits = as<SearchLimits>(desk->limits);
+  begin_empty(desk->engine.tree);
   return best_first(desk->engine, desk->decisions, NOTHING_SPENT, as<Group>(desk->group), limits, walk != 0);
 }
 

@@ -1,5 +1,6 @@
 #include "placement/fill.hpp"
 
+#include "placement/beside.hpp"
 #include "placement/grow.hpp"
 #include "placement/memo.hpp"
 #include "placement/moves.hpp"
@@ -90,6 +91,7 @@ RoomReport arrange_room(
   for (i64& decision : decisions) decision = ABSENT;
   for (i64& fate : fates) fate = PLACED;
   counters.solved_qps = 0;
+  begin_empty(engine.tree);
   Costs costs = NOTHING_SPENT;
   const SearchLimits own = {limits.required, limits.required_qps, MANY};
   if (required > 0 && !join(engine, decisions, costs, {0, required}, own, walk)) {

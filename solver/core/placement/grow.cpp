@@ -1,6 +1,7 @@
 #include "placement/grow.hpp"
 
 #include "placement/assembly.hpp"
+#include "placement/beside.hpp"
 #include "placement/heap.hpp"
 #include "placement/memo.hpp"
 #include "placement/nodes.hpp"
@@ -33,42 +34,54 @@ static bool pay(const Engine& engine, const Effort& effort) {
   return result.found == 1;
 }
 
-// Evaluates; `limit` becomes the QPs that it was held to, and `effort` what one cost.
-static bool evaluate(
-    const Engine& engine, const Decisions& decisions, i64& limit, f64 ceiling, bool walk, Effort& effort, bool all = false) {
+// Lays decisions out; false where the bounds alone rule them out. `limit` becomes what a search is held to, `effort` what a QP of it costs.
+static bool lay_out(const Engine& engine, const Decisions& decisions, i64& limit, bool walk, Effort& effort) {
   *engine.nodes.result.data = {};
   engine.nodes.result->exhausted = 1;
   effort = {};
   if (!assemble(engine.room, engine.work, decisions)) return false;
   effort = effort_of(engine, walk);
   limit = least(limit, affordable_qps(engine, effort));
-  search(engine, limit, ceiling, walk);
-  if (all) search_all(engine, limit);
-  return pay(engine, effort);
+  return true;
 }
 
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
-  return evaluate(engine, decisions, limit, ceiling, walk, effort);
+  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  search(engine, limit, ceiling, walk);
+  return pay(engine, effort);
 }
 
 bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
-  return evaluate(engine, decisions, limit, ceiling, walk, effort, true);
+  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  search(engine, limit, ceiling, walk);
+  search_all(engine, limit);
+  return pay(engine, effort);
 }
 
-// Evaluates decisions, or recalls what came of them; only what they cost is there then.
-static bool weigh(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
-  if (engine.memo == nullptr) return evaluate(engine, decisions, limit, ceiling, walk);
-  Memo& memo = *engine.memo;
-  if (memo.complete) {
-    const Effort* known = recall(engine, decisions, limit, ceiling);
-    return known != nullptr ? pay(engine, *known) : evaluate(engine, decisions, limit, ceiling, walk);
-  }
+// Evaluates a state with one piece more. Picks and forces are missing where that is plain.
+static bool evaluate_beside(
+    const Engine& engine, const Decisions& decisions, i64 state, i64 limit, f64 ceiling, bool walk, Effort& effort) {
+  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  const bool is_known = limit > 0 && optimum_of(engine.tree, state) != nullptr;
+  if (!is_known || !is_plain_beside(engine, state, ceiling, walk)) search(engine, limit, ceiling, walk);
+  return pay(engine, effort);
+}
+
+// The same, or recalls what came of it. `closed` becomes whether a placement was turned down for it that closes the wider ways.
+static bool weigh(const Engine& engine, const Decisions& decisions, i64 state, i64 limit, f64 ceiling, bool walk, bool& closed) {
+  Memo* memo = engine.memo;
   Effort effort;
-  const i32 closed = memo.closed;
-  const bool found = evaluate(engine, decisions, limit, ceiling, walk, effort);
-  if (memo.closed == closed) note(engine, decisions, limit, ceiling, effort);
+  if (memo == nullptr) return evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
+  if (memo->complete) {
+    const Effort* known = recall(engine, decisions, limit, ceiling);
+    return known != nullptr ? pay(engine, *known) : evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
+  }
+  const i32 already = memo->closed;
+  const bool found = evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
+  closed = memo->closed > already || (engine.nodes.result->beside && engine.tree.optima[state].closed);
+  if (!closed) note(engine, decisions, limit, ceiling, effort);
   return found;
 }
 
@@ -159,7 +172,8 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const i64 incumbent = counters.incumbent;
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
   const f64 ceiling = (incumbent >= 0 ? tree.costs[incumbent] : start.ceiling) - chosen - rest;
-  const bool found = weigh(engine, trial, limits.qps, ceiling, walk);
+  bool closed = false;
+  const bool found = weigh(engine, trial, state, limits.qps, ceiling, walk, closed);
   if (engine.nodes.result->exhausted == 0) counters.closed = 0;  // what was found may cost less
   if (!found) {
     note_failure(engine, number, limits);
@@ -167,10 +181,12 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   }
   const i64 grown = store(tree, trial, engine.nodes.best_cost[0] + chosen, chosen, depth + 1);
   if (grown < 0) return false;
+  keep_optimum(engine, grown, closed);
   const bool complete = depth + 1 == group.last - group.first;
   if (complete && (incumbent < 0 || tree.costs[grown] < tree.costs[incumbent])) counters.incumbent = grown;
   if (counters.deepest < 0 || depth + 1 > tree.depths[counters.deepest]) counters.deepest = grown;
-  return push(tree, tree.costs[grown] + rest, grown, EXPANDED, 0.0, depth + 1);
+  // What is complete comes before what may cost the same at least.
+  return push(tree, tree.costs[grown] + rest - (complete ? COST_TOLERANCE : 0.0), grown, EXPANDED, 0.0, depth + 1);
 }
 
 // Empties the tree but for what counts over a whole room.
@@ -189,6 +205,7 @@ bool best_first(
   const i64 total = group.last - group.first;
   Counters& counters = *tree.counters.data;
   begin(tree);
+  counters.begun = is_begun(tree, start);
   i64 limit = limits.evaluations;
   push(tree, start_cost.all, store(tree, start, start_cost.all, start_cost.preferences, 0), EXPANDED, 0.0, 0);
   while (counters.heaped > 0) {

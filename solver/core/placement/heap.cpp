@@ -8,6 +8,7 @@ static bool before(const Tree& tree, i64 a, i64 b) {
   const HeapEntry &one = tree.heap[a], &two = tree.heap[b];
   if (one.rank != two.rank) return one.rank < two.rank;
   if (one.bound != two.bound) return one.bound < two.bound;
+  if ((one.decision == EXPANDED) != (two.decision == EXPANDED)) return one.decision == EXPANDED;
   return one.age < two.age;
 }
 

@@ -6,12 +6,14 @@ namespace placement {
 
 constexpr i32 MOST_NOTES = 1024;
 constexpr i32 TABLE = 2 * MOST_NOTES;
+constexpr i32 MOST_PLACES = 32 * MOST_NOTES;
 
 Memo* new_memo(const Room& room) {
   Memo& memo = *zeroes<Memo>(1).data;
   memo.noted = reserved<Noted>(MOST_NOTES);
   memo.decisions = {reserved<i64>(MOST_NOTES * room.pieces.size).data, MOST_NOTES, room.pieces.size};
   memo.table = reserved<i32>(TABLE);
+  memo.places = reserved<f64>(MOST_PLACES);
   for (i32& number : memo.table) number = -1;
   return &memo;
 }
@@ -48,9 +50,13 @@ static i32 place_in_table(const Decisions& decisions) {
 
 void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, const Effort& effort) {
   Memo& memo = *engine.memo;
-  if (memo.notes == MOST_NOTES) return;
+  const SearchResult& result = *engine.nodes.result.data;
+  const i64 wide = result.found ? engine.work.sizes[0] : 0, deep = result.found ? engine.work.sizes[1] : 0;
+  if (memo.notes == MOST_NOTES || memo.placed + wide + deep > memo.places.size) return;
   const i32 number = memo.notes++;
-  memo.noted[number] = {limit, ceiling, engine.nodes.best_cost[0], effort, *engine.nodes.result.data};
+  memo.noted[number] = {limit, ceiling, engine.nodes.best_cost[0], effort, memo.placed, {wide, deep}, result};
+  for (i64 v = 0; v < wide; v++) memo.places[memo.placed++] = engine.nodes.best.at(0, v);
+  for (i64 v = 0; v < deep; v++) memo.places[memo.placed++] = engine.nodes.best.at(1, v);
   for (i32 k = 0; k < decisions.size; k++) memo.decisions.at(number, k) = decisions[k];
   i32 at = place_in_table(decisions);
   while (memo.table[at] >= 0) at = (at + 1) & (TABLE - 1);
@@ -78,6 +84,10 @@ const Effort* recall(const Engine& engine, const Decisions& decisions, i64 limit
     if (!is_within(noted, least(limit, affordable_qps(engine, noted.effort)))) return nullptr;
     *engine.nodes.result.data = noted.result;
     engine.nodes.best_cost[0] = noted.cost;
+    i64 at_place = noted.first;
+    for (i64 axis = 0; axis < 2; axis++) {
+      for (i64 v = 0; v < noted.sizes[axis]; v++) engine.nodes.best.at(axis, v) = memo.places[at_place++];
+    }
     return &noted.effort;
   }
   return nullptr;

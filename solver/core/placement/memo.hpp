@@ -11,6 +11,7 @@ struct Noted {
   i64 limit;
   f64 ceiling, cost;
   Effort effort;
+  i64 first, sizes[2];  // of its places: where they begin, and how many along each axis
   SearchResult result;
 };
 
@@ -38,6 +39,8 @@ struct Memo {
   Span<Noted> noted;
   Table<i64> decisions;  // of each note
   Span<i32> table;       // numbers of notes, by their hashes
+  Span<f64> places;      // where the variables are, one note behind the other, m
+  i64 placed;
 };
 
 Memo* new_memo(const Room& room);
@@ -52,8 +55,8 @@ bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usu
 // Notes an evaluation of which no placement closed the ways.
 void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, const Effort& effort);
 
-// Puts the outcome of a noted evaluation in nodes.result and best_cost, where it is certainly that of these decisions in this room; returns
-// what it costs, or null.
+// Puts the outcome of a noted evaluation in nodes.result, best and best_cost, where it is certainly that of these decisions in this room;
+// returns what it costs, or null.
 const Effort* recall(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling);
 
 }  // namespace placement

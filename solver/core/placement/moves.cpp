@@ -1,5 +1,6 @@
 #include "placement/moves.hpp"
 
+#include "placement/beside.hpp"
 #include "placement/grow.hpp"
 #include "placement/options.hpp"
 
@@ -18,6 +19,7 @@ bool join(const Engine& engine, const Decisions& start, Costs& costs, const Grou
   if (!best_first(engine, start, costs, group, limits, walk)) return false;
   const i64 best = tree.counters->best;
   copy(tree.decisions.row(best), start);
+  begin_with(tree, best);
   costs.all = tree.costs[best];
   costs.preferences = tree.preferences[best];
   return true;

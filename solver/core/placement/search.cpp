@@ -9,7 +9,6 @@
 
 namespace placement {
 
-constexpr f64 COST_TOLERANCE = 1e-9;
 constexpr i64 WIDENINGS = 4, MOST_WIDENINGS = 12;  // widenings on one path of the tree
 
 // Writes the rows of a node's path along an axis to its programme, or the last of them.
@@ -108,8 +107,7 @@ static bool open_root(const Engine& engine) {
   return true;
 }
 
-// Tells whether the open node's placement, rounded to millimetres, is walkable.
-static bool passes(const Engine& engine) {
+bool passes(const Engine& engine) {
   const Table<i64>& rounded = engine.grid.positions;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < engine.work.sizes[axis]; v++) {

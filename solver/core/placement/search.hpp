@@ -11,6 +11,8 @@
 
 namespace placement {
 
+constexpr f64 COST_TOLERANCE = 1e-9;  // a placement is cheaper by more than this
+
 // Finds the cheapest placement of the problem in `work` at which every choice holds.
 //
 //   engine: the outcome is left in nodes.result, best_cost, best and best_picks.
@@ -18,6 +20,9 @@ namespace placement {
 //   ceiling: only placements cheaper than this count.
 //   walk: whether doors and use sides must be joined.
 void search(const Engine& engine, i64 limit, f64 ceiling, bool walk);
+
+// Tells whether the placement in nodes.positions, rounded to millimetres, is walkable.
+bool passes(const Engine& engine);
 
 // Searches once more where the walk turned a placement down: now all ways to open it are tried, no longer the likely ones alone. What is
 // found is cheaper than what the search found, which else stays.

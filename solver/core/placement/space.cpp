@@ -9,6 +9,7 @@ constexpr i64 MOST_WIDE = 8192;  // rows that the widenings of one search may as
 constexpr i64 MOST_NODES = 4096;  // open nodes of one search; where there would be more, the search stops as at its limit
 constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with the nodes
 constexpr i64 MOST_STATES = 6500;  // prefixes the best-first search may keep
+constexpr i64 MOST_OPTIMA = 512;  // of the first states it is kept where they stand
 constexpr i64 MOST_MOVES = 64;
 constexpr i64 MOST_REFUSED = 4096;  // a power of two
 
@@ -200,6 +201,9 @@ static Tree new_tree(const Sizes& sizes) {
   tree.costs = new_span<f64>(n);
   tree.preferences = new_span<f64>(n);
   tree.depths = new_span<i64>(n);
+  tree.optima = new_span<Optimum>(MOST_OPTIMA);
+  tree.places = new_cube<f64>(MOST_OPTIMA, 2, sizes.variables);
+  tree.begun = new_span<i64>(p);
   tree.heap = reserved_rows<HeapEntry>(heap);
   tree.heap_cost = new_span<f64>(heap);
   tree.refused = new_span<u64>(MOST_REFUSED / 2);
