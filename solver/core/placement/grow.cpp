@@ -55,8 +55,13 @@ bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 c
 bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
   if (!lay_out(engine, decisions, limit, walk, effort)) return false;
-  search(engine, limit, ceiling, walk);
-  search_all(engine, limit);
+  SearchResult& result = *engine.nodes.result.data;
+  search(engine, limit, ceiling, walk, true);
+  if (!result.found && !result.exhausted) {
+    const i64 solves = result.solves;
+    search(engine, limit, ceiling, walk);
+    result.solves += solves;
+  }
   return pay(engine, effort);
 }
 

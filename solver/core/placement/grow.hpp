@@ -12,7 +12,7 @@ namespace placement {
 // Assembles and searches; tells whether a placement was found. Pays from the budget, in QPs of a small room.
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
 
-// The same, and then all ways to open the walk are tried, with as many QPs again.
+// The same, and all ways to open the walk are tried; the likely ones alone where all are too many for the limit.
 bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
 
 // How many QPs of so much effort the budget holds.

@@ -176,17 +176,12 @@ static void go_on(const Engine& engine, i64 limit, bool walk, bool all) {
   }
 }
 
-void search(const Engine& engine, i64 limit, f64 ceiling, bool walk) {
+void search(const Engine& engine, i64 limit, f64 ceiling, bool walk, bool all) {
   *engine.nodes.result.data = {};
   engine.nodes.result->exhausted = 1;
   engine.nodes.best_cost[0] = ceiling;
   engine.work.counts->wide = 0;
-  go_on(engine, limit, walk, false);
-}
-
-void search_all(const Engine& engine, i64 limit) {
-  const SearchResult& result = *engine.nodes.result.data;
-  if (result.exhausted != 0 && result.turned_down > 0) go_on(engine, result.solves + limit, true, true);
+  go_on(engine, limit, walk, all);
 }
 
 }  // namespace placement

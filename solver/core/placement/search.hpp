@@ -19,15 +19,10 @@ constexpr f64 COST_TOLERANCE = 1e-9;  // a placement is cheaper by more than thi
 //   limit: QPs after which to stop; `exhausted` is then 0.
 //   ceiling: only placements cheaper than this count.
 //   walk: whether doors and use sides must be joined.
-void search(const Engine& engine, i64 limit, f64 ceiling, bool walk);
+//   all: whether all ways to open the walk are tried where it turns a placement down, not the likely ones alone.
+void search(const Engine& engine, i64 limit, f64 ceiling, bool walk, bool all = false);
 
 // Tells whether the placement in nodes.positions, rounded to millimetres, is walkable.
 bool passes(const Engine& engine);
-
-// Searches once more where the walk turned a placement down: now all ways to open it are tried, no longer the likely ones alone. What is
-// found is cheaper than what the search found, which else stays.
-//
-//   limit: QPs after which to stop; `exhausted` is then 0.
-void search_all(const Engine& engine, i64 limit);
 
 }  // namespace placement
