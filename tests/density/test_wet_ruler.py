@@ -141,6 +141,13 @@ def test_worktop_round_the_corner_is_hidden() -> None:
     assert ruler.long_worktops(scene(corner, beyond, *row("counter", start=2.5))) == (0, 1)
 
 
+def test_a_long_table_has_six_chairs() -> None:
+    chairs = [replace(body("dining_chair", (1.0 + 0.6 * k, 2.0), (0.46, 0.5)), under="dining_table_0") for k in range(6)]
+    for width, seats, held in ((2.2, 5, (1, 1)), (2.2, 6, (0, 1)), (1.6, 4, (0, 0))):
+        table = body("dining_table", (1.0, 2.4), (width, 0.9))
+        assert ruler.long_tables_short_of_chairs(scene(table, *chairs[:seats], kind="dining_room")) == held
+
+
 def test_roomy_kitchens_have_an_island_or_a_table() -> None:
     assert ruler.roomy_kitchens_used(scene(body("kitchen_island", (2, 2), (1.2, 0.7)), size=(5.0, 3.3))) == (1, 1)
     assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.3))) == (0, 1)

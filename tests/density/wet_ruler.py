@@ -1,4 +1,4 @@
-"""What a designer looks at in kitchens, bathrooms and plain plans, from the scene alone; shares no code with what furnishes.
+"""What a designer looks at in kitchens, bathrooms, at long tables and in plain plans; shares no code with what furnishes.
 
 Comes in: a `Scene`. Goes out: for every line of `LINES` how many of its cases hold, and how many there are. Metres. The lengths are of
 
@@ -35,6 +35,8 @@ BREAKS = ("refrigerator", "pantry")
 """What is taller than it and belongs at an end of it; a dishwasher is as high, and one works on its top."""
 RINSED = 0.92
 """From a dishwasher to the sink where dishes are rinsed, at most."""
+LONG_TABLE = 2.0
+"""From here on a table is for six (Neufert: a place is 0.6 m wide), m."""
 LONG = 2.4
 """Of worktop in a large home's kitchen, m along the fronts."""
 ROOMY, BROAD = 15.0, 3.3
@@ -222,6 +224,18 @@ def refrigerators_served(scene: Scene) -> Count:
     return count(cases())
 
 
+def long_tables_short_of_chairs(scene: Scene) -> Count:
+    """Dining tables of LONG_TABLE or more with fewer than six chairs."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene):
+            for box in floor.named("dining_table"):
+                if box.piece.width >= LONG_TABLE:
+                    yield sum(chair.piece.under == box.piece.id for chair in floor.pieces) < 6
+
+    return count(cases())
+
+
 def long_worktops(scene: Scene) -> Count:
     """Kitchens of LONG or more of counter, measured along the fronts: what stands round the corner hides none of it."""
     return count(worktop(floor) >= LONG - 1e-3 for floor in floors(scene, "kitchen"))
@@ -320,6 +334,7 @@ LINES = (
     Line("refrigerator, pantry: parts the worktop", worktops_parted, {"*": 0.02}, most=True),
     Line("dishwasher: sink within 0.92 m", dishwashers_at_sinks, {"*": 0.75}),
     Line("refrigerator: worktop right beside it", refrigerators_served, {"*": 0.85}),
+    Line("dining table of 2 m: fewer than six chairs", long_tables_short_of_chairs, {"*": 0.1}, most=True),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.25, "large": 0.5}),
     Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
     Line("kitchen of 15 m2, 3.3 m wide: island or table", roomy_kitchens_used, {"*": 0.8}),
