@@ -148,6 +148,15 @@ def test_a_long_table_has_six_chairs() -> None:
         assert ruler.long_tables_short_of_chairs(scene(table, *chairs[:seats], kind="dining_room")) == held
 
 
+def test_a_refrigerator_belongs_to_the_run_and_an_island_off_it() -> None:
+    assert ruler.refrigerators_apart(scene(*row("refrigerator", "counter"))) == (0, 1)
+    assert ruler.refrigerators_apart(scene(*row("refrigerator"), *row("counter", start=1.71))) == (1, 1)
+    run = row("counter", "sink")
+    near, far = (body("kitchen_island", (1.0, z), (1.2, 0.7)) for z in (1.42, 1.44))
+    assert ruler.islands_crowding(scene(*run, near)) == (1, 1)
+    assert ruler.islands_crowding(scene(*run, far)) == (0, 1)
+
+
 def test_roomy_kitchens_have_an_island_or_a_table() -> None:
     assert ruler.roomy_kitchens_used(scene(body("kitchen_island", (2, 2), (1.2, 0.7)), size=(5.0, 3.3))) == (1, 1)
     assert ruler.roomy_kitchens_used(scene(size=(5.0, 3.3))) == (0, 1)

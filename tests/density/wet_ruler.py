@@ -48,6 +48,8 @@ NEAR = 0.1
 """From a wall's face in a corner, and from a run, at most."""
 MIRROR = 0.6
 """Of floor before a mirror, from where one looks into it."""
+AISLE = 0.75
+"""Between a run and an island, where one works and walks past."""
 HUNG = 0.12
 """Between things at a wall."""
 USED = ("toilet", "wardrobe", "counter", "sink", "stove", "refrigerator")
@@ -236,6 +238,24 @@ def long_tables_short_of_chairs(scene: Scene) -> Count:
     return count(cases())
 
 
+def refrigerators_apart(scene: Scene) -> Count:
+    """Refrigerators with nothing of the kitchen's run, and no pantry, right beside them or round the corner."""
+    return count(
+        all(_apart(box, other) > NEAR for other in floor.named(*RUN, "pantry") if other is not box)
+        for floor in floors(scene, "kitchen")
+        for box in floor.named("refrigerator")
+    )
+
+
+def islands_crowding(scene: Scene) -> Count:
+    """Islands nearer than AISLE to any of the kitchen's run."""
+    return count(
+        any(_apart(box, other) < AISLE - 1e-3 for other in floor.named(*RUN))
+        for floor in floors(scene, "kitchen")
+        for box in floor.named("kitchen_island")
+    )
+
+
 def long_worktops(scene: Scene) -> Count:
     """Kitchens of LONG or more of counter, measured along the fronts: what stands round the corner hides none of it."""
     return count(worktop(floor) >= LONG - 1e-3 for floor in floors(scene, "kitchen"))
@@ -335,6 +355,8 @@ LINES = (
     Line("dishwasher: sink within 0.92 m", dishwashers_at_sinks, {"*": 0.75}),
     Line("refrigerator: worktop right beside it", refrigerators_served, {"*": 0.85}),
     Line("dining table of 2 m: fewer than six chairs", long_tables_short_of_chairs, {"*": 0.1}, most=True),
+    Line("refrigerator: apart from the run", refrigerators_apart, {"*": 0.03}, most=True),
+    Line("island: within 0.75 m of the run", islands_crowding, {"*": 0.2}, most=True),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.25, "large": 0.5}),
     Line("kitchen: working triangle", triangles_whole, {"*": 0.85}),
     Line("kitchen of 15 m2, 3.3 m wide: island or table", roomy_kitchens_used, {"*": 0.8}),

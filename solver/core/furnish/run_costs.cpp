@@ -10,8 +10,8 @@ constexpr f64 SHORTEST_LEG = 1.2, LONGEST_LEG = 2.7, LEAST_PERIMETER = 4.0, MOST
 // What a triangle costs that is not within these, and what a metre beyond them.
 constexpr f64 BROKEN_COST = 8.0, LEG_COST = 8.0, PERIMETER_COST = 8.0;
 // What a side without worktop costs where it is wanted (guidelines 11, 16 and 17: landing areas at sink, refrigerator and cooking
-// surface), as what stands alone across, and what belongs at an end within the worktop.
-constexpr f64 LANDING_COST = 10.0, END_COST = 6.0;
+// surface), what stands alone across, and what belongs at an end within the worktop.
+constexpr f64 LANDING_COST = 10.0, ALONE_COST = 20.0, END_COST = 6.0;
 // Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs.
 constexpr f64 WORKTOP = 4.0, WORKTOP_COST = 4.0;
 
@@ -24,7 +24,7 @@ constexpr i64 BEFORE_MM = 700, ASIDE_MM = 600;
 f64 row_cost(const Drawn& drawn) {
   const bool across = drawn.form == Form::opposite;
   const i32 size = drawn.items.size, first = drawn.first;
-  f64 cost = across ? LANDING_COST * ((first == 1) + (size - first == 1)) : 0.0;
+  f64 cost = across ? ALONE_COST * ((first == 1) + (size - first == 1)) : 0.0;
   for (i32 i = 0; i < size; i++) {
     const Item& own = *drawn.items[i].item;
     i32 landed = 0, within = 0;

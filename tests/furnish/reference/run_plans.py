@@ -42,8 +42,8 @@ MISSED_COST, MISSED_CHANCE = 6.0, 0.3
 """What a run without a piece that it could hold costs, and how often one is drawn without it."""
 CORNER_CHANCE, OPPOSITE_CHANCE = 0.6, 0.5
 """How often a run goes round a corner it could, and how often another one goes on at the opposite wall."""
-LANDING_COST, END_COST = 10.0, 6.0
-"""What a side without worktop costs where it is wanted, and what belongs at an end within the worktop."""
+LANDING_COST, ALONE_COST, END_COST = 10.0, 20.0, 6.0
+"""What a side without worktop costs where it is wanted, what stands alone across, and what belongs at an end within the worktop."""
 WORKTOP, WORKTOP_COST = 4.0, 4.0
 """Worktop that a cook wants, m (guideline 25: 158 inches of frontage), and what a metre less costs."""
 SLIVER_COST, TOUCHING_MM, SLIVER_MM = 4.0, 50, 150
@@ -258,7 +258,7 @@ class _Planner:
             if name in run.ends and within == 2:
                 cost += END_COST
         if drawn.form == "opposite":
-            cost += LANDING_COST * ((drawn.first == 1) + (len(names) - drawn.first == 1))
+            cost += ALONE_COST * ((drawn.first == 1) + (len(names) - drawn.first == 1))
         return cost
 
     def worktop_cost(self, drawn: Drawn) -> float:
