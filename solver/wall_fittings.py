@@ -106,17 +106,6 @@ def around(centre: float, thickness: float) -> Span:
     return centre - thickness / 2, centre + thickness / 2
 
 
-def between(start: float, end: float, gaps: Iterable[Span]) -> Iterator[Span]:
-    """Yields the stretches of an interval that no gap covers; gaps in order."""
-    reached = start
-    for low, high in gaps:
-        if low > reached:
-            yield reached, min(low, end)
-        reached = max(reached, high)
-    if reached < end:
-        yield reached, end
-
-
 def cut_at_holes(ends: Span, holes: Iterable[tuple[Span, Span]], seams: Iterable[float] = ()) -> Iterator[tuple[Span, list[Span]]]:
     """Yields the stretches of a wall between the sides of holes, each with the heights that holes over it take, in order.
 

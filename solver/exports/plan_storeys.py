@@ -12,8 +12,7 @@ from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, Pl
 from solver.exports.plan_facades import Facades, chains_of
 from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, label_of, name_of, words_of
 from solver.exports.plan_sheet import PlanSheet, sheet_for
-from solver.geometry import square_metres
-from solver.wall_fittings import between
+from solver.geometry import gaps_between, square_metres
 
 Place = tuple[float, float]
 
@@ -138,8 +137,8 @@ def _walls(model: HouseModel, level: int) -> list[PlanBox]:
     found: list[PlanBox] = []
     for panel in model.panels:
         if panel.level == level:
-            holes = sorted((hole.start, hole.end) for hole in panel.holes)
-            found += [on_line(panel.axis, span, panel.line, panel.thickness / 2) for span in between(panel.start, panel.end, holes)]
+            spans = gaps_between((panel.start, panel.end), ((hole.start, hole.end) for hole in panel.holes))
+            found += [on_line(panel.axis, span, panel.line, panel.thickness / 2) for span in spans]
     return found
 
 

@@ -11,8 +11,9 @@ from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpenin
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
 from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
+from solver.geometry import gaps_between
 from solver.scene import Level, Room
-from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, between, cut_at_holes, door_bars, window_bars
+from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, window_bars
 
 RAILING_HEIGHT: Final = 0.6
 RAILING_BAR: Final = 0.05
@@ -136,7 +137,7 @@ def boxes_of(panel: WallPanel, finder: RoomFinder) -> Iterator[WallBox]:
     for (start, end), gaps in cut_at_holes((panel.start, panel.end), holes, panel.seams):
         middle = (start + end) / 2
         greater, lesser = map(_paint_in, finder.beside((panel.level, panel.axis, panel.line), middle, half + _BEFORE))
-        for up in between(0.0, panel.height, gaps):
+        for up in gaps_between((0.0, panel.height), gaps):
             box = box_on_line(panel.axis, (start, end), across, shifted(up, panel.elevation))
             yield WallBox(panel.axis, box, lesser, greater, REVEAL)
 
@@ -189,7 +190,7 @@ def _barred(opening: PlacedOpening, bar: Bar, elevation: float) -> Fitting:
 def _railing(stretch: _Stretch) -> Iterator[Fitting]:
     run, elevation = stretch.run, stretch.storey.elevation
     axis, across = run.line[1], around(run.line[2], RAILING_BAR)
-    for start, end in between(*stretch.along, sorted((one.start, one.end) for one in stretch.openings)):
+    for start, end in gaps_between(stretch.along, ((one.start, one.end) for one in stretch.openings)):
         bays = max(1, int((end - start) / POST_SPACING + 0.5))
         step = (end - start - RAILING_BAR) / bays
         posts = [(start + i * step, start + i * step + RAILING_BAR) for i in range(bays + 1)]
