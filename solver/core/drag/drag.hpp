@@ -61,7 +61,7 @@ struct Drag {
   Span<Rider> riders;
   Span<placement::CandidateRow> sent;  // the candidates as they were sent
   Span<Spot> start;                    // of all bodies
-  validate::Bytes storey;
+  Bytes storey;
   Span<validate::BodyRow> rows;  // of all bodies, in `storey`
 };
 

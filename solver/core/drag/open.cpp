@@ -2,15 +2,6 @@
 
 namespace drag {
 
-// Takes rows from bytes; those behind begin at a multiple of 8.
-template <class T> static Span<T> take(u8*& at, const u8* end, i64 count) {
-  const i64 room = (end - at) / static_cast<i64>(sizeof(T));
-  if (count < 0 || count > room) fail(Failure::bad_request);
-  const Span<T> rows{reinterpret_cast<T*>(at), static_cast<i32>(count)};
-  at += count * static_cast<i64>(sizeof(T));
-  return rows;
-}
-
 static bool is_within(i64 number, i64 count) { return number >= 0 && number < count; }
 
 // Ends the call where numbers of pieces and bodies are none.
@@ -24,16 +15,16 @@ static void check(const Drag& drag) {
 }
 
 Drag* open(u8* sent, i64 size) {
-  u8* at = sent;
-  const u8* end = sent + size;
-  const OpeningHead& head = take<OpeningHead>(at, end, 1)[0];
+  Reader from(sent, size);
+  const OpeningHead& head = from.take<OpeningHead>(1)[0];
+  const auto counted = [&](i64 count) { return static_cast<i32>(is_within(count, size) ? count : -1); };
   if (head.version != VERSION || head.problem < static_cast<i64>(sizeof(placement::RoomRequest))) fail(Failure::bad_request);
   Drag& drag = *static_cast<Drag*>(arena::zeroed(sizeof(Drag)));
-  const Span<u8> problem = take<u8>(at, end, head.problem);
-  const Span<u8> storey = take<u8>(at, end, head.storey);
-  drag.storey = {storey.data, storey.size};
-  drag.movers = take<Mover>(at, end, head.pieces);
-  drag.riders = take<Rider>(at, end, head.bodies);
+  const Span<u8> problem = from.take<u8>(counted(head.problem));
+  const Span<u8> storey = from.take<u8>(counted(head.storey));
+  drag.storey = as_bytes(storey);
+  drag.movers = from.take<Mover>(counted(head.pieces));
+  drag.riders = from.take<Rider>(counted(head.bodies));
   drag.held = head.held;
   const placement::Room asked = placement::room_of(reinterpret_cast<placement::RoomRequest*>(problem.data));
   placement::Sizes sizes = placement::sizes_of(asked);
@@ -42,7 +33,7 @@ Drag* open(u8* sent, i64 size) {
   const Rows<placement::CandidateRow>& candidates = drag.desk->engine.room.candidates;
   drag.sent = reserved<placement::CandidateRow>(candidates.size);
   for (i64 k = 0; k < candidates.size; k++) drag.sent[k] = candidates[k];
-  validate::Reader reader(drag.storey);
+  Reader reader(drag.storey);
   const validate::Storey read = validate::read_storey(reader);
   if (read.rooms.size != 1) fail(Failure::bad_request);
   const Span<validate::Body> bodies = read.rooms[0].room.bodies;

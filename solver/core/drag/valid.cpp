@@ -24,7 +24,7 @@ bool is_valid(const Drag& drag, const Frame& frame) {
     drag.rows[k].x = frame.spots[k].x;
     drag.rows[k].z = frame.spots[k].z;
   }
-  validate::Reader reader(drag.storey);
+  Reader reader(drag.storey);
   const validate::Storey storey = validate::read_storey(reader);
   validate::Findings found{0, {}};
   validate::find_standing(storey.rooms[0].room, found);

@@ -37,14 +37,13 @@ void add_taken(List<Rect>& taken, Bytes bodies, f64 low, f64 high, bool loose) {
 
 extern "C" {
 
-// Returns what furniture and small things take up between two heights, mm: the size of their rectangles, bytes, in the upper half, and
-// where these begin in the lower. `loose`: of the things, those alone that stand on the floor.
+// Tells what furniture and small things take up between two heights, mm. `loose`: of the things, those alone that stand on the floor.
 __attribute__((export_name("taken_between"))) i64 entry_taken_between(
     u8* furniture, i64 furniture_size, u8* things, i64 things_size, f64 low, f64 high, i32 loose) {
   List<Rect> taken;
   add_taken(taken, {furniture, furniture_size}, low, high, false);
   add_taken(taken, {things, things_size}, low, high, loose != 0);
-  return bytes_of(taken.all()) << 32 | static_cast<i64>(reinterpret_cast<u64>(taken.begin()));
+  return told(as_bytes(taken.all()));
 }
 
 // Writes the nearest place over the wish; tells whether there is one.

@@ -5,14 +5,11 @@
 
 using namespace furnish;
 
-static i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
-
-// Returns the answer's size, bytes, in the upper half, and where it begins in the lower.
 extern "C" __attribute__((export_name("furnish"))) i64 entry_furnish(u8* type_rows, i64 type_size, u8* room_rows, i64 room_size) {
   return told(furnish_room({type_rows, type_size}, {room_rows, room_size}));
 }
 
-// The same of a list of pieces with relations.
+// What a list of pieces with relations asks for.
 extern "C" __attribute__((export_name("listed_pieces"))) i64 entry_listed_pieces(u8* kinds, i64 kinds_size, u8* room, i64 room_size) {
   return told(listed_pieces({kinds, kinds_size}, {room, room_size}));
 }

@@ -117,9 +117,6 @@ Bytes door_places(Bytes sent) {
   return writer.written();
 }
 
-// Answers give their size, bytes, in the upper half, and where they begin in the lower.
-static i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
-
 extern "C" __attribute__((export_name("open_walls"))) i64 entry_open_walls(u8* request, i64 size) {
   return told(open_walls({request, size}));
 }

@@ -8,6 +8,9 @@ struct Bytes {
   i64 size;
 };
 
+// An answer as the host takes it: its size, bytes, in the upper half, and where it begins in the lower.
+inline i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
+
 // Bytes of the memory as the host tells of them, and is told.
 struct SentBytes {
   u64 address;
@@ -39,6 +42,7 @@ template <class T> Span<T> part_of(Span<T> table, Range range) {
 class Reader {
  public:
   Reader(u8* data, i64 size) : data_(data), left_(size) {}
+  explicit Reader(Bytes rows) : Reader(rows.data, rows.size) {}
 
   template <class T> Span<T> take(i32 count) {
     const i64 bytes = (static_cast<i64>(count) * sizeof(T) + 7) / 8 * 8;
@@ -48,6 +52,7 @@ class Reader {
     left_ -= bytes;
     return {found, count};
   }
+  bool is_at_end() const { return left_ == 0; }
 
  private:
   u8* data_;
@@ -55,6 +60,7 @@ class Reader {
 };
 
 template <class T> i64 bytes_of(Span<T> rows) { return static_cast<i64>(rows.size) * sizeof(T); }
+template <class T> Bytes as_bytes(Span<T> rows) { return {reinterpret_cast<u8*>(rows.data), bytes_of(rows)}; }
 
 // Puts tables into new bytes, one right after the other.
 class Writer {

@@ -2,13 +2,6 @@
 #include "text/bodies.hpp"
 #include "text/yaml.hpp"
 
-namespace {
-
-// An answer's size, bytes, in the upper half, and where it begins in the lower.
-i64 told(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
-
-}  // namespace
-
 extern "C" __attribute__((export_name("bodies_text"))) i64 entry_bodies_text(u8* rows, i64 size) {
   return told(text::bodies_text({rows, size}));
 }

@@ -11,10 +11,6 @@ struct MeasuredRoom {
   Area all, clear, uncovered, unfurnished;
 };
 
-template <class T> static Bytes bytes_of(Span<T> rows) {
-  return {reinterpret_cast<u8*>(rows.data), static_cast<i64>(rows.size) * static_cast<i64>(sizeof(T))};
-}
-
 static Area free_area(Span<Rect> floors, const List<Rect>& obstacles, i32 most_boxes) {
   arena::Scope scope;
   Area area;
@@ -94,14 +90,14 @@ Bytes judge_storey(Bytes rows_sent, Bytes asked, i64 most, i64 most_looks) {
   }
   List<u8> told;
   const auto tell_all = [&](Bytes rows) { told.add_all({rows.data, static_cast<i32>(rows.size)}); };
-  tell_all(bytes_of(Span<WalkedFloor>{&floor, 1}));
-  tell_all(bytes_of(areas.all()));
-  tell_all(bytes_of(found.judged.all()));
-  tell_all(bytes_of(found.found.rows.all()));
-  tell_all(bytes_of(found.of_plan.rows.all()));
-  tell_all(bytes_of(found.opened.all()));
-  tell_all(bytes_of(sides.all()));
-  return bytes_of(told.all());
+  tell_all(as_bytes(Span<WalkedFloor>{&floor, 1}));
+  tell_all(as_bytes(areas.all()));
+  tell_all(as_bytes(found.judged.all()));
+  tell_all(as_bytes(found.found.rows.all()));
+  tell_all(as_bytes(found.of_plan.rows.all()));
+  tell_all(as_bytes(found.opened.all()));
+  tell_all(as_bytes(sides.all()));
+  return as_bytes(told.all());
 }
 
 // Adds what the openings of some kind keep free of a room's floor.
@@ -129,7 +125,7 @@ Bytes free_floors(Bytes rows_sent) {
     rows.add(swept - before), rows.add(doors - swept), rows.add(found.size() - doors);
   }
   for (const Rect& box : found) rows.add(box.x0), rows.add(box.z0), rows.add(box.x1), rows.add(box.z1);
-  return bytes_of(rows.all());
+  return as_bytes(rows.all());
 }
 
 Bytes measure_storey(Bytes rows_sent) {
@@ -149,6 +145,6 @@ Bytes measure_storey(Bytes rows_sent) {
     const auto area = [&](const List<Rect>& taken) { return free_area(room.inside, taken, storey.most_boxes); };
     rows[i] = {area(nothing), area(walls), area(covered), area(furniture)};
   }
-  return bytes_of(rows);
+  return as_bytes(rows);
 }
 }  // namespace validate

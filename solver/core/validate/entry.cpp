@@ -5,14 +5,11 @@
 
 using namespace validate;
 
-static i64 packed(Bytes answer) { return answer.size << 32 | static_cast<i64>(reinterpret_cast<u64>(answer.data)); }
-
-// Each returns its answer's size, bytes, in the upper half, and where it begins in the lower.
 extern "C" {
 
 EXPORT(judge_storey) i64 entry_judge_storey(u8* rows, i64 size, u8* asked, i64 asked_size, i64 most, i64 most_looks) {
-  return packed(judge_storey({rows, size}, {asked, asked_size}, most, most_looks));
+  return told(judge_storey({rows, size}, {asked, asked_size}, most, most_looks));
 }
-EXPORT(free_floors) i64 entry_free_floors(u8* rows, i64 size) { return packed(free_floors({rows, size})); }
-EXPORT(measure_storey) i64 entry_measure_storey(u8* rows, i64 size) { return packed(measure_storey({rows, size})); }
+EXPORT(free_floors) i64 entry_free_floors(u8* rows, i64 size) { return told(free_floors({rows, size})); }
+EXPORT(measure_storey) i64 entry_measure_storey(u8* rows, i64 size) { return told(measure_storey({rows, size})); }
 }

@@ -193,25 +193,6 @@ struct Room {
   Span<Front> fronts_of(const Body& body) const { return kind_of(body).fronts; }
 };
 
-// Takes rows from bytes, one after the other; rows start at multiples of 8.
-class Reader {
- public:
-  explicit Reader(Bytes rows) : at_(rows.data), end_(rows.data + rows.size) {}
-
-  template <class T> Span<T> take(i32 count) {
-    static_assert(sizeof(T) % 8 == 0);
-    if (count < 0 || end_ - at_ < static_cast<i64>(count) * static_cast<i64>(sizeof(T))) fail(Failure::bad_request);
-    const Span<T> rows{reinterpret_cast<T*>(at_), count};
-    at_ += static_cast<i64>(count) * static_cast<i64>(sizeof(T));
-    return rows;
-  }
-  bool is_at_end() const { return at_ == end_; }
-
- private:
-  u8* at_;
-  u8* end_;
-};
-
 Span<Kind> read_kinds(Reader& reader, i32 count);
 Room read_room(Reader& reader, Span<Kind> kinds, Span<Turned> turns, i64 half_wall);
 

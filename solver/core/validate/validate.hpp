@@ -1,14 +1,9 @@
 // The stage's answers: of a room what in it breaks a rule, of a storey where one can walk in it, and measures.
 #pragma once
 
-#include "plain/memory.hpp"
+#include "plain/tables.hpp"
 
 namespace validate {
-
-struct Bytes {
-  u8* data;
-  i64 size;
-};
 
 // Each takes rows of room.hpp or walk.hpp and answers with rows in the arena; solver/validator writes and reads them.
 
