@@ -254,15 +254,22 @@ def test_a_drawing_reads_back_as_far_as_it_says(program: str, unit: str) -> None
     assert all(math.dist(place, places[1][id]) <= 2 * CLOSE for id, place in places[0].items())
 
 
-def test_furniture_of_an_upper_storey_reads_back_on_its_floor() -> None:
-    """Its drawing says heights in the house."""
-    before = home("studio")
-    upper = replace(before, levels=(Level(1, 3.1, 2.8),), rooms=tuple(replace(room, level=1) for room in before.rooms), certificate=None)
-    (name, content), *_ = export(upper, "dxf").items()
-    heights = [
-        {piece.id: round(piece.y, 3) for room in scene.rooms for piece in room.furniture} for scene in (before, read(content, name).scene)
-    ]
-    assert heights[0] == heights[1]
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_things_of_an_upper_storey_read_back_on_its_floor(format: str) -> None:
+    """Files say heights in the house."""
+    before, upper = home("an L, decorated"), Level(1, 3.1, 2.8)
+    cellar = Room("cellar", type="storage", width=4.0, depth=3.0)
+    rooms = (cellar, *(replace(room, level=1) for room in before.rooms))
+    files = export(replace(before, levels=(Level(), upper), rooms=rooms, dynamic=(), adjacency=(), certificate=None), format)
+    name, content = max(files.items())
+    after = read(content, name, **({"level": 1} if len(files) == 1 else {})).scene
+
+    def heights(scene: Scene) -> dict[str, float]:
+        small = {one.id: round(one.y, 2) for room in scene.rooms for one in room.decorations}
+        return small | {one.id: round(one.y, 2) for room in scene.rooms for one in room.furniture}
+
+    assert heights(after) == heights(before)
+    assert len(files) > 1 or after.levels == (upper,)
 
 
 def test_furniture_of_a_drawing_that_was_turned_is_named_and_not_read() -> None:

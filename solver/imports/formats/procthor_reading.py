@@ -6,13 +6,14 @@ Its frame is left-handed: x east, y up, z north, m; yaw clockwise in degrees, 0 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from solver.errors import FieldError
 from solver.imports.along_walls import outer_walls
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,
+    DrawnLevel,
     DrawnOpening,
     DrawnPiece,
     DrawnPlan,
@@ -32,6 +33,17 @@ DEEPEST: Final = 8
 Json = Mapping[str, Any]
 
 
+class _Storey(NamedTuple):
+    """The level of a room, and how high its floor lies, m."""
+
+    level: int
+    floor: float
+
+
+GROUND: Final = _Storey(0, 0.0)
+"""Whose things are in no room that the file names."""
+
+
 def read_procthor(document: Json) -> DrawnPlan:
     """Reads a house.
 
@@ -49,11 +61,14 @@ def read_procthor(document: Json) -> DrawnPlan:
         check_count(key, len(a_list(document.get(key, []), key)), MOST_POINTS)
         for at, one in enumerate(document.get(key, [])):
             openings.append(_opening(key == "windows", an_object(one, f"{key}[{at}]"), f"{key}[{at}]", walls, levels))
-    pieces = tuple(islice(_pieces(document.get("objects", []), "objects", ()), MOST_POINTS + 1))
+    storeys = {room.id: _Storey(room.level, _floor(document, at)) for at, room in enumerate(rooms)}
+    pieces = tuple(islice(_pieces(document.get("objects", []), "objects", (), storeys), MOST_POINTS + 1))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
     solid = () if thickness is None else tuple(_outer_walls(document, rooms, thickness))
-    return DrawnPlan(rooms, tuple(openings), pieces=pieces, wall_thickness=thickness, solid=solid)
+    floors = {level: min(one.floor for one in storeys.values() if one.level == level) for level in sorted(set(levels.values()))}
+    named = tuple(DrawnLevel(level, elevation=floor) for level, floor in floors.items()) if said else ()
+    return DrawnPlan(rooms, tuple(openings), pieces=pieces, levels=named, wall_thickness=thickness, solid=solid)
 
 
 def _outer_walls(document: Json, rooms: Sequence[DrawnRoom], usual: float) -> Iterator[DrawnWall]:
@@ -86,6 +101,12 @@ def _room(said: Json, where: str) -> DrawnRoom:
         spots, a_text(ours, "name", where) if ours else kind, where, a_text(ours, "type", where) or kind,
         round(a_number(ours, "level", where, 0.0)), bool(ours.get("outdoor")) if ours else None, a_text(said, "id", where),
     )  # fmt: skip
+
+
+def _floor(document: Json, at: int) -> float:
+    """Returns how high a room's floor lies, m."""
+    where = f"rooms[{at}].floorPolygon[0]"
+    return a_number(an_object(next(iter(document["rooms"][at]["floorPolygon"]), {}), where), "y", where, 0.0)
 
 
 def _opening(is_window: bool, said: Json, where: str, walls: Mapping[str, tuple[Json, str]], levels: Mapping[str, int]) -> DrawnOpening:
@@ -152,8 +173,10 @@ def _towards(ours: Json, start: Spot) -> Spot | None:
     return (start[0], start[1] + side) if ours.get("axis") == "x" else (start[0] + side, start[1])
 
 
-def _pieces(objects: object, where: str, below: Sequence[DrawnPiece]) -> Iterator[DrawnPiece]:
-    """Yields things and what lies on them; `below` is what these lie on, the lowest first."""
+def _pieces(
+    objects: object, where: str, below: Sequence[DrawnPiece], storeys: Mapping[str, _Storey], storey: _Storey = GROUND
+) -> Iterator[DrawnPiece]:
+    """Yields things and what lies on them; `below` is what these lie on, the lowest first; what names no room is on the `storey`."""
     if len(below) > DEEPEST:
         raise FieldError(where, "lies too deep", f"at most {DEEPEST} things on each other")
     check_count(where, len(a_list(objects, where)), MOST_POINTS)
@@ -165,18 +188,19 @@ def _pieces(objects: object, where: str, below: Sequence[DrawnPiece]) -> Iterato
         name, asset = a_text(one, "id", place), a_text(one, "assetId", place)
         size = _size(ours, place)
         yaw = a_number(an_object(one.get("rotation") or {}, f"{place}.rotation"), "y", f"{place}.rotation", 0.0)
-        middle = a_number(position, "y", f"{place}.position", 0.0)
+        own = storeys.get(str(one.get("room")), storey)
+        middle = a_number(position, "y", f"{place}.position", 0.0) - own.floor
         carrier = below[0] if below else None
         height = 2 * (middle - (carrier.height or 0.0 if carrier else 0.0))
         piece = DrawnPiece(
             a_text(ours, "name", place) or _called(name.split("|")[0], asset), x, z,
             middle - size[1] / 2 if size else 0.0, (180.0 - yaw) % 360,
-            size and (size[0], size[2], size[1]), place, id=name if ours else "",
+            size and (size[0], size[2], size[1]), place, own.level, id=name if ours else "",
             decoration=ours.get("sort") == "decoration" if ours else bool(below), kind=asset if ours else None,
             height=max(0.0, round(height, 3)) if height > 0 or not below else None, middle=middle, on=carrier.where if carrier else "",
         )  # fmt: skip
         yield piece
-        yield from _pieces(one.get("children") or [], f"{place}.children", (*below, piece))
+        yield from _pieces(one.get("children") or [], f"{place}.children", (*below, piece), storeys, own)
 
 
 def _called(name: str, asset: str) -> str:
