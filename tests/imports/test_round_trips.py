@@ -14,7 +14,7 @@ from ezdxf.math import Matrix44
 
 from solver import Request, export, generate
 from solver.imported import PlanImport
-from solver.scene import EXTERIOR, Level, Opening, Room, Scene
+from solver.scene import EXTERIOR, Decoration, Level, Opening, Room, Scene
 from tests.imports.plans import read
 
 HOMES = {
@@ -119,9 +119,23 @@ def test_pieces_that_people_named_read_back_where_they_stood(format: str) -> Non
     (name, content), *_ = export(before, format).items()
     answer = read(content, name)
     assert [change for change in answer.changes if change["step"] == "furniture"] == []
-    assert {one.id for room in answer.scene.rooms for one in room.furniture if one.under} == {
-        one.id for room in before.rooms for one in room.furniture if one.under
-    }
+
+    def said(scene: Scene) -> dict[str, tuple[str, bool]]:
+        return {one.id: (one.name, one.under is not None) for room in scene.rooms for one in room.furniture}
+
+    assert said(answer.scene) == said(before)
+
+
+@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+def test_what_is_of_no_kind_reads_back_by_its_name(format: str) -> None:
+    cabinet = Decoration(
+        "high", "Wall Double Upper Cabinet", x=1.5, y=1.4, z=0.25, width=1.0, depth=0.34, height=0.6, mounted_on_wall="north"
+    )
+    before = Scene(rooms=(Room("kitchen", type="kitchen", width=4.0, depth=3.0, decorations=(cabinet,)),), wall_thickness=0.1)
+    (name, content), *_ = export(before, format).items()
+    (room,) = read(content, name).scene.rooms
+    assert [(one.id, one.name, one.mounted_on_wall) for one in room.decorations] == [("high", cabinet.name, "north")]
+    assert room.furniture == ()
 
 
 CALLED = ("Maria's", "Oma", "Küche alt", "Bureau de Paul", "x^2", "Lotte\n& Max", "The room of those who come late and stay long")

@@ -29,6 +29,8 @@ _LAYER_OF: Final = {"furniture": "FURNITURE", "decoration": "DECORATIONS", "dyna
 _FORBIDDEN: Final = "[^A-Za-z0-9_.-]"
 _LONGEST: Final = 60
 """Letters of a kind in its block's name."""
+_OF_BODIES: Final = ("ID", "NAME", "KIND", "Y", "SIZE", "MASS")
+"""What the hidden attributes of an insert say of its body."""
 OWN: Final = "COMPOSE_HOMES"
 """The application that extended data is of."""
 _LONGEST_SAID: Final = 255
@@ -163,8 +165,8 @@ class _DxfPlan:
             self._block(body), _flat(body.x, body.z), dxfattribs={"layer": layer, "rotation": _tidy(body.turn)}
         )
         size = f"{body.width:.10g} {body.depth:.10g} {body.height:.10g}"
-        said = {"ID": body.id, "KIND": body.kind or "", "Y": f"{body.y:.10g}", "SIZE": size, "MASS": f"{body.mass:.10g}"}
-        for tag, words in said.items():
+        said = body.id, body.name, body.kind or "", f"{body.y:.10g}", size, f"{body.mass:.10g}"
+        for tag, words in zip(_OF_BODIES, said, strict=True):
             shown = {"layer": layer, "height": 0.05, "style": "PLAN", "flags": _HIDDEN}
             inserted.add_attrib(tag, dxf_text(words), _flat(body.x, body.z), dxfattribs=shown)
 
@@ -175,7 +177,7 @@ class _DxfPlan:
             wished = f"{(body.kind or body.name)[:_LONGEST]}_{body.width * 1000:.0f}x{body.depth * 1000:.0f}"
             name = self.blocks[key] = self.names.take(wished.upper())
             block = self.doc.blocks.new(name)
-            for tag in ("ID", "KIND", "Y", "SIZE", "MASS"):
+            for tag in _OF_BODIES:
                 block.add_attdef(tag, (0.0, 0.0), dxfattribs={"height": 0.05, "style": "PLAN", "flags": _HIDDEN})
             for mark in marks_of(body.parts):
                 _mark(block, mark)

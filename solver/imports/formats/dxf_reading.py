@@ -31,7 +31,7 @@ BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
 A_STOREY: Final = 2.0
 """The lowest body in a drawing of ours stands on the floor of another storey than the ground where it is no nearer to that, m."""
-OF_BODIES: Final = (BODY, "ID", "SIZE", "Y")
+OF_BODIES: Final = (BODY, "ID", "NAME", "SIZE", "Y")
 """What is read of it."""
 OWN: Final = "COMPOSE_HOMES"
 """The application of our export's extended data."""
@@ -253,7 +253,7 @@ def _with_pieces(plan: DrawnPlan, bodies: Sequence[_Entity], known: Catalogs) ->
 def _piece(body: _Entity, metres: float, known: Catalogs) -> DrawnPiece | None:
     """Returns a body that our export drew, which says its sizes and its height in the house in m; None of who lives there."""
     one, where = body.it, body.where
-    kind, id, size, y = (one.get_attrib_text(tag) for tag in OF_BODIES)
+    kind, id, said, size, y = (one.get_attrib_text(tag) for tag in OF_BODIES)
     if any(kind in one.kinds for one in known.people.values()):
         return None
     try:
@@ -262,7 +262,7 @@ def _piece(body: _Entity, metres: float, known: Catalogs) -> DrawnPiece | None:
         raise FieldError(f"{where}.SIZE", f"is {size!r:.40}", "width, depth, height in m") from None
     (spot,) = _spots([one.ocs().to_wcs(one.dxf.insert)])
     entry = known.furniture.get(kind)
-    name = (entry and entry.name) or kind.removesuffix("_upright") or "thing"
+    name = said or (entry and entry.name) or kind.removesuffix("_upright") or "thing"
     is_small, sizes = bool(kind) and entry is None, (width, depth, height)
     return DrawnPiece(name, *spot, under, one.dxf.rotation, sizes, where, id=id, decoration=is_small, kind=kind or None)
 
