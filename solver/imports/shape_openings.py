@@ -69,13 +69,15 @@ def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> l
     """
     is_mixed = bool(swings) and all(one.sort != "window" for one in shapes)
     found: list[DrawnOpening] = []
+    named: dict[str, int] = {}
     places = Places([])
     for told, kind in SORTS.items():
         drawn = [(*longer_line(one.points), one) for one in shapes if one.sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
-            near = next((at for at, other in enumerate(found) if other.id == one.id), None) if one.id else places.first(start, end)
+            near = named.get(one.id) if one.id else places.first(start, end)
             if near is None and math.dist(start, end) > 0:
                 unsaid = told == "opening" or (told == "door" and is_mixed)
+                named.setdefault(one.id, len(found))
                 found.append(DrawnOpening(kind, start, end, one.where, id=one.id, unsaid=unsaid))
                 places.add(start, end)
             elif near is not None and kind == "door" and found[near].kind == "passage":
