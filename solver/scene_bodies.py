@@ -80,13 +80,13 @@ def body_ids(scene: Scene) -> list[str]:
 
 
 def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:
-    """Lists what moved by more than a millimetre, or turned; all that is in the second scene is in the first."""
+    """Lists what moved by more than a millimetre, also up or down alone, or turned; all that is in the second scene is in the first."""
     sent = {body.id: body for body in bodies_of(before)}
     moves = []
     for body in bodies_of(after):
         old = sent[body.id]
-        dx, dz = round(body.x - old.x, 4), round(body.z - old.z, 4)
-        if abs(dx) > MOVED or abs(dz) > MOVED or (body.rotation - old.rotation) % 360:
+        dx, dy, dz = round(body.x - old.x, 4), round(body.y - old.y, 4), round(body.z - old.z, 4)
+        if max(abs(dx), abs(dy), abs(dz)) > MOVED or (body.rotation - old.rotation) % 360:
             moves.append(Move(body.id, dx, dz, body.rotation))
     return tuple(moves)
 

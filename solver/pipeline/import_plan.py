@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Set
 from dataclasses import replace
+from math import hypot
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
@@ -56,11 +57,11 @@ def import_plan(content: object, name: str = "", settings: ImportSettings | None
     if any(room.furniture for room in scene.rooms) and format != OWN:
         scene = _at_walls(scene, known, notes)
         fixed = fix(scene, on_conflict="remove", repairs=False, catalogs=known)
-        drawn = {body.id: body.rotation for room in scene.rooms for body in all_bodies(room)}
+        drawn, now = ({body.id: body for room in one.rooms for body in all_bodies(room)} for one in (scene, fixed.scene))
         broken = {name: issue.message for issue in reversed(validate(scene, known) if fixed.moves else ()) for name in issue.ids}
         for move in fixed.moves:
-            far = (move.dx**2 + move.dz**2) ** 0.5
-            notes.change("furniture", move.id, far, _moved(far, move.rotation, drawn[move.id], broken.get(move.id)))
+            far = hypot(move.dx, now[move.id].y - drawn[move.id].y, move.dz)
+            notes.change("furniture", move.id, far, _moved(far, move.rotation, drawn[move.id].rotation, broken.get(move.id)))
         for gone in fixed.removed:
             notes.leave(str(gone["id"]), f"cannot stand: {gone['reason']}")
         scene = replace(fixed.scene, certificate=None)

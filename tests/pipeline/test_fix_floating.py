@@ -40,6 +40,13 @@ def test_what_floats_comes_to_the_nearest_point_of_its_parents_surface() -> None
     assert fix(fixed.scene).scene == fixed.scene
 
 
+@pytest.mark.parametrize("thing", [pillow(2.0, 0.62, 0.5), replace(pillow(2.0, 0.4, 3.5), parent=None)], ids=["onto its piece", "down"])
+def test_what_comes_up_or_down_alone_is_listed_among_the_moves(thing: Decoration) -> None:
+    fixed = fix(scene(thing))
+    assert fixed.scene.rooms[0].decorations[0].y != thing.y
+    assert [(move.id, move.dx, move.dz) for move in fixed.moves] == [(thing.id, 0.0, 0.0)]
+
+
 def test_a_thing_at_rest_stays_as_it_is() -> None:
     sent = scene(pillow(2.0, 0.5, 0.5), SHELF, BOOK)
     assert floating(sent) == []
