@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
-from solver import fix
+from solver import Scene, fix, validate
 from solver.answers import Fixed
+from solver.placement import work_of_call
 from solver.scene import Opening
 from solver.streams import Stream
-from tests.pipeline.fix_rooms import body, room_of
+from tests.pipeline.fix_rooms import BACK_TO, WALLS, body, room_of
 
 DOOR = Opening("door", "door", "south", 1.0, 0.9, connects_to="EXTERIOR", main_entrance=True)
 SEEDS = (1, 2, 3)
+LITTLE = 150_000.0
+"""Work that looking for places in a hall does not come to an end with."""
 
 
 @cache
@@ -40,3 +44,39 @@ def test_each_conflict_of_a_crowd_is_about_a_piece_that_breaks_a_rule(seed: int)
     wrong = {label for issue in errors for label in issue.ids}
     assert bool(errors) == bool(fixed.conflicts)
     assert all(wrong.intersection(conflict.ids) for conflict in fixed.conflicts) or any(not issue.ids for issue in errors)
+
+
+SIZES = {"desk": (1.4, 0.7, 0.75), "bookshelf": (1.0, 0.3, 1.8), "sofa": (2.2, 0.9, 0.85), "wardrobe": (1.8, 0.6, 2.2)}
+
+
+def thrown_into_a_hall(number: int, width: float, seed: int) -> Scene:
+    """Cupboards at the walls of a hall, and as many other pieces anywhere in it."""
+    stream, furniture = Stream(seed, "hall"), []
+
+    def along() -> float:
+        return 1.2 + stream.below(round((width - 2.4) * 1000)) / 1000
+
+    for k in range(number):
+        name, size = list(SIZES.items())[k % 4]
+        piece = replace(body(f"{name}_{k}", along(), along(), size), rotation=90 * stream.below(4))
+        if k % 2:
+            wall, near = WALLS[stream.below(4)], 0.03 + size[1] / 2
+            x, z = {"north": (piece.x, near), "south": (piece.x, width - near), "west": (near, piece.z), "east": (width - near, piece.z)}[
+                wall
+            ]
+            piece = replace(piece, x=round(x, 4), z=round(z, 4), wall=wall, rotation=BACK_TO[wall])
+        furniture.append(piece)
+    return room_of(*furniture, width=width, depth=width, openings=(DOOR,))
+
+
+@pytest.mark.parametrize("on_conflict", ["report", "remove"])
+def test_a_limit_that_ends_the_search_in_a_crowd_costs_only_those_their_places_that_break_a_rule(on_conflict: str) -> None:
+    """All 100 were named, and taken out."""
+    hall = thrown_into_a_hall(100, 17.0, 1)
+    with work_of_call(LITTLE) as call:
+        fixed = fix(hall, on_conflict=on_conflict)
+    assert call.spent
+    named = {label for conflict in fixed.conflicts for label in conflict.ids} | {gone["id"] for gone in fixed.removed}
+    wrong = {label for issue in validate(hall) if issue.severity == "error" for label in issue.ids}
+    assert named < wrong
+    assert len(wrong) < 100
