@@ -100,17 +100,17 @@ def until_nothing_changes(repair: RoomRepair) -> RoomRepair:
     """
     settled, best = replace(repair.problem, room=repair.room, settings=replace(repair.problem.settings, previous={})), repair
     rounds = ROUNDS
-    while rounds:
-        if is_call_spent():
-            return best
+    while rounds and not is_call_spent():
         _, arrangement = _placed(settled, repair.misplaced)
+        if is_call_spent():
+            break
         last = replace(repair, room=written_back(settled, arrangement.placed), unplaced=_labels_left_out(arrangement))
         if last.room == settled.room:
             return last
         is_better = len(last.unplaced) < len(best.unplaced) and (last.unplaced != () or is_repaired(settled, arrangement))
         best, rounds = (last, ROUNDS) if is_better else (best, rounds - 1)
         settled = replace(settled, room=last.room)
-    return replace(repair, room=repair.asked)
+    return best if is_call_spent() else replace(repair, room=repair.asked)
 
 
 def unreached_in(repair: RoomRepair, errors: Sequence[Issue]) -> tuple[str, ...]:
