@@ -19,9 +19,17 @@ from solver.imports.wall_depths import WallDepths
 from solver.scene import Room, Scene
 from tests.exports.test_page_agrees import THICK_WALLS
 from tests.imports.plans import box, collection, line, piece, polygon, read
+from tests.sweeps import ALL
 
 CLOSE = 0.0101
 """m."""
+OUTLINES = ("rectangle", "L", "T", "U")
+WALLS = ((0.115, 0.42), (0.15, 0.365), (0.24, 0.3))
+"""How thick inner and outer walls are, m."""
+THICK = [
+    (9100 + at, walls, outline) for at, walls in enumerate(WALLS) for turn, outline in enumerate(OUTLINES) if ALL or turn % len(WALLS) == at
+]
+"""Each outline with one of these, in turn; in `make targets`, with all."""
 
 
 @pytest.fixture(scope="module")
@@ -76,21 +84,20 @@ def outside(room: Room, house: Scene, wall: int) -> float:
     return 0.05 * free
 
 
-@pytest.mark.parametrize("outline", ["rectangle", "L", "T", "U"])
-def test_a_drawing_tells_how_thick_each_outer_wall_is(outline: str) -> None:
+@pytest.mark.parametrize(("seed", "walls", "outline"), THICK)
+def test_a_drawing_tells_how_thick_each_outer_wall_is(seed: int, walls: tuple[float, float], outline: str) -> None:
     """Of a wall that is cut to pieces shorter than they are thick, too, and one that the corner of another outer wall hides."""
-    seen = 0
-    for seed, (inner, outer) in enumerate(((0.115, 0.42), (0.15, 0.365), (0.24, 0.3)), 9100):
-        house = generate(Request(seed=seed, program="large", outline=outline, wall_thickness=inner, outer_wall_thickness=outer)).scene
-        after = again(house, "dxf").scene
-        assert after.wall_thickness == pytest.approx(inner, abs=CLOSE)
-        for before, room in zip(house.rooms, after.rooms, strict=True):
-            pairs = zip(outer_of(before, house), outer_of(room, after), strict=True)
-            for wall, (one, other) in enumerate(pairs):
-                if outside(before, house, wall):
-                    assert abs(one - other) <= CLOSE, (seed, before.id, wall)
-                    seen += one != inner
-    assert seen > 30
+    inner, outer = walls
+    house = generate(Request(seed=seed, program="large", outline=outline, wall_thickness=inner, outer_wall_thickness=outer)).scene
+    after, seen = again(house, "dxf").scene, 0
+    assert after.wall_thickness == pytest.approx(inner, abs=CLOSE)
+    for before, room in zip(house.rooms, after.rooms, strict=True):
+        pairs = zip(outer_of(before, house), outer_of(room, after), strict=True)
+        for wall, (one, other) in enumerate(pairs):
+            if outside(before, house, wall):
+                assert abs(one - other) <= CLOSE, (before.id, wall)
+                seen += one != inner
+    assert seen > 10
 
 
 @pytest.mark.parametrize("outer", [0.2, 0.4])
