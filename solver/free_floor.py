@@ -143,8 +143,8 @@ def is_high(body: PlacedBody) -> bool:
 def _rects_told(room: Room) -> Iterator[tuple[Rect, float, str]]:
     """Yields the footprint, rotation and name of each piece of furniture that is told as rows."""
     rows = rows_in(room, FurnitureRows)
-    for row, look in zip(rows.rows, rows.looks, strict=True) if rows else ():
-        yield Rect(*row[8:12]), row[4], look.name
+    for (turn, x0, z0, x1, z1, *_), look in zip(rows.poses, rows.looks, strict=True) if rows else ():
+        yield Rect(x0, z0, x1, z1), turn, look.name
 
 
 def _goals_in(pieces: Iterable[tuple[Rect, float, str]], uses: Mapping[str, tuple[Sequence[str], bool]]) -> Iterator[Goal]:

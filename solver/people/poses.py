@@ -3,11 +3,12 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Final
 
 from catalogs import Catalogs
 from catalogs.entries import Dweller, Seats, Surface
+from catalogs.schema import FurnitureSpec
 from solver.free_floor import FreeFloor, Goal
 from solver.free_places import Block, block_of, decoration_blocks, footprint
 from solver.geometry import half_m, rotate, wall_faced
@@ -111,13 +112,17 @@ def sitting(here: Surroundings, person: Dynamic, entry: Dweller, stream: Stream)
     return None
 
 
+@lru_cache(maxsize=64)
+def _kinds_by_size(catalogs: Catalogs) -> Mapping[tuple[str, tuple[float, float, float]], FurnitureSpec]:
+    """Returns the kinds of furniture by what scenes call them and their size, m; of those that share both the first."""
+    return {(catalogs.name_of(name), kind.size): kind for name, kind in reversed(catalogs.furniture.items())}
+
+
 def _seat(here: Surroundings, piece: Furniture, wanted: Seats) -> Surface | None:
     """Returns what somebody can sit on of a piece; nobody sits on a chair that is tucked in, or on one that stands on something."""
     if piece.category not in wanted.categories or piece.under or piece.on or piece.y or piece.rotation % 90:
         return None
-    kinds = here.catalogs.furniture
-    sizes = (piece.width, piece.depth, piece.height)
-    kind = next((kind for name, kind in kinds.items() if here.catalogs.name_of(name) == piece.name and kind.size == sizes), None)
+    kind = _kinds_by_size(here.catalogs).get((piece.name, (piece.width, piece.depth, piece.height)))
     surfaces = kind.surfaces if kind else ()
     low, high = wanted.heights
     return next((one for one in surfaces if low <= one.height <= high and one.clearance is None), None)
