@@ -34,7 +34,7 @@ def openings_on(world: World, place: PlacedRoom) -> list[Opening]:
 
 def sent_openings(world: World, place: PlacedRoom) -> SentOpenings:
     """Returns the openings on a room's walls."""
-    rows, bars = list[bytes](), list[bytes]()
+    told = list[tuple[bytes, bytes]]()
     thickness, said = 2 * metres(world.half_wall), Opening.height
     leading = {hole.opening.id: hole for _, hole in reversed(world.leading_to.get(place.room.id, ()))}
     for hole in place.holes:
@@ -42,37 +42,34 @@ def sent_openings(world: World, place: PlacedRoom) -> SentOpenings:
         if not opening.render_panel:  # of two entries that draws the leaf which says so
             other = leading.get(opening.id)
             leaf = other if other and other.opening.render_panel else hole
-        bars.append(_fitted_to(hole, leaf, thickness))
         flags = _KEEPS_FREE if opening.height == said else _KEEPS_FREE | _SAYS_HEIGHT
-        rows.append(_row(hole, hole.edge, _leads_to(world, place, opening.connects_to), flags, bars[-1]))
+        told.append(_rows(hole, hole.edge, (_leads_to(world, place, opening.connects_to), flags), leaf, thickness))
     others = _beyond(world, place)
     listed = {opening.id for opening in place.room.openings} if others else ()
     for room, hole in others:
-        bars.append(_fitted_to(hole, hole, thickness))
         flags = 0 if hole.opening.id in listed else _KEEPS_FREE
-        rows.append(_row(hole, hole.edge.moved(room.x - place.x, room.z - place.z), _ANYWHERE, flags, bars[-1]))
-    fitted = b"".join(bars)
-    return SentOpenings(len(place.holes), len(others), len(fitted) // _BOX.size, b"".join([*rows, fitted]))
+        told.append(_rows(hole, hole.edge.moved(room.x - place.x, room.z - place.z), (_ANYWHERE, flags), hole, thickness))
+    fitted = b"".join([bars for _, bars in told])
+    return SentOpenings(len(place.holes), len(others), len(fitted) // _BOX.size, b"".join([*(row for row, _ in told), fitted]))
 
 
-def _row(hole: Hole, edge: WallEdge, to: int, flags: int, bars: bytes) -> bytes:
-    """Returns an opening's row: where it is in the room's frame, where it leads, how much is fitted to it."""
-    (side, line, start, end), (low, high), kind = edge, _heights(hole), _KINDS.get(hole.opening.kind, _NO_SUCH_KIND)
-    return _OPENING.pack(WALL_NUMBERS[side], line, start, end, hole.sill, hole.top, low, high, kind, to, len(bars) // _BOX.size, flags)
+def _rows(hole: Hole, edge: WallEdge, leads: tuple[int, int], leaf: Hole, thickness: float) -> tuple[bytes, bytes]:
+    """Returns an opening's row, and those of what is fitted to it.
 
-
-def _heights(hole: Hole) -> Span:
-    """Returns from where to where an opening is cut out of its wall, m."""
-    low = hole.sill / PER_METRE if hole.opening.kind == "window" else 0.0
-    return low, low + hole.opening.height
-
-
-def _fitted_to(hole: Hole, leaf: Hole, thickness: float) -> bytes:
-    """Returns the rows of what is fitted to an opening; `leaf` is the entry of it that says how its leaf turns."""
-    turning = leaf.opening
+    Args:
+        hole: the opening.
+        edge: where it is in the room's frame.
+        leads: where to, and its flags.
+        leaf: the entry of it that says how its leaf turns.
+        thickness: of walls, m.
+    """
+    (side, line, start, end), (to, flags), said, turning = edge, leads, hole.opening, leaf.opening
+    low = hole.sill / PER_METRE if said.kind == "window" else 0.0
     inwards = 1 if leaf.edge.side in ("north", "west") else -1
     turns = turning.hinge, -inwards if turning.swing == "out" else inwards
-    return _fitted(turning.kind, (hole.edge.end - hole.edge.start) / PER_METRE, _heights(hole), turns, thickness)
+    bars = _fitted(turning.kind, (end - start) / PER_METRE, (low, low + said.height), turns, thickness)
+    place = WALL_NUMBERS[side], line, start, end, hole.sill, hole.top, low, low + said.height
+    return _OPENING.pack(*place, _KINDS.get(said.kind, _NO_SUCH_KIND), to, len(bars) // _BOX.size, flags), bars
 
 
 def _beyond(world: World, place: PlacedRoom) -> list[tuple[PlacedRoom, Hole]]:
