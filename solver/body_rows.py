@@ -25,7 +25,7 @@ _KIND_AND_SIZE: Final = Struct("<i68x24s")
 SIZE: Final = Struct("<3q")
 _TURN: Final = Struct("<16xi76x")
 _NUMBER: Final = Struct("<24xi68x")
-_POSE: Final = Struct("<16xi12x7q8x")
+_POSE: Final = Struct("<16xi12x5q24x")
 _KIND_AND_COLOUR: Final = Struct("<i16xi72x")
 """What else is asked of such rows alone: all of their numbers take longer."""
 BODY_WALLS: Final = (*WALLS, None)
@@ -41,12 +41,16 @@ RowsT = TypeVar("RowsT", bound="BodyRows")
 
 
 class Look:
-    """What bodies of a kind and size have in common: name, kind, width, depth and height, m, category; `key` says all of it but that."""
+    """What bodies of a kind and size have in common: name, kind, width, depth and height, m, category; `key` says all of it but that.
 
-    __slots__ = ("category", "key", "kind", "name", "size")
+    `extents` are width and depth as they are written into a mark of their room.
+    """
+
+    __slots__ = ("category", "extents", "key", "kind", "name", "size")
 
     def __init__(self, sort: str, name: str, kind: str | None, size: tuple[float, float, float], category: str | None = None) -> None:
         self.name, self.kind, self.size, self.category, self.key = name, kind, size, category, (sort, name, *size, kind)
+        self.extents = f"{size[0]:.4f} {size[1]:.4f}"
 
 
 def key_of(one: KindKey) -> BodyKey:
@@ -99,7 +103,7 @@ class BodyRows:
 
     @property
     def poses(self) -> Iterator[BodyRow]:
-        """The rotation of each, degrees; x0, z0, x1, z1, low, width and depth, mm."""
+        """The rotation of each, degrees; x0, z0, x1, z1 and low, mm."""
         return _POSE.iter_unpack(self.content)
 
     @property

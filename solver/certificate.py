@@ -71,8 +71,8 @@ def _poses(room: Room) -> Iterator[tuple[str, float, float, float, float, float,
 def _poses_told(rows: FurnitureRows) -> Iterator[str]:
     """Yields the same of pieces that are told as rows, written, in the same order."""
     said = _WRITTEN
-    for name, (turn, x0, z0, x1, z1, low, wide, deep) in sorted(zip(rows.ids, rows.poses, strict=True)):
-        yield f"{name} {said[x0 + x1]} {said[2 * low]} {said[z0 + z1]} {said[2000 * turn]} {said[2 * wide]} {said[2 * deep]}"
+    for name, (turn, x0, z0, x1, z1, low), look in sorted(zip(rows.ids, rows.poses, rows.looks, strict=True)):
+        yield f"{name} {said[x0 + x1]} {said[2 * low]} {said[z0 + z1]} {said[2000 * turn]} {look.extents}"
 
 
 def true_of(room: Room, entry: Mapping[str, Any]) -> Mapping[str, Any]:
