@@ -106,11 +106,6 @@ class BodyRows:
         """The rotation of each, degrees; x0, z0, x1, z1 and low, mm."""
         return _POSE.iter_unpack(self.content)
 
-    @property
-    def turns(self) -> Sequence[int]:
-        """The rotation of each, degrees."""
-        return [turn for (turn,) in _TURN.iter_unpack(self.content)]
-
     @kept
     def ids(self) -> Sequence[str]:
         """The id of each."""
@@ -238,7 +233,7 @@ def furniture_keys(room: Room) -> Sequence[KindKey]:
 def furniture_turns(room: Room) -> Sequence[BodyTurn]:
     """Returns what each piece of a room's furniture is, and its rotation."""
     rows = rows_in(room, FurnitureRows)
-    turns = [one.rotation for one in room.furniture] if rows is None else rows.turns
+    turns = [one.rotation for one in room.furniture] if rows is None else [turn for (turn,) in _TURN.iter_unpack(rows.content)]
     return [*zip(furniture_keys(room), turns, strict=True)]
 
 

@@ -63,11 +63,6 @@ class Cut(NamedTuple):
         """Its name in the house."""
         return f"{self.kind}_{self.number}"
 
-    @property
-    def ends(self) -> tuple[int, int]:
-        """The opening's two ends along its wall, mm."""
-        return self.centre - self.width // 2, self.centre + self.width // 2
-
     def wall_of(self, room: int) -> str:
         """Returns the wall as that room sees it."""
         return self.wall if room == self.room else OPPOSITE[self.wall]
