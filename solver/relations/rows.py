@@ -49,7 +49,9 @@ def level_row(level: SurfaceHeight, name: int) -> tuple[int, ...]:
 
 def opened_rows(openings: Iterable[Opened]) -> bytes:
     """Returns the rows of a room's openings."""
-    return b"".join([_OPENED.pack(_OPENING.get(kind, -1), WALL_NUMBERS[wall], *interval, across) for kind, wall, interval, across in openings])
+    return b"".join(
+        [_OPENED.pack(_OPENING.get(kind, -1), WALL_NUMBERS[wall], *interval, across) for kind, wall, interval, across in openings]
+    )
 
 
 def side_numbers(sides: Sequence[str]) -> list[int]:
