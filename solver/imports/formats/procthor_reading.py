@@ -33,14 +33,14 @@ DEEPEST: Final = 8
 Json = Mapping[str, Any]
 
 
-class _Storey(NamedTuple):
+class _RoomStorey(NamedTuple):
     """The level of a room, and how high its floor lies, m."""
 
     level: int
     floor: float
 
 
-GROUND: Final = _Storey(0, 0.0)
+GROUND: Final = _RoomStorey(0, 0.0)
 """Whose things are in no room that the file names."""
 
 
@@ -61,7 +61,7 @@ def read_procthor(document: Json) -> DrawnPlan:
         check_count(key, len(a_list(document.get(key, []), key)), MOST_POINTS)
         for at, one in enumerate(document.get(key, [])):
             openings.append(_opening(key == "windows", an_object(one, f"{key}[{at}]"), f"{key}[{at}]", walls, levels))
-    storeys = {room.id: _Storey(room.level, _floor(document, at)) for at, room in enumerate(rooms)}
+    storeys = {room.id: _RoomStorey(room.level, _floor(document, at)) for at, room in enumerate(rooms)}
     pieces = tuple(islice(_pieces(document.get("objects", []), "objects", (), storeys), MOST_POINTS + 1))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
@@ -174,7 +174,7 @@ def _towards(ours: Json, start: Spot) -> Spot | None:
 
 
 def _pieces(
-    objects: object, where: str, below: Sequence[DrawnPiece], storeys: Mapping[str, _Storey], storey: _Storey = GROUND
+    objects: object, where: str, below: Sequence[DrawnPiece], storeys: Mapping[str, _RoomStorey], storey: _RoomStorey = GROUND
 ) -> Iterator[DrawnPiece]:
     """Yields things and what lies on them; `below` is what these lie on, the lowest first; what names no room is on the `storey`."""
     if len(below) > DEEPEST:
