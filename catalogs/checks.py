@@ -164,8 +164,8 @@ def _rule_faults(where: Fault, room: RoomType, piece: PieceSpec, rule: RelationS
         if other not in known and other not in openings:
             words = [*known, *openings]
             yield Fault(where.file, (*where.at, "of"), f"unknown piece {other!r}{near(other, words)}", ", ".join(words))
-        if other == piece.piece and (piece.count == 1 or rule.type not in ("in_row", "near", "far_from")):
-            yield Fault(where.file, (*where.at, "of"), f"{rule.type} of itself", "in_row, near or far_from, with count > 1")
+        if other == piece.piece and (piece.count == 1 or rule.type not in ("in_row", *BY_DEGREE)):
+            yield Fault(where.file, (*where.at, "of"), f"{rule.type} of itself", "in_row, near, far_from or aligned_with, with count > 1")
 
 
 def _required_faults(catalogs: Catalogs, file: str, room: RoomType) -> Iterator[Fault]:

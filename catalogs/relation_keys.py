@@ -31,12 +31,12 @@ KEYS: Final[dict[str, tuple[str, ...]]] = {
 }
 """The keys of each relation besides those that all may have."""
 PULLS: Final = ("near", "aligned_with")
-"""Relations that only pull towards a piece, by `weight`: no distance is too far. Its `wall` is what a `cost` is for."""
+"""Relations that only pull towards a piece, by `weight`: no distance is too far. A `cost` is for its `wall`, and for being out of line."""
 
 
 def idle_keys(rule: RelationSpec) -> list[str]:
     """Returns the keys that a rule has and that nothing comes of."""
     taken = {*EVERY, *KEYS[rule.type]}
     if rule.type in PULLS and not set(rule.of) & set(OPENINGS):
-        taken -= {"distance"} if rule.wall else {"distance", "cost"}
+        taken -= {"distance"} if rule.wall or rule.type == "aligned_with" else {"distance", "cost"}
     return sorted(rule.model_fields_set - taken)

@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "92f63138d1e843c9abdac80b2a2bc14ec0db7d364b41e8a211b7a2ef59dc7047"
+GOLDEN = "20095be3a5078dadbc8fad52498ba095db496b120842671abad9c1ece60b8e9d"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -138,6 +138,13 @@ def test_tidied_rooms_are_valid_and_within_reach() -> None:
             assert [issue for issue in issues if issue.rule not in ("missing_required", "front_blocked")] == []
 
 
+@pytest.mark.parametrize("name", ["bedroom", "bedroom_master"])
+def test_nightstands_at_a_bed_are_of_one_size(name: str) -> None:
+    nights = [[piece.width for piece in room.furniture if piece.name == "nightstand"] for room in rooms(name)]
+    assert all(len(set(widths)) < 2 for widths in nights)
+    assert sum(len(widths) == 2 for widths in nights) >= 0.7 * len(nights)
+
+
 def test_toilets_sofas_and_tables_have_their_floor() -> None:
     for name, share in (("bathroom", 0.9), ("living_room", 0.95), ("dining_room", 0.85)):
         kept = [ruler.comfort(room) for room in rooms(name)]

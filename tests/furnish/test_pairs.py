@@ -208,7 +208,7 @@ def test_far_from_costs_by_the_metre_from_every_copy() -> None:
 
 def test_aligned_with_pulls_the_middles_in_line() -> None:
     wanted = second(piece("table"), {"type": "aligned_with", "of": "table", "weight": 0.4}, kind="shelf")
-    assert wanted.links == (Link("aligned_with", "table_1", align=0.4),)
+    assert wanted.links == (Link("aligned_with", "table_1", cost=2.0, align=0.4),)
 
 
 def test_slots_are_for_one_size_variant_of_the_parent() -> None:

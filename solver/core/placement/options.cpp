@@ -73,14 +73,12 @@ static f64 too_near(f64 apart, const Rect& own, const Rect& other) {
   return most(0.0, apart - length(x, z) / 1000);
 }
 
-// How far two pieces at places of one piece, which do not slide there, are out of line, m2: what the terms know nothing of.
-static f64 out_of_line(const CandidateRow& own, const CandidateRow& other) {
-  if (own.parent < 0 || own.parent != other.parent) return 0.0;
-  const bool across = floor_mod(other.turn, 180) == 0;
-  const auto &mine = across ? own.across : own.along, &its = across ? other.across : other.along;
-  if (mine[0] != mine[1] || its[0] != its[1]) return 0.0;
-  const f64 off = static_cast<f64>(mine[0] - its[0]) / 1000;
-  return off * off;
+// Tells whether two pieces at places of one piece, which do not slide there, are in line neither way: the terms know nothing of them.
+static bool out_of_line(const CandidateRow& own, const CandidateRow& other) {
+  if (own.parent < 0 || own.parent != other.parent) return false;
+  const bool pinned = own.across[0] == own.across[1] && own.along[0] == own.along[1];
+  if (!pinned || other.across[0] != other.across[1] || other.along[0] != other.along[1]) return false;
+  return own.across[0] != other.across[0] && own.along[0] != other.along[0];
 }
 
 f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 candidate) {
@@ -99,11 +97,10 @@ f64 preference(const Room& room, const Decisions& decisions, i64 piece, i64 cand
     const bool turned = link.turn == LOOKS_AT && own.parent < 0 && other.parent < 0
                             ? looks_at(turn, own, other)
                             : asked < 0 || floor_mod(turn - rotation_of(room, decisions, link.of) - asked, 360) == 0;
-    if (!turned || !walls_hold(link.walls, own.wall, other.wall)) {
+    if (!turned || !walls_hold(link.walls, own.wall, other.wall) || (cost.align > 0 && out_of_line(own, other))) {
       if (link.required) return RULED_OUT;
       total += cost.cost;
     }
-    total += cost.align * out_of_line(own, other);
     if (cost.apart_cost > 0) {
       total += cost.apart_cost * too_near(cost.apart, wished(room, decisions, own).footprint, wished(room, decisions, other).footprint);
     }

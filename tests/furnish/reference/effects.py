@@ -100,8 +100,7 @@ def _in_row(subject: Subject, spec: RelationSpec) -> Effect:
 
 def _aligned_with(subject: Subject, spec: RelationSpec) -> Effect:
     label = _first(subject, spec)
-    cost = spec.cost if spec.wall else 0.0
-    return Effect(links=(Link(spec.type, label, walls=spec.wall, cost=cost, align=spec.weight),)) if label else NOTHING
+    return Effect(links=(Link(spec.type, label, walls=spec.wall, cost=spec.cost, align=spec.weight),)) if label else NOTHING
 
 
 def _opposite(subject: Subject, spec: RelationSpec) -> Effect:

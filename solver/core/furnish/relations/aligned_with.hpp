@@ -8,13 +8,13 @@ namespace furnish {
 class AlignedWith : public Relation {
  public:
   constexpr AlignedWith() { by_degree = among_copies = into_line = true; }
-  // Draws the middles into line, and asks for the walls it names.
+  // Draws the middles into line, costs where they cannot slide there, and asks for the walls it names.
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
     const i32 piece = subject.first(rule);
     if (piece < 0) return;
     Link& link = effect.links.add(link_to(rule, piece));
     link.walls = rule.wall;
-    link.cost = rule.wall == Walls::any ? 0.0 : rule.cost;
+    link.cost = rule.cost;
     link.align = rule.weight;
   }
 
