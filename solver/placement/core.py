@@ -39,7 +39,7 @@ class Limits:
     optional_qps: int = 50
     optional_lapses: int = 2
     moves: int = 8
-    final_qps: int = 6000
+    final_qps: int = 24_000
 
     @cached_property
     def row(self) -> Ints:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import importlib
 import json
+import re
 from dataclasses import asdict, replace
 from functools import cache
 from typing import Any
@@ -24,6 +25,7 @@ from solver.furnish.room_types import as_low_as
 from solver.pipeline.generate import wanted_in
 from solver.scene import Room
 from solver.streams import Stream
+from tests.architecture.tree import ROOT
 from tests.sweeps import examples, seeds, times
 
 SEEDS = seeds(range(1000, 1024), 2)
@@ -33,6 +35,12 @@ SEEDS = seeds(range(1000, 1024), 2)
 @cache
 def house(seed: int) -> Generated:
     return generate(Request(seed=seed))
+
+
+def test_the_first_home_of_the_page_is_proven() -> None:
+    (first,) = re.findall(r"FIRST: Readonly<HouseRequest> = (\{.*\});", (ROOT / "web" / "src" / "address.ts").read_text())
+    certificate = generate(Request(**json.loads(re.sub(r"(\w+):", r'"\1":', first)))).scene.certificate
+    assert certificate and all(room["proven"] and room["best"] for room in certificate["rooms"].values())
 
 
 def scene_bytes(**request: object) -> bytes:

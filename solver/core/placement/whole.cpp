@@ -12,7 +12,7 @@ constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be
 
 // The widest ways first: 0.8, 0.7 and 0.65 m where the person is 0.6 m wide. Our choice.
 constexpr WayMargin MARGINS[] = {{200, 0.9, 10.0}, {100, 0.8, 12.0}, {50, 0.6, 20.0}};
-constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 50, 2, 8, 6000};  // such a try is given up sooner
+constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 50, 2, 8, 24000};  // such a try is given up sooner
 
 // A placement that is known to be there is looked for with so many times the QPs, each time with so many times more.
 constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;

@@ -13,7 +13,7 @@ using placement::Desk;
 using placement::Settled;
 using placement::WholeRoom;
 
-constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 50, 2, 8, 6000};
+constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 50, 2, 8, 24000};
 constexpr i64 MARGIN_MM = 2;  // rounding to millimetres moves each of two bodies by less than one
 constexpr i64 NEAR_WALL_MM = 150;  // a companion whose back is this close to its parent's wall counts as standing at it
 
