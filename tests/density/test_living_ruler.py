@@ -93,6 +93,13 @@ def test_beds_have_no_window_behind_their_head_and_floor_at_both_sides() -> None
     assert ruler.stores_under_windows(scene(body("wardrobe", (1, 0.08), (1.2, 0.6)), openings=(behind,))) == (1, 1)
 
 
+def test_studios_have_nightstands_and_floor_before_the_bed() -> None:
+    found = [floor for seed in range(40) for floor in ruler.floors(generate(Request(seed=seed, program="studio")).scene, "living_room")]
+    beds = [(floor, bed) for floor in found for bed in floor.named("bed")]
+    tables = [any(table.meets(*ruler.strip(bed, "front", 0.6)) for table in floor.named("coffee_table")) for floor, bed in beds]
+    assert sum(len(floor.named("nightstand")) == 2 for floor, _ in beds) >= 0.5 * len(beds) and sum(tables) <= 0.25 * len(beds)
+
+
 def test_seats_see_what_is_before_them() -> None:
     sofa, away = body("sofa", (1, 0.08), (2, 0.9)), body("armchair", (4.5, 3.5), (0.8, 0.82))
     ahead, aside = body("tv", (1.4, 4.0), (1.2, 0.14), 180), body("tv", (4.2, 3.0), (1.2, 0.14), 180)
