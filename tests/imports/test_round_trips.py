@@ -128,9 +128,9 @@ def test_pieces_that_people_named_read_back_where_they_stood(format: str) -> Non
 
 @pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
 def test_what_is_of_no_kind_reads_back_by_its_name(format: str) -> None:
-    cabinet = Decoration(
-        "high", "Wall Double Upper Cabinet", x=1.5, y=1.4, z=0.25, width=1.0, depth=0.34, height=0.6, mounted_on_wall="north"
-    )
+    """Also where that is longer than plans show names, and holds what DXF writes otherwise."""
+    called = "wall  double door upper cabinet ^ longer than plans show"
+    cabinet = Decoration("high", called, x=1.5, y=1.4, z=0.25, width=1.0, depth=0.34, height=0.6, mounted_on_wall="north")
     before = Scene(rooms=(Room("kitchen", type="kitchen", width=4.0, depth=3.0, decorations=(cabinet,)),), wall_thickness=0.1)
     (name, content), *_ = export(before, format).items()
     (room,) = read(content, name).scene.rooms
@@ -163,7 +163,7 @@ def test_rooms_that_people_named_read_back(program: str, format: str) -> None:
 
 
 def renamed(content: bytes, format: str) -> bytes:
-    """The file with its living room called a library, as another program would."""
+    """The file with its living room called a library, and of a .sh3d its beds cots, as another program would."""
     if format != "sh3d":
         label = {"ifc": (b",'Living room',", b",'Library',"), "dxf": (b"\n  1\nLiving room\n", b"\n  1\nLibrary\n")}[format]
         assert content.count(label[0]) == 1
@@ -173,7 +173,8 @@ def renamed(content: bytes, format: str) -> bytes:
         for name in before.namelist():
             held = before.read(name)
             assert name != "Home.xml" or held.count(b"<room name='Living room'") == 1
-            after.writestr(name, held.replace(b"<room name='Living room'", b"<room name='Library'"))
+            held = held.replace(b"<room name='Living room'", b"<room name='Library'")
+            after.writestr(name, held.replace(b" name='Bed' model", b" name='Cot' model"))
     return made.getvalue()
 
 
@@ -183,6 +184,14 @@ def test_a_room_that_another_program_renamed_is_what_it_is_called_now(format: st
     (was,) = (room.id for room in home("family").rooms if room.type == "living_room")
     (room,) = (room for room in read(renamed(content, format), name).scene.rooms if room.id == was)
     assert (room.type, room.name) == ("office", "Library")
+
+
+def test_a_piece_that_another_program_renamed_is_called_so() -> None:
+    (name, content), *_ = export(home("family"), "sh3d").items()
+    beds = {one.id for room in home("family").rooms for one in room.furniture if one.name == "bed"}
+    called = {one.id: one.name for room in read(renamed(content, "sh3d"), name).scene.rooms for one in room.furniture}
+    assert beds
+    assert {id for id, name in called.items() if name == "Cot"} == beds
 
 
 @pytest.mark.parametrize("program", PROGRAMMES)

@@ -1,7 +1,8 @@
 """sh3d: a home for Sweet Home 3D (7.0 and newer): `Home.xml` and a model of triangles a kind, in one archive.
 
 Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Walls are whole, as the programme cuts openings itself.
-Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`; small things say `sort`: decoration.
+Ids, kinds and masses are properties of the pieces: `id`, `kind`, `mass`; small things say `sort`: decoration. A piece's whole name is its
+property `name`, and `label` what it is shown as.
 """
 
 import math
@@ -88,7 +89,8 @@ def _home(model: HouseModel, shelf: _Models) -> Iterator[str]:
         box = _Piece(body.x, above, body.z, body.turn, body.width, body.depth, body.height, level, name)
         said = {"id": body.id, "mass": f"{body.mass:g}", **({"kind": body.kind} if body.kind else {})}
         said |= {"sort": body.sort} if body.sort == "decoration" else {}
-        yield _piece("pieceOfFurniture", box, words_of(body.name), said)
+        shown = words_of(body.name)
+        yield _piece("pieceOfFurniture", box, shown, {**said, "name": body.name, "label": shown})
     leaves = model.leaves_by_opening
     for opening in model.openings:
         yield _opening(opening, leaves.get(opening.id, []), shelf, level_of.get(opening.level, ""))

@@ -31,6 +31,8 @@ BODY: Final = "KIND"
 """What our export's furniture has for an attribute: a wall clock is no wall."""
 A_STOREY: Final = 2.0
 """The lowest body in a drawing of ours stands on the floor of another storey than the ground where it is no nearer to that, m."""
+OF_SMALL: Final = ("DECORATIONS", "HIGH")
+"""Layers of ours: what is of no kind there is a small thing, or hangs."""
 OF_BODIES: Final = (BODY, "ID", "NAME", "SIZE", "Y")
 """What is read of it."""
 OWN: Final = "COMPOSE_HOMES"
@@ -252,8 +254,8 @@ def _with_pieces(plan: DrawnPlan, bodies: Sequence[_Entity], known: Catalogs) ->
 
 def _piece(body: _Entity, metres: float, known: Catalogs) -> DrawnPiece | None:
     """Returns a body that our export drew, which says its sizes and its height in the house in m; None of who lives there."""
-    one, where = body.it, body.where
-    kind, id, said, size, y = (one.get_attrib_text(tag) for tag in OF_BODIES)
+    one, where, plain = body.it, body.where, import_module("ezdxf.tools.text").caret_decode
+    kind, id, said, size, y = (plain(one.get_attrib_text(tag)) for tag in OF_BODIES)
     if any(kind in one.kinds for one in known.people.values()):
         return None
     try:
@@ -263,7 +265,7 @@ def _piece(body: _Entity, metres: float, known: Catalogs) -> DrawnPiece | None:
     (spot,) = _spots([one.ocs().to_wcs(one.dxf.insert)])
     entry = known.furniture.get(kind)
     name = said or (entry and entry.name) or kind.removesuffix("_upright") or "thing"
-    is_small, sizes = bool(kind) and entry is None, (width, depth, height)
+    is_small, sizes = entry is None and (bool(kind) or body.layer in OF_SMALL), (width, depth, height)
     return DrawnPiece(name, *spot, under, one.dxf.rotation, sizes, where, id=id, decoration=is_small, kind=kind or None)
 
 

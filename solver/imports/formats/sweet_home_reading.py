@@ -177,7 +177,7 @@ def _piece(element: Element, where: str, level: int, unread: list[Unread]) -> It
     size = (number_in(element, "width", where), number_in(element, "depth", where), number_in(element, "height", where))
     color = element.get("color", "")
     yield DrawnPiece(
-        said.get("name", name),
+        said.get("name", name) if name == said.get("label", name) else name,
         number_in(element, "x", where),
         number_in(element, "y", where),
         number_in(element, "elevation", where, 0.0),
