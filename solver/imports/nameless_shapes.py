@@ -14,13 +14,15 @@ from solver.geometry import bounds_of_points, encloses
 from solver.imports.drawn import MOST_POINTS, DrawnOpening
 from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line
 from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
-from solver.imports.wall_gaps import THINNEST, WIDTHS, fitted, gaps_of
+from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, rooms_between
 
 MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
 MOST_LAYERS: Final = 6
 """Layers, each with closed shapes or open ones, among which walls are looked for: those with most on them."""
+THINNEST: Final = 40
+"""Lines that are nearer to one another, mm, are no two faces of a wall."""
 LEAST_POINTS: Final = 8
 LEAST_ROOMS: Final = 2
 """As many rooms walls enclose, or one that is named."""

@@ -19,8 +19,8 @@ WIDTHS: Final = (400, 6000)
 """How wide gaps are, mm."""
 PASSAGES: Final = (550, 2000)
 """A gap in which nothing is drawn may be a passage if it is as wide, mm."""
-THINNEST: Final = 40
-"""Of a wall, mm."""
+THINNEST: Final = 20
+"""Of a wall, mm: our own drawings have none thinner."""
 ALIKE: Final = 60
 """The gaps in the two faces of a wall begin and end no farther from one another, mm."""
 LEAVES: Final = ((0.4, 0.6), (0.75, 1.15))

@@ -255,6 +255,15 @@ def thick(scene: Scene, inner: float, outer: float | None) -> Scene:
     return replace(scene, rooms=tuple(map(one, scene.rooms)), wall_thickness=inner, dynamic=(), certificate=None)
 
 
+@pytest.mark.parametrize("program", ["studio", "a U"])
+@pytest.mark.parametrize("thickness", [0.0, 0.03])
+def test_doors_of_a_drawing_are_as_wide_as_they_were_in_thin_walls(program: str, thickness: float) -> None:
+    """Walls of no thickness are drawn 2 cm thick."""
+    before = thick(home(program), thickness, None)
+    (name, content), *_ = export(before, "dxf").items()
+    assert openings_of(read(content, name).scene, swings=True) == openings_of(before, swings=True)
+
+
 @pytest.mark.parametrize("program", PROGRAMMES)
 @pytest.mark.parametrize("unit", ["m", "mm"])
 def test_a_drawing_reads_back_as_far_as_it_says(program: str, unit: str) -> None:
