@@ -7,6 +7,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
@@ -109,9 +110,12 @@ def _check_urdf(path: Path, model: HouseModel) -> str:
     if which("check_urdf") is None:
         return "check_urdf: not installed: apt-get install liburdfdom-tools"
     done = subprocess.run(["check_urdf", str(path)], capture_output=True, text=True, check=False)
-    wanted = f"root Link: house has {len(model.bodies) + len(model.leaves)} child(ren)"
-    good = done.returncode == 0 and wanted in done.stdout
-    return f"{'' if good else 'FAULT '}check_urdf: {wanted if good else done.stdout[:300] + done.stderr[:300]}"
+    told = Counter(line.partition(":")[2].strip() for line in done.stdout.splitlines() if line.lstrip().startswith("child("))
+    ids = [*(body.id for body in model.bodies), *(leaf.id for leaf in model.leaves)]
+    wrong = [name for name in ids if told[name] != 1]
+    if done.returncode or wrong:
+        return f"FAULT check_urdf: {wrong[:3]}: {done.stderr[:300]}"
+    return f"check_urdf: {len(told) + 1} links, each body and leaf once"
 
 
 def _libsdformat(folder: Path, model: HouseModel) -> str:
