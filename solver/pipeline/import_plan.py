@@ -9,6 +9,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.certificate import certified
 from solver.errors import FieldError, SyntaxFault
 from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, misspelt, read_scene, write
+from solver.export_formats import EXPORTERS
 from solver.guessing import with_entrance
 from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, in_metres, scene_unit, unpacked
@@ -180,6 +181,8 @@ def _own_scene(file: PlanFile, settings: ImportSettings, notes: PlanNotes) -> Sc
     document = file.document if file.document is not None else _loaded(file)
     if isinstance(document, Mapping) and "scene" in document and "rooms" not in document:
         document = document["scene"]
+    if isinstance(document, Mapping) and document.get("export") in (*EXPORTERS,):
+        raise SyntaxFault(f"an export of ours, {document['export']}, which does not say all of a home: send the scene, as JSON or YAML")
     if not isinstance(document, Mapping) or "rooms" not in document:
         raise SyntaxFault(NO_FORMAT)
     metres = scene_unit(document, settings.unit, notes)

@@ -334,6 +334,15 @@ def test_a_hole_at_the_height_of_the_doors_is_a_passage(raised: tuple[str | None
     assert {one.sill for one in openings if one.kind == "door"} == {0.0}
 
 
+@pytest.mark.parametrize("format", ["png", "nav2", "tasks"])
+def test_exports_that_hold_no_whole_home_are_refused_by_their_names(format: str) -> None:
+    files = export(home("studio"), format)
+    (document,) = (content for name, content in files.items() if name.endswith(".json"))
+    for content in (document, packed(**files)):
+        with pytest.raises(FieldError, match=f"^file: an export of ours, {format}, which does not say all of a home: send the scene"):
+            read(content, f"{format}.zip")
+
+
 @pytest.mark.parametrize(("format", "name"), [("ifc", "Haus am Tor.IFC"), ("dxf", "plans/plan.dxf"), ("svg", "plan.svg")])
 def test_the_one_plan_in_an_archive_is_read_as_if_it_stood_alone(format: str, name: str) -> None:
     (content,) = export(home("studio"), format).values()

@@ -43,6 +43,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         rooms += _rooms(model, level, grid, taken)
     leaves = model.leaves_by_opening
     document = {
+        "export": "nav2",
         "frame": "x east, y north, z up; m; yaw in radians about +z, 0 facing east",
         "warnings": model.warnings,
         "maps": maps,

@@ -50,6 +50,7 @@ def write(model: HouseModel, settings: ExportSettings) -> Files:
     tasks = _Tasks(model, settings) if model.scene.rooms else None
     found = [*tasks.opened(), *tasks.gone(), *tasks.brought()] if tasks else []
     document = {
+        "export": "tasks",
         "frame": "x east, z south, m; turns in degrees about +y, 0 facing south; paths are of the middle of the robot's square",
         "seed": model.scene.seed,
         "robot_width": robot_width_of(model.scene),

@@ -121,6 +121,7 @@ def _palette(model: HouseModel, classes: Mapping[str, int], maps: Sequence[Mappi
     colors = _class_colors(classes)
     rooms = zip(model.rooms, _hues(len(model.rooms)), strict=True)
     said = {
+        "export": "png",
         "frame": "x east, z south, m; a pixel's north-west corner is north_west + pixel * (column, row)",
         "warnings": model.warnings,
         "maps": maps,
