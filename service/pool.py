@@ -42,7 +42,8 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
     """
     if workers <= 1:
         start()
-        yield from map(make, jobs)
+        with _ending_as_interrupted():
+            yield from map(make, jobs)
         return
     left = iter(jobs)
     batches = iter(lambda: list(islice(left, batch)), [])
@@ -131,6 +132,19 @@ def _interrupts_noted() -> Iterator[list[int]]:
         yield noted
     finally:
         give_back()
+
+
+@contextmanager
+def _ending_as_interrupted() -> Iterator[None]:
+    """Has SIGTERM be what Ctrl-C is, where nobody else hears it: what is half-written is taken away."""
+    is_unheard = current_thread() is main_thread() and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
+    if is_unheard:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        if is_unheard:
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 @contextmanager

@@ -170,10 +170,14 @@ def test_killed_and_resumed_is_as_if_it_had_never_been_killed(folder: Path, tmp_
     assert made(killed, "--workers", "1", *FORMATS) == contents(folder)
 
 
-@pytest.mark.parametrize(("number", "told"), [(signal.SIGINT, os.killpg), (signal.SIGTERM, os.kill)])
-def test_told_to_end_it_ends_with_all_its_processes(tmp_path: Path, number: signal.Signals, told: Callable[[int, int], None]) -> None:
+@pytest.mark.parametrize(
+    ("number", "told", "workers"), [(signal.SIGINT, os.killpg, "2"), (signal.SIGTERM, os.kill, "2"), (signal.SIGTERM, os.kill, "1")]
+)
+def test_told_to_end_it_ends_with_all_its_processes(
+    tmp_path: Path, number: signal.Signals, told: Callable[[int, int], None], workers: str
+) -> None:
     """Ctrl-C is told to every process of a terminal's foreground at once, SIGTERM to the command alone."""
-    small = ("--width", "4", "--depth", "4", "--shard-size", "1", "--seeds", "0-9999", "--workers", "2")
+    small = ("--width", "4", "--depth", "4", "--shard-size", "1", "--seeds", "0-9999", "--workers", workers)
     command = (sys.executable, "-m", "compose_homes", *SMALL, *small, "--out", str(tmp_path / "set"))
     with started(*command, stderr=subprocess.PIPE) as run:
         until(lambda: bool(list(tmp_path.glob("set/shards/*.json"))) or run.poll() is not None)
@@ -181,6 +185,7 @@ def test_told_to_end_it_ends_with_all_its_processes(tmp_path: Path, number: sign
         _, said = run.communicate(timeout=GUARD_S)  # until all have closed their standard error
     how_far, end = said[: -len(ENDED)], said[-len(ENDED) :]
     assert (run.returncode, end) == (130, ENDED)
+    assert not list(tmp_path.rglob("*.part"))
     assert re.fullmatch(r"([\d,]+ of 10,000 \w+\n)*", how_far), "on a busy machine it may have told how far it was"
 
 
