@@ -31,12 +31,12 @@ def _finding(path: Path, model: HouseModel) -> str:
     plant.Finalize()
     diagram = builder.Build()
     context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())
-    found = {}
+    found: dict[str, np.ndarray] = {}
     for i in range(plant.num_bodies()):
         body = plant.get_body(BodyIndex(i))
         instance = plant.GetModelInstanceName(body.model_instance())
         name = instance.split("::")[-1] if path.suffix == ".sdf" else body.name()
-        found[name] = plant.EvalBodyPoseInWorld(context, body).translation()
+        found.setdefault(name, plant.EvalBodyPoseInWorld(context, body).translation())  # the first link of a model, before its fronts
     missing = [body.id for body in model.bodies if body.id not in found]
     wrong = [
         body.id for body in model.bodies if body.id in found and np.abs(found[body.id] - np.array((body.x, -body.z, body.y))).max() > NEAR
