@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -256,25 +257,38 @@ MARKS = """() => [...document.querySelectorAll('.mark-label:not([hidden])')].map
     const {x, y, width, height} = one.getBoundingClientRect();
     return [x, y, x + width, y + height, one.innerText];
 })"""
+ON_PLAN = """which => [...document.querySelector('.plan-sheet').shadowRoot.querySelectorAll(which)]
+    .filter(one => one.style.visibility !== 'hidden').map(one => one.getBoundingClientRect())
+    .filter(({width}) => width > 0).map(({x, y, width, height}) => [x, y, x + width, y + height])"""
+
+
+def overlap(one: Sequence[float], other: Sequence[float]) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 @pytest.mark.parametrize(("across", "along", "words"), [(2, 1, "UNREACHABLE"), (8, 5, "")])
 def test_marks_of_rooms_say_words_where_there_is_room_for_them(visit: Visit, across: int, along: int, words: str) -> None:
-    """Of forty rooms without a door one saw nothing but forty words, each over three rooms."""
+    """Of forty rooms without a door one saw nothing but forty words, each over three rooms; on the plan marks hid the rooms' names."""
     corners = ((0, 0), (3, 0), (3, 3), (0, 3), (0, 0))
     squares = [[[3 * i + x, 3 * j + z] for x, z in corners] for i in range(across) for j in range(along)]
     features = [{"type": "Feature", "properties": {"name": f"Den {n}"}, "geometry": {"type": "Polygon", "coordinates": [one]}}
                 for n, one in enumerate(squares)]  # fmt: skip
     content = json.dumps({"type": "FeatureCollection", "unit": "m", "features": features}).encode()
+    visit.page.set_viewport_size({"width": 1280, "height": 800})
     visit.open(SMALL.format(4))
     visit.reopened(
         lambda: visit.page.locator("#file").set_input_files({"name": "dens.geojson", "mimeType": "application/json", "buffer": content})
     )
-    visit.page.keyboard.press("2")
-    visit.settle()
-    marks = visit.page.evaluate(MARKS)
-    assert len(marks) == across * along - 1, "ways are judged from one of them"
-    assert {said for *_, said in marks} == {words}
-    for n, (west, north, east, south, _) in enumerate(marks):
-        others = marks[:n]
-        assert not any(west < other[2] and other[0] < east and north < other[3] and other[1] < south for other in others)
+    for key in ("2", "4"):
+        visit.page.keyboard.press(key)
+        visit.settle()
+        marks = visit.page.evaluate(MARKS)
+        assert len(marks) == across * along - 1, "ways are judged from one of them"
+        assert {said for *_, said in marks} == {words}
+        assert not any(overlap(one, other) for n, one in enumerate(marks) for other in marks[:n])
+    written, rooms = [visit.page.evaluate(ON_PLAN, which) for which in ("g:has(> .name) > text", "polygon.floor")]
+    assert len(written) >= len(rooms) == across * along
+    assert not any(overlap(one, words) for one in marks for words in written)
+    middles = [((west + east) / 2, (north + south) / 2) for west, north, east, south, _ in marks]
+    marked = [[n for n, room in enumerate(rooms) if overlap((*at, *at), room)] for at in middles]
+    assert len({tuple(found) for found in marked}) == len(marks) and all(len(found) == 1 for found in marked), "each lies in its room"

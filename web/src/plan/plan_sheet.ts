@@ -1,5 +1,6 @@
 /** The plan as an architect draws it, beneath a canvas that shows only what is in hand: the service's sheet, moved with the camera. */
 import { Vector3 } from "three";
+import type { Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 import { DrawnSheet, type DrawPlan } from "./drawn_sheet";
 
@@ -8,6 +9,18 @@ const MM = 1000;
 const [ASIDE, ABOVE] = [34, 20];
 /** Between these two places of the ground the camera's scale is measured [m]. */
 const MEASURED = 10;
+/** The rows of words in a room: its name, its area and its size. */
+const ROWS = "g:has(> .name) > text";
+
+/** Where rows of words lie on a drawing, those written upright too [mm of the house]. */
+function writtenOn(drawn: SVGSVGElement): (readonly [SVGTextElement, Kept])[] {
+  return [...drawn.querySelectorAll<SVGTextElement>(ROWS)].map((row) => {
+    const { x, y, width, height } = row.getBBox();
+    const turn = (row.parentNode as SVGGElement).transform.baseVal.consolidate()?.matrix;
+    const middle = new DOMPoint(x + width / 2, y + height / 2).matrixTransform(turn);
+    return [row, { x: middle.x, y: middle.y, width: turn ? height : width, height: turn ? width : height }];
+  });
+}
 
 export class PlanSheet extends DrawnSheet {
   /** Millimetres of the house a pixel, as they were last. */
@@ -15,12 +28,21 @@ export class PlanSheet extends DrawnSheet {
   /** The drawing whose lengths were measured, and what those along x and along z cover [mm of the house]. */
   #measuredOf: SVGSVGElement | null = null;
   #reach: readonly DOMRect[] = [];
+  #written: ReturnType<typeof writtenOn> = [];
 
   constructor(readonly viewport: Viewport, draw: DrawPlan, failed: DrawnSheet["failed"]) {
     super(draw, failed);
     viewport.canvas.before(this.host);
     viewport.onFrame(() => this.#follow());
-    this.onDrawn = () => viewport.invalidate();
+    this.onDrawn = () => {
+      this.#written = this.shown ? writtenOn(this.shown) : [];
+      viewport.invalidate();
+    };
+  }
+
+  override turn(isShown: boolean): void {
+    super.turn(isShown);
+    if (!isShown) this.viewport.overlaid.set("rooms", []);
   }
 
   override pixels(): number {
@@ -45,6 +67,13 @@ export class PlanSheet extends DrawnSheet {
     alongZ.classList.toggle("cut", isIn(across.x, across.x + across.width, ...x) && !isIn(along.x, along.x + along.width, ...x));
   }
 
+  /** Has what is shown over the canvas keep clear of what can be read in the rooms. */
+  #keepRead(scale: number, at: { readonly x: number; readonly y: number }): void {
+    const read = this.#written.filter(([row]) => row.style.visibility !== "hidden" && row.getClientRects().length > 0);
+    this.viewport.overlaid.set("rooms", read.map(([, { x, y, width, height }]) => (
+      { x: at.x + x / scale, y: at.y + y / scale, width: width / scale, height: height / scale })));
+  }
+
   /** Shows the part of the sheet that the camera sees. */
   #follow(): void {
     const drawn = this.shown;
@@ -56,6 +85,7 @@ export class PlanSheet extends DrawnSheet {
       this.#followed = scale;
       this.resized();
     }
+    this.#keepRead(scale, from);
     const { width, height } = this.viewport.size;
     this.#leaveOutCut(drawn, { west: -from.x * scale, north: -from.y * scale, east: (width - from.x) * scale, south: (height - from.y) * scale });
     const box = [-from.x * scale, -from.y * scale, width * scale, height * scale].map((value) => value.toFixed(1)).join(" ");

@@ -17,8 +17,8 @@ type Named = LabelElement & { readonly id: string };
 const OVERLAYS = "#tools, #walk_leave, #compass, #minimap, .views, .fold";
 const TIP_LIFT = 22;
 const MARK_LIFT = 12;
-/** How wide a mark is that says no words [CSS pixels]. */
-const SHORT_MARK = 20;
+/** How large a mark is that says no words [CSS pixels]. */
+const SHORT_MARK = { width: 16, height: 15 };
 /** Who walks reads the names of the pieces this near [m]. */
 const PIECES_WITHIN = 7;
 
@@ -194,7 +194,7 @@ export class Labels {
     return this.#marks.flatMap((mark) => {
       const isShort = mark.width > this.#rooms.widthOf(mark.id);
       mark.element.classList.toggle("short", isShort);
-      return this.#askedAt([mark], MARK_LIFT, RANK.mark).map((wish) => (isShort ? { ...wish, width: SHORT_MARK } : wish));
+      return this.#askedAt([mark], MARK_LIFT, RANK.mark).map((wish) => (isShort ? { ...wish, ...SHORT_MARK } : wish));
     });
   }
 
