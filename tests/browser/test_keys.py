@@ -126,3 +126,47 @@ def test_who_walks_turns_and_opens_the_door_ahead_by_keys(visit: Visit) -> None:
     after = visit.state()
     assert after["eye"] == start["eye"]
     assert after["target"] != start["target"]
+
+
+CUT = """() => {
+    const [one, look] = [document.activeElement, getComputedStyle(document.activeElement)];
+    const [seen, out] = [one.getBoundingClientRect(), parseFloat(look.outlineOffset) + parseFloat(look.outlineWidth)];
+    const ring = [seen.left - out, seen.top - out, seen.right + out, seen.bottom + out];
+    const within = [[0, 0, innerWidth, innerHeight]];
+    for (let outer = one.parentElement; outer; outer = outer.parentElement) {
+        const {left, top, right, bottom} = outer.getBoundingClientRect();
+        if (getComputedStyle(outer).overflow !== 'visible') within.push([left, top, right, bottom]);
+    }
+    return within.flatMap(([left, top, right, bottom]) => [left - ring[0], top - ring[1], ring[2] - right, ring[3] - bottom]
+        .map((over, side) => [over, ['left', 'top', 'right', 'bottom'][side]])).filter(([over]) => over > 0.5).map(([, side]) => side);
+}"""
+"""At which sides the ring around what has the focus is not seen: past the window, or past what cuts off what it holds."""
+
+
+def test_who_has_the_focus_is_seen_and_no_panel_takes_it_away(visit: Visit) -> None:
+    """The rings of the two panels lay outside the window; *Why?* came 26 presses of Tab after the house, where Escape lost the focus."""
+    visit.open(SMALL.format(4))
+    page = visit.page
+    for name in ("controls", "reading"):
+        tab_to(page, f"a[href='#{name}']")
+        page.keyboard.press("Enter")
+        expect(page.locator(f"#{name}")).to_be_focused()
+        assert page.evaluate(CUT) == [], name
+    visit.line_of("patio_3/outdoor_sofa_1").click()
+    stage, why = page.locator("#stage"), page.locator("#why")
+    stage.focus()
+    page.keyboard.press("h")
+    expect(why).to_be_visible()
+    page.keyboard.press("Tab")
+    expect(why.locator("div")).to_be_focused()
+    for line in why.get_by_role("button").all():
+        page.keyboard.press("Tab")
+        expect(line).to_be_focused()
+        assert not {"left", "right"} & set(page.evaluate(CUT))
+    expect(line).to_have_text("Close")
+    page.keyboard.press("Escape")
+    expect(why).to_be_hidden()
+    expect(stage).to_be_focused()
+    page.keyboard.press("ArrowRight")
+    visit.settle()
+    assert visit.state()["selected"] == "patio_3/outdoor_sofa_1"

@@ -2,6 +2,7 @@
 import type { Repair } from "../contract";
 import type { Refusal } from "./editor";
 import { repairWords } from "./words";
+import { putAway } from "../panel/focus";
 import { say } from "../words/language";
 import { tellSentence } from "../words/telling";
 
@@ -13,7 +14,8 @@ export class ConflictPanel {
   constructor(readonly host: HTMLElement) {}
 
   show(refusal: Refusal | null): void {
-    this.host.hidden = refusal === null;
+    if (refusal) this.host.hidden = false;
+    else putAway(this.host);
     this.host.replaceChildren(...(refusal ? this.#contents(refusal) : []));
   }
 

@@ -1,5 +1,6 @@
 /** Other arrangements of a room, side by side as pictures, to choose from. */
 import type { GenerateAnswer, Scene } from "../contract";
+import { putAway } from "../panel/focus";
 import { isAbort } from "../service";
 import { alone } from "./scene_edits";
 import { say } from "../words/language";
@@ -44,7 +45,7 @@ export class OtherRooms {
     const was = !this.host.hidden;
     this.#pending.abort();
     this.#pending = new AbortController();
-    this.host.hidden = true;
+    putAway(this.host);
     this.host.replaceChildren();
     return was;
   }

@@ -1,6 +1,7 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { awayWords } from "./why_lines";
+import { putAway } from "../panel/focus";
 import { capital, say } from "../words/language";
 import { tell, theWords } from "../words/telling";
 
@@ -37,7 +38,7 @@ export class WhyPanel {
     this.#pending.abort();
     this.#pending = new AbortController();
     const was = !this.host.hidden;
-    this.host.hidden = true;
+    putAway(this.host);
     this.host.replaceChildren();
     if (was) this.onShow(null);
   }

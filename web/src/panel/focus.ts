@@ -1,4 +1,4 @@
-/** The focus stays where it was while what is around it is made anew. */
+/** The focus stays where it was while what is around it is made anew, and is not lost with what goes away. */
 
 /** What tells one control of a panel from the others. */
 const MARKS = ["name", "data-gap", "data-align", "aria-label"];
@@ -11,4 +11,11 @@ export function replaceKeepingFocus(host: HTMLElement, children: readonly (Node 
   host.replaceChildren(...children);
   if (mark === undefined || value == null) return;
   [...host.querySelectorAll<HTMLElement>(`[${mark}]`)].find((one) => one.getAttribute(mark) === value)?.focus({ preventScroll: true });
+}
+
+/** Hides what lies over the house; the focus, if it had it, goes to the house. */
+export function putAway(host: HTMLElement): void {
+  const held = host.contains(document.activeElement);
+  host.hidden = true;
+  if (held) (host.closest("main") ?? document.body).focus({ preventScroll: true });
 }

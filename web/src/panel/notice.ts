@@ -2,6 +2,7 @@
 import { ServiceProblem } from "../service";
 import { say } from "../words/language";
 import { refusalWords } from "./field_words";
+import { putAway } from "./focus";
 
 /** Does again what was refused. */
 export type Again = () => void;
@@ -55,7 +56,7 @@ export class Notice {
   }
 
   hide(): void {
-    this.host.hidden = true;
+    putAway(this.host);
     this.#countDown(0);
   }
 

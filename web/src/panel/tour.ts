@@ -1,6 +1,7 @@
 /** A tour of four steps over the house: shown by itself on a first visit that asks for no home of its own, started again by a button; it ends when somebody begins without it. */
 import type { Showing } from "../state/home";
 import { say, type Words } from "../words/language";
+import { putAway } from "./focus";
 import { remember, remembered } from "./preferences";
 
 interface Step {
@@ -97,9 +98,7 @@ export class Tour {
   /** Puts the tour away; the focus, if the tour had it, goes to the house. */
   #end(): void {
     if (this.host.hidden) return;
-    const hadFocus = this.host.contains(document.activeElement);
-    this.host.hidden = true;
+    putAway(this.host);
     this.#mark(null);
-    if (hadFocus) (this.host.closest("main") ?? document.body).focus({ preventScroll: true });
   }
 }
