@@ -11,11 +11,11 @@ from solver.errors import RequestError
 from solver.named_assets import with_assets
 from solver.pipeline.conflicts import conflicts_of
 from solver.pipeline.left_over import cleaned, unexplained
-from solver.pipeline.repair_room import ROUNDS, RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes
+from solver.pipeline.repair_room import ROUNDS, RoomRepair, repair_room, unchanged, unreached_in, until_nothing_changes, with_joined
 from solver.pipeline.room_spaces import as_walked_in, room_problem
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import is_call_spent
-from solver.repair import RepairSettings, people_out_of_the_way, put_to_rest, seated_along, with_walls_told
+from solver.repair import RepairSettings, all_bodies, people_out_of_the_way, put_to_rest, seated_along, with_walls_told
 from solver.scene import Room, Scene
 from solver.scene_bodies import body_ids, check_ids, check_listed, moves_between, people_in
 from solver.understanding import understood
@@ -146,6 +146,8 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
         name: repair_room(problem) if name in broken and not is_call_spent() else unchanged(problem) for name, problem in problems.items()
     }
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
+    if is_call_spent():
+        alone, repairs = _crowds_joined(alone, repairs)
     if closed and closed <= _closed_rooms(alone.errors):  # nothing was gained in the rooms that lead there
         repairs |= {name: unchanged(problem) for name, problem in problems.items() if name in leading}
         alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
@@ -158,6 +160,21 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     for name in (*again, *sound):
         repairs[name] = replace(repairs[name], unreached=unreached_in(repairs[name], here[name]))
     return _with_rooms(house, {name: repair.answer for name, repair in repairs.items()}), list(repairs.values())
+
+
+def _crowds_joined(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[Checked, dict[str, RoomRepair]]:
+    """Has the pieces of rooms that the end of the call's work left broken stand in turn, where fewer are wrong or missing then."""
+    before = _by_room(alone.errors)
+    joined = {name: with_joined(repair) for name, repair in repairs.items() if before[name] or repair.unplaced}
+    then = _by_room(_with_rooms(alone, {name: repair.answer for name, repair in joined.items()}).errors)
+    better = {name: repair for name, repair in joined.items() if _lost(repair, then[name]) < _lost(repairs[name], before[name])}
+    return _with_rooms(alone, {name: repair.answer for name, repair in better.items()}), {**repairs, **better}
+
+
+def _lost(repair: RoomRepair, errors: Iterable[Issue]) -> int:
+    """Returns how many bodies of a room break a rule, or are not in its answer any more."""
+    wrong = {label for error in errors for label in error.ids}
+    return len(wrong) + len(all_bodies(repair.problem.room)) - len(all_bodies(repair.answer))
 
 
 def _rooms_to_look_at(scene: Scene, issues: Sequence[Issue]) -> set[str | None]:

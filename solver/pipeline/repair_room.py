@@ -9,11 +9,25 @@ from dataclasses import dataclass, field, replace
 
 from solver.answers import Issue
 from solver.pieces import Arrangement, Piece, Space, with_relying
-from solver.placement import Budget, can_be_used, feasible, finish, in_the_way, is_call_spent, move_least, moved_back, walkable_when_empty
+from solver.placement import (
+    Budget,
+    can_be_used,
+    feasible,
+    finish,
+    in_the_way,
+    is_call_spent,
+    joined_in_turn,
+    move_least,
+    moved_back,
+    standing,
+    walkable_when_empty,
+)
 from solver.placement.lengths import Shortfall, shortfall
-from solver.repair import LastAnswer, RoomProblem, holders, pieces_as_sent, without, written_back
+from solver.repair import LastAnswer, RoomProblem, all_bodies, holders, pieces_as_sent, with_bodies, without, written_back
 from solver.scene import Room
 
+JOINING_WORK = 400_000.0
+"""Work that having the pieces of a crowd stand one after the other may cost, in QPs of a small room, once the call's is spent."""
 ROUNDS = 3
 """Times a room that cannot be repaired whole is repaired again, until nothing changes any more; as long as fewer are left out, more."""
 
@@ -71,6 +85,29 @@ def repair_room(problem: RoomProblem) -> RoomRepair:
     if problem.settings.remove:
         return _put_back(found)
     return found if found.whole else until_nothing_changes(found)
+
+
+def with_joined(repair: RoomRepair) -> RoomRepair:
+    """Returns a repair that the end of the call's work ended with each piece in the way that finds a place beside the others, in turn.
+
+    The others stand as they were sent or as the search left them, whichever way more stand.
+    """
+    if not _is_walked_in(repair.problem):
+        return repair
+    space, budget = repair.problem.space, Budget(JOINING_WORK, is_known=True)
+    now = {body.id: body for body in all_bodies(repair.room)}
+    come_to = with_bodies(repair.asked, [now.get(body.id, body) for body in all_bodies(repair.asked)])
+    there = {piece.label for piece in repair.pieces}
+    starts = [replace(repair.problem, room=room) for room in (repair.asked, come_to)]
+    pieces = [[piece for piece in _used(start, repair.misplaced) if piece.label in there] for start in starts]
+    stand = [standing(space, some, budget) for some in pieces]
+    best = max(range(len(starts)), key=lambda k: len(stand[k].pieces))
+    joined = joined_in_turn(stand[best], pieces[best], budget)
+    unplaced = tuple(piece.label for piece in pieces[best] if piece.label not in joined.ways and not piece.candidates[0].stays)
+    near = moved_back(space, [replace(piece, candidates=(joined.ways[piece.label],)) for piece in joined.pieces], joined.base.places)
+    if near is None or len(joined.pieces) == len(stand[best].pieces):
+        return repair
+    return replace(repair, room=written_back(starts[best], finish([near], "search")[0].placed), unplaced=unplaced)
 
 
 def _put_back(repair: RoomRepair) -> RoomRepair:
@@ -141,7 +178,7 @@ def _out_of_reach(problem: RoomProblem, locked: Set[str]) -> list[str]:
 
 def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[Piece], Arrangement]:
     """Places a room's pieces; nobody has to reach those that are misplaced; where these leave no way, as if they were not there."""
-    pieces = tuple(replace(piece, stands=()) if piece.label in misplaced else piece for piece in pieces_as_sent(problem))
+    pieces = _used(problem, misplaced)
     arrangement = least_moved_from_last(problem, pieces)
     if arrangement.left_out and misplaced:
         gone = [piece for piece in pieces if piece.label in misplaced or piece.parents.issubset(misplaced)]
@@ -167,6 +204,10 @@ def _as_sent_without_wrong(problem: RoomProblem, pieces: Sequence[Piece], ended:
         return ended
     left_out = tuple((piece.label, "the search for its place was ended") for piece in pieces if piece.label in gone)
     return Arrangement(ended.room, (), left_out, proven=False, best=False)
+
+
+def _used(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Piece, ...]:
+    return tuple(replace(piece, stands=()) if piece.label in misplaced else piece for piece in pieces_as_sent(problem))
 
 
 def is_repaired(problem: RoomProblem, arrangement: Arrangement) -> bool:

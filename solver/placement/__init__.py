@@ -10,11 +10,11 @@ from solver.placement.displacement import can_be_used, move_least, moved_back
 from solver.placement.encode import problem_bytes
 from solver.placement.finish import finish, place
 from solver.placement.left_out import minimal_conflict
-from solver.placement.neighbourhood import in_the_way
+from solver.placement.neighbourhood import in_the_way, joined_in_turn, standing
 from solver.placement.whole_rooms import place_wanted
 
 __all__ = [
     "ROOM_WORK", "Budget", "CallWork", "SolvedRoom", "arrange", "can_be_used", "charge", "feasible", "finish", "in_the_way",
-    "is_call_spent", "minimal_conflict", "move_least", "moved_back", "needed", "place", "place_wanted", "problem_bytes",
-    "walkable_when_empty", "with_joined_doors", "work_of_call",
+    "is_call_spent", "joined_in_turn", "minimal_conflict", "move_least", "moved_back", "needed", "place", "place_wanted", "problem_bytes",
+    "standing", "walkable_when_empty", "with_joined_doors", "work_of_call",
 ]  # fmt: skip

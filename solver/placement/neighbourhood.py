@@ -4,7 +4,7 @@ Large neighbourhood search (Shaw, 1998): what is freed is searched over all its 
 found bounds what is sought next.
 """
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
@@ -93,25 +93,38 @@ class Neighbourhood:
 
     @cached_property
     def in_the_way(self) -> tuple[str, ...]:
-        """Labels of the pieces without which the others can be used as they were sent: with any one more they cannot.
+        """Labels of the pieces that may move without which the others can be used as they were sent: with any one more they cannot.
 
         Where the call's work is spent, so are all that were not looked at yet.
-        Those that are held least strongly, share space with others or are small are in the way.
+        """
+        stand = self.standing(None)
+        return tuple(self.pieces[k].label for k in self._order if k not in stand and not self.pieces[k].candidates[0].stays)
+
+    def standing(self, budget: Budget | None) -> set[int]:
+        """Returns the numbers of pieces that can be used together as they were sent: as many as a budget, or the call's, allows.
+
+        Those that are held least strongly, share space with others or are small come last.
         """
         still = [replace(piece, candidates=(self._still(piece),)) for piece in self.pieces]
         core = Core(encode(self.space, still, "test"))
-        order = sorted(range(len(still)), key=self._steadiness)
-        decisions, found = core.blank(), []
-        for piece in order:
+        decisions, found = core.blank(), set[int]()
+        for piece in self._order:
             way, rect = self.base.ways[piece], self.base.places[piece]
             inside = way.attach is not None or (way.within or self.space.clear).contains(rect)
             trial = core.with_first(decisions, piece) if inside else None
-            charge(PAIR_WORK * len(order) ** 2)
-            if trial is not None and not is_call_spent() and core.stands_walkable(trial):
+            work = PAIR_WORK * len(still) ** 2
+            if budget is None:
+                charge(work)
+            else:
+                budget.left -= work
+            if trial is not None and not (is_call_spent() if budget is None else budget.spent) and core.stands_walkable(trial):
                 decisions = trial
-            elif not self.pieces[piece].candidates[0].stays:
-                found.append(still[piece].label)
-        return tuple(found)
+                found.add(piece)
+        return found
+
+    @cached_property
+    def _order(self) -> list[int]:
+        return sorted(range(len(self.pieces)), key=self._steadiness)
 
     def _steadiness(self, number: int) -> tuple[bool, float, int, float, int]:
         """Sorts what cannot move before what is held strongly, what shares space with few and what is large."""
@@ -192,3 +205,34 @@ def in_the_way(space: Space, pieces: Sequence[Piece]) -> tuple[str, ...]:
     """Returns pieces without which the others can be used where they are wished; with any one more they cannot."""
     wished = as_wished(space, pieces)
     return Neighbourhood(space, tuple(pieces), wished).in_the_way if wished else ()
+
+
+def standing(space: Space, pieces: Sequence[Piece], budget: Budget) -> Neighbourhood:
+    """Returns a room of those pieces that can be used together where they are wished; of none where one is wished nowhere."""
+    wished = as_wished(space, pieces)
+    if wished is None:
+        return Neighbourhood(space, (), Found((), (), 0.0))
+    room = Neighbourhood(space, tuple(pieces), wished)
+    return _of(space, [pieces[k] for k in sorted(room.standing(budget))], room.ways, room.rects)
+
+
+def joined_in_turn(room: Neighbourhood, pieces: Sequence[Piece], budget: Budget) -> Neighbourhood:
+    """Returns a room with each of those pieces that are not in it, in order, that finds a place beside all others where these stand."""
+    wished = as_wished(room.space, pieces)
+    if wished is None:
+        return room
+    every = Neighbourhood(room.space, tuple(pieces), wished)
+    for label in [piece.label for piece in pieces if piece.label not in room.ways]:
+        if budget.spent:
+            break
+        here = [piece for piece in pieces if piece.label in room.ways or piece.label == label]
+        near = _of(room.space, here, every.ways | room.ways, every.rects | room.rects)
+        found = near.searched({label}, budget)
+        room = room if found is None else replace(near, base=found)
+    return room
+
+
+def _of(space: Space, pieces: Sequence[Piece], ways: Mapping[str, Candidate], rects: Mapping[str, Rect]) -> Neighbourhood:
+    """Returns a room of some pieces in their ways, where they stand."""
+    base = Found(tuple(ways[piece.label] for piece in pieces), tuple(rects[piece.label] for piece in pieces), 0.0)
+    return Neighbourhood(space, tuple(pieces), base)

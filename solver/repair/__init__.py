@@ -6,7 +6,7 @@ may stand (furnish).
 """
 
 from solver.repair.as_sent import as_it_stands, holders, pieces_as_sent
-from solver.repair.bodies import Body, all_bodies, floor_bodies, root_of, seated_along, squared, without
+from solver.repair.bodies import Body, all_bodies, floor_bodies, root_of, seated_along, squared, with_bodies, without
 from solver.repair.changes import Repair, applied, with_walls_told, written_back
 from solver.repair.in_hand import InHand, in_hand
 from solver.repair.moved_people import Crowd, people_out_of_the_way
@@ -17,5 +17,5 @@ from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 __all__ = [
     "Body", "Crowd", "InHand", "LastAnswer", "Repair", "RepairSettings", "RoomProblem", "Walls", "all_bodies", "applied",
     "as_it_stands", "floor_bodies", "holders", "in_hand", "people_out_of_the_way", "pieces_as_sent", "put_to_rest", "root_of",
-    "seated_along", "squared", "with_walls_told", "without", "written_back",
+    "seated_along", "squared", "with_bodies", "with_walls_told", "without", "written_back",
 ]  # fmt: skip

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 
@@ -9,6 +11,7 @@ import pytest
 
 from solver import Scene, fix, validate
 from solver.answers import Fixed
+from solver.pipeline.repair_room import RoomRepair
 from solver.placement import work_of_call
 from solver.scene import Opening
 from solver.streams import Stream
@@ -18,6 +21,8 @@ DOOR = Opening("door", "door", "south", 1.0, 0.9, connects_to="EXTERIOR", main_e
 SEEDS = (1, 2, 3)
 LITTLE = 150_000.0
 """Work that looking for places in a hall does not come to an end with."""
+MOST_TAKEN_OUT = 20
+"""Of 100 pieces."""
 
 
 @cache
@@ -80,3 +85,43 @@ def test_a_limit_that_ends_the_search_in_a_crowd_costs_only_those_their_places_t
     wrong = {label for issue in validate(hall) if issue.severity == "error" for label in issue.ids}
     assert named < wrong
     assert len(wrong) < 100
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_most_of_a_crowd_find_places_beside_the_others_once_the_limit_ended_the_search(seed: int) -> None:
+    """Of 100, 51 to 88 were taken out."""
+    hall = thrown_into_a_hall(100, 17.0, seed)
+    with work_of_call(LITTLE) as call:
+        fixed = fix(hall, on_conflict="remove")
+    assert call.spent
+    assert [issue.message for issue in validate(fixed.scene) if issue.severity == "error"] == []
+    assert len(fixed.removed) <= MOST_TAKEN_OUT
+    assert len({body.id for body in fixed.scene.rooms[0].furniture} | {gone["id"] for gone in fixed.removed}) == 100
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_crowd_whose_search_was_ended_is_repaired_no_worse_again(seed: int) -> None:
+    def left(scene: Scene) -> int:
+        return len({label for issue in validate(scene) if issue.severity == "error" for label in issue.ids})
+
+    hall, broken = thrown_into_a_hall(100, 17.0, seed), []
+    for _ in range(3):
+        broken.append(left(hall))
+        with work_of_call(LITTLE):
+            hall = fix(hall, repairs=False).scene
+    broken.append(left(hall))
+    assert broken[1] < broken[0]
+    assert broken == sorted(broken, reverse=True)
+
+
+@pytest.mark.parametrize("on_conflict", ["report", "remove"])
+def test_places_in_turn_are_taken_only_where_fewer_are_lost(monkeypatch: pytest.MonkeyPatch, on_conflict: str) -> None:
+    """A hall whose pieces all stand lost eight of them where its door was too narrow for anybody."""
+
+    def fixed(joined: Callable[[RoomRepair], RoomRepair]) -> Fixed:
+        monkeypatch.setattr(importlib.import_module("solver.pipeline.fix"), "with_joined", joined)
+        with work_of_call(LITTLE):
+            return fix(thrown_into_a_hall(100, 17.0, 1), on_conflict=on_conflict)
+
+    worse = fixed(lambda repair: replace(repair, room=repair.asked, unplaced=tuple(piece.label for piece in repair.pieces)))
+    assert worse == fixed(lambda repair: repair)
