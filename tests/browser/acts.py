@@ -68,7 +68,7 @@ def left_as_found(way: Way, act: Act) -> None:
 
 def walk_back(way: Way, before: str) -> None:
     """Undoes step after step until the home is as it was before."""
-    undo = way.page.locator("[data-tool=undo]")
+    undo = way.page.locator("#tools [data-tool=undo]")
     for _ in range(MOST_STEPS):
         if way.scene() == before:
             break

@@ -257,7 +257,7 @@ def _locked(way: Way) -> None:
     way.choose(OTHER)
     way.changed(lambda: way.tool("lock"))
     assert piece(way, OTHER)["locked"]
-    expect(way.page.locator("[data-tool=delete]")).to_be_disabled()
+    expect(way.page.locator("#tools [data-tool=delete]")).to_be_disabled()
 
 
 @doing("1 a step is undone, and done again")

@@ -130,7 +130,7 @@ def test_with_a_home(opened: Visit) -> None:
             expect(page.locator("#diagnose_said")).not_to_be_empty()
             states.look("whole report, and what came of copying it", "#report > *")
         page.locator(shut).click()
-    page.locator("[data-tool=menu]").click()
+    page.locator("#tools [data-tool=menu]").click()
     states.look("menu", "#menu")
     page.keyboard.press("Escape")
     page.locator("#tour_again").click()
@@ -168,7 +168,7 @@ def on_a_phone(visit: Visit, states: States) -> None:
     assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
     visit.line_of(visit.state()["bodies"][0]).click()
     states.look("phone, chosen", "#piece")
-    page.locator("[data-tool=add]").click()
+    page.locator("#tools [data-tool=add]").click()
     states.look("phone, palette", "#palette li button")
     page.locator(".palette-head button").click()
     page.locator("#camera_walk").click()

@@ -37,7 +37,7 @@ def _another_home(way: Way) -> None:
     expect(homes).to_have_count(number + 1)
     assert way.changed(lambda: way.press(homes.nth(1))) == before
     assert way.changed(way.page.go_back) == other
-    assert way.changed(lambda: way.press(way.page.locator("[data-tool=undo]"))) == before
+    assert way.changed(lambda: way.press(way.page.locator("#tools [data-tool=undo]"))) == before
     way.press(way.page.locator("#recent_clear"))
     way.press(way.page.locator("#recent_clear"))
     expect(homes).to_have_count(1)

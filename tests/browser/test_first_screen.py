@@ -61,7 +61,7 @@ def toured(page: Page) -> None:
     expect(tour).to_be_hidden()
     assert (at, page.locator("[data-toured]").count()) == (["starts", "views", "tools", "menu"], 0)
     expect(page.locator("#stage")).to_have_attribute("aria-busy", "false")  # with the home comes another state of the tools
-    page.locator("[data-tool=menu]").focus()
+    page.locator("#tools [data-tool=menu]").focus()
     page.keyboard.press("Enter")
     expect(page.locator("#menu")).to_be_visible()
     page.locator("#menu").get_by_role("button", name="Tour").press("Enter")

@@ -24,7 +24,7 @@ def test_the_menu_saves_shares_and_leads_to_what_is_kept(visit: Visit) -> None:
     page = visit.page
     visit.open(SMALL.format(4))
     menu = page.locator("#menu")
-    page.locator("[data-tool=menu]").focus()
+    page.locator("#tools [data-tool=menu]").focus()
     page.keyboard.press("Enter")
     expect(menu).to_be_visible()
     page.wait_for_function(IN_MENU)
@@ -50,7 +50,7 @@ def test_the_menu_saves_shares_and_leads_to_what_is_kept(visit: Visit) -> None:
     visit.settle()
 
     for entry, focused in (("Saved homes", "#saved"), ("Save this home", "#saved_name"), ("For simulators", "#export_format")):
-        page.locator("[data-tool=menu]").click()
+        page.locator("#tools [data-tool=menu]").click()
         menu.get_by_role("button", name=entry).click()
         expect(menu).to_be_hidden()
         assert page.evaluate("id => document.activeElement.closest(id) !== null", focused)

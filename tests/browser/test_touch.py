@@ -84,7 +84,7 @@ def presses_nothing_small(page: Page) -> None:
     assert page.evaluate(PRESSED, SMALLEST) == []
     page.locator("#tour").get_by_role("button", name="Skip").tap()
     expect(page.locator("#tour")).to_be_hidden()
-    page.locator("[data-tool=add]").tap()
+    page.locator("#tools [data-tool=add]").tap()
     expect(page.locator("#palette li button").first).to_be_visible()
     assert page.evaluate(PRESSED, SMALLEST) == []
     assert page.evaluate("document.documentElement.scrollWidth") <= 390

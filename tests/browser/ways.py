@@ -40,7 +40,7 @@ class Way:
 
     def tool(self, name: str) -> None:
         """Use one of the tools over the house."""
-        self.press(self.page.locator(f"[data-tool={name}]"))
+        self.press(self.page.locator(f"#tools [data-tool={name}]"))
 
     def view(self, name: str) -> None:
         """Look at the house in another way: `plan`, `corner`, `top`, `walk`, `split`."""
