@@ -3,9 +3,11 @@
 The extension is that of the pinned version of `osqp`; what its interface does before it calls it is done here.
 """
 
+import signal
 import sys
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from functools import cache, partial
 from importlib.machinery import PathFinder
 from importlib.util import find_spec, module_from_spec
@@ -74,8 +76,25 @@ def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings
     solver = osqp.OSQPSolver(matrices[0], q, matrices[1], np.maximum(low, -most), np.minimum(high, most), *A.shape, chosen)
     if begun_at is not None:
         solver.warm_start(*begun_at)
-    solver.solve()
+    with _interrupts_waiting():
+        solver.solve()
+    if solver.info.status_val == osqp.osqp_status_type.OSQP_SIGINT.value:  # that came by another thread
+        signal.raise_signal(signal.SIGINT)
+        return solve(programme, begun_at, settings)
     return OsqpAnswer(solver.info.status_val == _SOLVED, solver.solution.x, solver.solution.y, solver.info.iter)
+
+
+@contextmanager
+def _interrupts_waiting() -> Iterator[None]:
+    """Has Ctrl-C wait until a block ends: OSQP hears it itself while it solves, and tells nobody."""
+    if not hasattr(signal, "pthread_sigmask"):  # Windows
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @cache

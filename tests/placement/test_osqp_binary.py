@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 
@@ -12,6 +13,7 @@ from scipy import sparse
 
 from solver.placement.osqp_binary import OsqpAnswer, Programme, SparseColumns, solve
 from solver.placement.qp import SETTINGS
+from tests.cli.programs import GUARD_S
 
 THREADS = """
 import sys, threading
@@ -42,6 +44,24 @@ solver = osqp.OSQP(algebra="builtin")
 eye = scipy.sparse.csc_matrix(np.eye(1))
 solver.setup(eye, np.array([-1.0]), eye, np.zeros(1), np.ones(1), verbose=False)
 solver.solve(raise_error=True)
+"""
+
+
+ENDLESS = """
+import signal, sys
+import numpy as np
+from solver.placement.osqp_binary import SparseColumns, Programme, solve
+signal.signal(signal.SIGINT, signal.default_int_handler)
+many = 300
+one = SparseColumns((many, many), np.ones(many), np.arange(many, dtype=np.int32), np.arange(many + 1, dtype=np.int32))
+programme = Programme(one, np.linspace(-1, 1, many), one, np.full(many, 0.5), np.full(many, 2.0))
+exact = {"verbose": False, "max_iter": 20000, "eps_abs": 1e-30, "eps_rel": 1e-30}
+print("solving", flush=True)
+try:
+    while True:
+        solve(programme, None, exact)
+except KeyboardInterrupt:
+    print("ended")
 """
 
 
@@ -100,3 +120,15 @@ def test_wrong_settings_and_programmes_are_refused() -> None:
 def test_no_other_thread_sees_what_stands_in_for_scipy() -> None:
     run = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
+
+
+def test_ctrl_c_while_it_solves_is_heard() -> None:
+    """OSQP, which hears it while it solves, kept it from everybody."""
+    with subprocess.Popen([sys.executable, "-c", ENDLESS], stdout=subprocess.PIPE, text=True) as run:
+        try:
+            assert run.stdout is not None
+            assert run.stdout.readline() == "solving\n"
+            run.send_signal(signal.SIGINT)
+            assert run.communicate(timeout=GUARD_S)[0].endswith("ended\n")  # OSQP may tell it, too
+        finally:
+            run.kill()
