@@ -18,6 +18,7 @@ from threading import Thread, current_thread, main_thread
 from typing import Any, ClassVar, Final, TypeVar
 
 from solver.errors import FieldError
+from solver.interrupts import interrupts_waiting
 
 Asked = TypeVar("Asked")
 Made = TypeVar("Made")
@@ -94,7 +95,7 @@ def _close(pool: ProcessPoolExecutor, noted: Sequence[int]) -> None:
 def _fill(pool: ProcessPoolExecutor, pending: deque[Pending], batches: Iterator[Sequence[Any]], most: int) -> Future[list[Any]] | None:
     """Hands over batches until so many are under way, those that were lost first; returns the first one's outcome to be."""
     pending.extend((part, None) for part in islice(batches, most - len(pending)))
-    with _interrupts_waiting():  # a process that starts inherits it
+    with interrupts_waiting():  # a process that starts inherits it
         for at, (part, future) in enumerate(pending):
             if future is None:
                 pending[at] = (part, pool.submit(_each, part))
@@ -145,19 +146,6 @@ def _ending_as_interrupted() -> Iterator[None]:
     finally:
         if is_unheard:
             signal.signal(signal.SIGTERM, signal.SIG_DFL)
-
-
-@contextmanager
-def _interrupts_waiting() -> Iterator[None]:
-    """Has Ctrl-C wait until a block ends, here and in processes that start within it."""
-    if sys.platform == "win32":
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class _Work:

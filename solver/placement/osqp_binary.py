@@ -6,8 +6,7 @@ The extension is that of the pinned version of `osqp`; what its interface does b
 import signal
 import sys
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from importlib.machinery import PathFinder
 from importlib.util import find_spec, module_from_spec
@@ -18,6 +17,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.interrupts import interrupts_waiting
 from solver.placement.layout import Floats
 
 Indices = NDArray[np.int32]
@@ -76,25 +76,12 @@ def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings
     solver = osqp.OSQPSolver(matrices[0], q, matrices[1], np.maximum(low, -most), np.minimum(high, most), *A.shape, chosen)
     if begun_at is not None:
         solver.warm_start(*begun_at)
-    with _interrupts_waiting():
+    with interrupts_waiting():  # OSQP hears Ctrl-C itself while it solves, and tells nobody
         solver.solve()
     if solver.info.status_val == osqp.osqp_status_type.OSQP_SIGINT.value:  # that came by another thread
         signal.raise_signal(signal.SIGINT)
         return solve(programme, begun_at, settings)
     return OsqpAnswer(solver.info.status_val == _SOLVED, solver.solution.x, solver.solution.y, solver.info.iter)
-
-
-@contextmanager
-def _interrupts_waiting() -> Iterator[None]:
-    """Has Ctrl-C wait until a block ends: OSQP hears it itself while it solves, and tells nobody."""
-    if not hasattr(signal, "pthread_sigmask"):  # Windows
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @cache

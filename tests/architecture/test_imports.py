@@ -36,6 +36,7 @@ GROUND_FLOOR = {
     "geometry",
     "streams",
     "errors",
+    "interrupts",
     "pieces",
     "free_places",
     "free_floor",

@@ -56,8 +56,8 @@ many = 300
 one = SparseColumns((many, many), np.ones(many), np.arange(many, dtype=np.int32), np.arange(many + 1, dtype=np.int32))
 programme = Programme(one, np.linspace(-1, 1, many), one, np.full(many, 0.5), np.full(many, 2.0))
 exact = {"verbose": False, "max_iter": 20000, "eps_abs": 1e-30, "eps_rel": 1e-30}
-print("solving", flush=True)
 try:
+    print("solving", flush=True)
     while True:
         solve(programme, None, exact)
 except KeyboardInterrupt:
