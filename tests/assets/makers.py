@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import atexit
 import json
 import struct
 import zlib
 from collections.abc import Callable, Mapping
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory, mkdtemp
 from typing import Any
 
 import numpy as np
@@ -141,6 +143,19 @@ def dense(content: bytes, side: int) -> bytes:
     document["meshes"][0]["primitives"].append({"attributes": numbers, "indices": indices, "material": 0})
     document["buffers"] = [{"byteLength": len(binary)}]
     return joined(document, binary)
+
+
+@cache
+def _kept() -> Path:
+    """Where folders stand until this process ends."""
+    made = TemporaryDirectory(prefix="assets-")
+    atexit.register(made.cleanup)
+    return Path(made.name)
+
+
+def kept_folder(files: Mapping[str, bytes], entries: Mapping[str, Mapping[str, object]]) -> Path:
+    """A folder that several tests share: an asset's file is read again where it is exported."""
+    return folder(Path(mkdtemp(dir=_kept())), files, entries)
 
 
 def folder(at: Path, files: Mapping[str, bytes], entries: Mapping[str, Mapping[str, object]] | None = None) -> Path:

@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from math import log
-from pathlib import Path
-from tempfile import mkdtemp
 
 import pytest
 
@@ -17,7 +15,7 @@ from compose_homes import Decoration, Furniture, Request, Room, Scene, dump, fix
 from solver.errors import FieldError
 from solver.exchange import dump_text, load_text, read_scene, write_scene
 from solver.named_assets import distortion, with_assets
-from tests.assets.makers import folder, shape
+from tests.assets.makers import kept_folder, shape
 
 SIDE = 1.15
 
@@ -28,7 +26,7 @@ def catalogs(**entries: Mapping[str, object]) -> Catalogs:
     said = {
         name: {"file": f"{name}.glb", "license": "CC0-1.0", "kinds": [entry["shape"]]} | _said(entry) for name, entry in entries.items()
     }
-    return add_assets(load_catalogs(), folder(Path(mkdtemp()), files, said))
+    return add_assets(load_catalogs(), kept_folder(files, said))
 
 
 def _said(entry: Mapping[str, object]) -> dict[str, object]:

@@ -9,7 +9,6 @@ import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from tempfile import mkdtemp
 from typing import Any
 from xml.etree import ElementTree
 
@@ -22,7 +21,7 @@ from catalogs import Catalogs, add_assets, load_catalogs
 from compose_homes import Decoration, Flooring, Furniture, RequestError, Room, Scene, export
 from solver.export_formats import EXPORTERS
 from tests.architecture.tree import ROOT
-from tests.assets.makers import folder, shape, textured, under
+from tests.assets.makers import folder, kept_folder, shape, textured, under
 from tests.exports.readers.glb import document, scene_of
 from tests.exports.readers.mujoco_bodies import seen
 from tests.exports.readers.usd import findings
@@ -52,7 +51,7 @@ def house() -> tuple[Scene, Catalogs]:
     }
     files["vase.glb"] = shape("vase")
     entries["vase"] = {"file": "vase.glb", "kinds": ["vase"], "license": "CC0-1.0", "mass": 3.0}
-    known = add_assets(load_catalogs(), folder(Path(mkdtemp()), files, entries))
+    known = add_assets(load_catalogs(), kept_folder(files, entries))
     width, depth, height = SIZE
     sofas = tuple(
         Furniture(
