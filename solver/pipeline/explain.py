@@ -157,46 +157,61 @@ def _holds(again: AsFurnished, body: ProblemBox) -> Iterable[Hold]:
                 continue  # of others, or between the body and its own use side
             towards = TOWARDS[axis][0 if row.j in mine else 1]
             variable = row.j if row.j in mine else row.i
-            yield _hold(again, force, towards, [box for box in boxes if box.var[axis] == variable])
+            yield _hold(again, body, force, towards, [box for box in boxes if box.var[axis] == variable])
 
 
-def _hold(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> Hold:
-    holder = _holder(again, force, towards, held)
-    return Hold(holder.by, holder.what, towards, force.per_m, f"kept from going further {towards} by {holder.words}")
+def _hold(again: AsFurnished, body: ProblemBox, force: Force, towards: str, held: list[ProblemBox]) -> Hold:
+    holder, mine = _holder(again, force, towards, held)
+    owner, reason = (body.label, "") if mine is None else _felt_at(again, mine)
+    along = f" with {again.ids[owner]}" if owner != body.label and owner in again.ids else ""
+    message = f"kept{along} from going further {towards} by {holder.words}{reason}"
+    return Hold(holder.by, holder.what, towards, force.per_m, message)
 
 
-def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> _Holder:
+def _felt_at(again: AsFurnished, mine: tuple[str, bool]) -> tuple[str, str]:
+    """Returns the label of the piece that a force is felt at; and why, where it is felt at floor beside that piece."""
+    label, stand = mine
+    floor = next((piece for piece in again.wanted if piece.label == label and piece.is_floor), None)
+    if floor is not None and floor.candidates[0].attach is not None:
+        owner = floor.candidates[0].attach.parent
+        return owner, f", as floor at {again.ids[owner]} is better kept free"
+    return label, f", as a person needs floor at {again.ids[label]}" if stand else ""
+
+
+def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> tuple[_Holder, tuple[str, bool] | None]:
+    """Returns what a force comes from, and the box, of a piece and its floor, that it is felt at, where that is known."""
     problem, space = again.solved.problem, again.solved.space
     if force.choice is not None and force.choice < len(problem.choices):
         return _chosen_holder(again, problem.choices[force.choice], {(box.label, box.stand) for box in held})
     if force.choice is not None:
-        return _A_WAY
+        return _A_WAY, None
     if not force.bound:
         variables = {force.row.i, force.row.j}
         other = next((box.label for box in problem.boxes if box.var[force.row.axis] in variables and box not in held), None)
         name = None if other is None or ORIGIN in variables else again.ids.get(other)
-        return _Holder("relation", name, f"its relation to {name}") if name else _A_WAY
-    if any(_meets(box, force, towards, space.clear, space.gap_mm) for box in held):
-        return _Holder("wall", None, f"the {towards} wall")
-    return _Holder("relation", None, "what its relations ask for")
+        return (_Holder("relation", name, f"its relation to {name}") if name else _A_WAY), None
+    meeting = next((box for box in held if _meets(box, force, towards, space.clear, space.gap_mm)), None)
+    if meeting is not None:
+        return _Holder("wall", None, f"the {towards} wall"), (meeting.label, meeting.stand)
+    return _Holder("relation", None, "what its relations ask for"), None
 
 
-def _chosen_holder(again: AsFurnished, choice: Choice, mine: Collection[tuple[str, bool]]) -> _Holder:
-    """Returns the other side of a choice: a piece, the floor to use one, or what a room keeps free."""
-    space, one = again.solved.space, (choice.first, choice.stands[0])
-    other, stand = (choice.second, choice.stands[1]) if one in mine else one
+def _chosen_holder(again: AsFurnished, choice: Choice, mine: Collection[tuple[str, bool]]) -> tuple[_Holder, tuple[str, bool]]:
+    """Returns the other side of a choice: a piece, the floor to use one, or what a room keeps free; and which box of ours it is felt at."""
+    space, one, two = again.solved.space, (choice.first, choice.stands[0]), (choice.second, choice.stands[1])
+    own, (other, stand) = (one, two) if one in mine else (two, one)
     if other in again.ids:
         name = again.ids[other]
-        return _Holder("use_side", name, f"the floor that a person needs to use {name}") if stand else _Holder("piece", name, name)
+        return (_Holder("use_side", name, f"the floor that a person needs to use {name}") if stand else _Holder("piece", name, name)), own
     if other == "outline":
-        return _Holder("outline", None, "a part of the wall that stands out")
+        return _Holder("outline", None, "a part of the wall that stands out"), own
     floor = next((piece for piece in again.wanted if piece.label == other), None)
     if floor is not None:
-        return _floor_holder(floor, again.ids)
+        return _floor_holder(floor, again.ids), own
     if other == FLOOR:
-        return _A_WAY
+        return _A_WAY, own
     what = "door" if any(doorway.id == other for doorway in space.doorways) else "window"
-    return _Holder(what, other, f"the floor before {other}")
+    return _Holder(what, other, f"the floor before {other}"), own
 
 
 def _floor_holder(floor: Piece, ids: Mapping[str, str]) -> _Holder:
@@ -305,7 +320,7 @@ def _several(names: Sequence[str]) -> str:
 def _moved(ids: Mapping[str, str], placed: Placed) -> MovedPiece:
     rect, way = placed.footprint, placed.chosen
     x, z = round(to_m(rect.x0 + rect.x1) / 2, 4), round(to_m(rect.z0 + rect.z1) / 2, 4)
-    on = None if way.on is None else ids[way.on]
+    on = None if way.on is None else ids.get(way.on)
     width, depth, height = map(to_m, way.size_mm)
     return MovedPiece(ids[placed.label], way.kind, x, to_m(way.bottom_mm), z, placed.rotation, width, depth, height, on)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +21,10 @@ from tests.told_forms import has_form
 
 POSE = ("kind", "x", "y", "z", "rotation", "width", "depth", "height", "on")
 EXAMPLE = Path(__file__).parents[2] / "catalogs" / "example"
+GAP = 0.045
+"""Pieces that touch are at most this far apart, m: 3 cm are kept at walls."""
+WALKED = 1.2
+"""Floor that a person needs, or that is better kept free, is at most this deep, m."""
 TOUCHING = 0.015
 """A piece at its wish is this close to it, m: the solve is rounded to millimetres, and slivers are tidied away since."""
 
@@ -31,7 +36,7 @@ def home() -> Scene:
 
 @pytest.fixture(scope="module")
 def answers(home: Scene) -> list[tuple[Room, Furniture, Explained]]:
-    return [(room, piece, explain(home, piece.id)) for room in home.rooms[:7] for piece in room.furniture]
+    return [(room, piece, explain(home, piece.id)) for room in home.rooms[:9] for piece in room.furniture]
 
 
 def test_every_piece_of_a_fresh_home_is_explained(home: Scene, answers: list[tuple[Room, Furniture, Explained]]) -> None:
@@ -83,6 +88,44 @@ def test_what_holds_a_piece_is_of_its_kind_and_lies_on_the_side_that_is_said(ans
             elif hold.what in ("door", "window"):
                 assert openings[str(hold.by)] in (("window",) if hold.what == "window" else ("door", "passage", "garage_door"))
     assert {"piece", "use_side", "door", "floor"} <= seen.keys()
+
+
+HELD = re.compile(
+    r"kept(?: with (\S+))? from going further \w+ by .*?"
+    r"(?:, as (?:a person needs )?floor at (\S+?)( is better kept free)?)?: [\d.]+ a metre"
+)
+
+
+def test_what_holds_a_piece_touches_the_one_that_is_named_or_floor_at_it(answers: list[tuple[Room, Furniture, Explained]]) -> None:
+    seen = Counter[tuple[bool, bool]]()
+    for room, piece, answer in answers:
+        there = {one.id: _box(one) for one in room.furniture}
+        for hold in (hold for hold in answer.holds if hold.what in ("piece", "wall")):
+            told = HELD.fullmatch(hold.message)
+            assert told
+            along, floor_at = told[1], told[2]
+            assert floor_at in (None, along or piece.id) and along != piece.id
+            seen[along is not None, floor_at is not None] += 1
+            inner = room.width - 0.05, room.depth - 0.05
+            walls = {
+                "west": (-1, 0, 0.05, inner[1]),
+                "north": (0, -1, inner[0], 0.05),
+                "east": (inner[0], 0, 99, 99),
+                "south": (0, inner[1], 99, 99),
+            }
+            mine, other = there[along or piece.id], there[hold.by] if hold.by else walls[hold.towards]
+            axis, sign = int(hold.towards in ("north", "south")), 1 if hold.towards in ("east", "south") else -1
+            between = other[axis] - mine[axis + 2] if sign > 0 else mine[axis] - other[axis + 2]
+            aside = max(other[1 - axis] - mine[3 - axis], mine[1 - axis] - other[3 - axis])
+            assert aside <= (WALKED if floor_at else GAP)
+            assert between <= (WALKED if floor_at else GAP)
+            assert floor_at or between >= -TOUCHING
+    assert set(seen) == {(along, floor) for along in (False, True) for floor in (False, True)}
+
+
+def _box(piece: Furniture) -> tuple[float, float, float, float]:
+    wide, deep = (piece.width, piece.depth) if piece.rotation % 180 == 0 else (piece.depth, piece.width)
+    return piece.x - wide / 2, piece.z - deep / 2, piece.x + wide / 2, piece.z + deep / 2
 
 
 def test_of_a_changed_room_nothing_is_claimed(home: Scene) -> None:
@@ -230,6 +273,9 @@ def test_a_way_says_what_all_would_stand_on() -> None:
     assert west.left_out == ("den/low",)
     assert [(move.on, move.y) for move in west.moves if move.id == "den/set"] == [("den/high", 1.2)]
     assert [(move.on, move.y) for move in west.moves if move.id == "den/desk"] == [(None, 0.0)]
+    before = {label: id for label, id in ids.items() if label != "high"}  # as of a room in which that one has no place
+    west = next(way for way in other_ways(AsFurnished(space, pieces, arrange(space, pieces[1:]), before), "desk") if way.wall == "west")
+    assert [(move.on, move.y) for move in west.moves if move.id == "den/set"] == [(None, 1.2)]
 
 
 def test_a_way_for_which_there_is_no_room_has_no_cost() -> None:
