@@ -8,6 +8,8 @@ from typing import Final, Literal, NamedTuple, get_args
 Freedom = Literal["none", "light", "standing"]
 """What is free to move in a simulator: nothing, light things that stand, or all that stands."""
 FREEDOMS: Final = get_args(Freedom)
+SCENE_FILE: Final = "compose_scene.json"
+"""The scene beside an export of several files, by which it reads back. (ATISS splits names of its folder at their underscore.)"""
 
 
 class Exporter(NamedTuple):

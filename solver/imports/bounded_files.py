@@ -17,6 +17,7 @@ from defusedxml.common import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
 from solver.errors import SyntaxFault
+from solver.export_formats import SCENE_FILE
 
 MOST_BYTES: Final = 32 << 20
 """A file, or a member of an archive, is not larger, bytes."""
@@ -34,9 +35,10 @@ NOT_READ: Final = {
 }  # fmt: skip
 """How files begin that people have plans in and that are not read, and what helps."""
 PACKED: Final = tuple(
-    re.compile(name, re.IGNORECASE | re.DOTALL) for name in (r"Home\.xml", r"(?!__MACOSX/).*\.(?:ifc|ifcxml|dxf|svg|geojson|json)")
+    re.compile(name, re.IGNORECASE | re.DOTALL)
+    for name in (r"Home\.xml", rf"(?!__MACOSX/)(?:.*/)?{re.escape(SCENE_FILE)}", r"(?!__MACOSX/).*\.(?:ifc|ifcxml|dxf|svg|geojson|json)")
 )
-"""The file of a zip archive that is read: of a home of Sweet Home 3D, else the only plan in it, as in an .ifczip."""
+"""The file of a zip archive that is read: of a home of Sweet Home 3D or an export of ours, else the only plan in it, as in an .ifczip."""
 OLD_HOME: Final = "Home"
 """What homes of Sweet Home 3D before version 5.3 hold instead."""
 IFC_XML: Final = re.compile(rb"<(?:\w+:)?(?:iso_10303_28|ifcXML)[\s>]")

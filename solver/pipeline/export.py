@@ -8,7 +8,7 @@ from solver.answers import Issue
 from solver.demanded import demand
 from solver.errors import SceneError
 from solver.exchange import dump_scene
-from solver.export_formats import EXPORTERS, Freedom
+from solver.export_formats import EXPORTERS, SCENE_FILE, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets
 from solver.named_kinds import with_kinds
@@ -44,7 +44,7 @@ def export(  # noqa: PLR0913 - keyword-only options of a public function
         catalogs: what kinds of bodies look like and weigh; ours by default.
 
     Returns:
-        Contents by file name; folders with slashes.
+        Contents by file name; folders with slashes. Beside several files is the scene, `compose_scene.json`.
 
     Raises:
         RequestError: there is no such format, or what it needs is not installed.
@@ -98,7 +98,8 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
     def text() -> str:
         return dump_scene(kept, "json").decode().rstrip()
 
-    return {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale, called)) for name in formats}
+    written = {name: written_as(model, ExportSettings(name, text, lambda: floors(scene), scale, called)) for name in formats}
+    return {name: files if len(files) == 1 else {**files, SCENE_FILE: f"{text()}\n".encode()} for name, files in written.items()}
 
 
 def _check_sides(scene: Scene) -> None:

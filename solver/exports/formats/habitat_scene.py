@@ -26,10 +26,10 @@ _UPRIGHT: Final = {"up": [0, 1, 0], "front": [0, 0, -1]}
 HabitatJson = dict[str, Any]
 
 
-def write(model: HouseModel, settings: ExportSettings) -> Files:
+def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.scene_dataset_config.json` and the folders it names: `stages`, `objects`, `scenes`."""
     shell = replace(model, bodies=(), leaves=())
-    (stage,) = glb.write(shell, settings).values()
+    (stage,) = glb.write(shell, ExportSettings("glb")).values()
     objects = _Objects()
     instances = [objects.placed(body) for body in model.bodies] + [objects.hung(leaf) for leaf in model.leaves]
     name = model.name

@@ -1,0 +1,62 @@
+"""An export of several files, packed as the service packs it or as people do, comes back as the home that it was."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from io import BytesIO
+from zipfile import ZipFile
+
+import pytest
+
+from solver import Request, export, generate
+from solver.errors import FieldError
+from solver.exchange import dump_scene
+from solver.export_formats import EXPORTERS
+from solver.scene import Level, Room, Scene
+from tests.imports.plans import read
+
+HOME = generate(Request(seed=41, program="one_bed", decorate=True)).scene
+UPPER = Room("loft", type="office", level=1, width=3.0, depth=3.0)
+TWO_STOREYS = replace(HOME, levels=(Level(), Level(1, 2.9, 2.5)), rooms=(*HOME.rooms, UPPER), certificate=None)
+SEVERAL = tuple(name for name in EXPORTERS if len(export(TWO_STOREYS, name)) > 1)
+
+
+def archive(files: dict[str, bytes], folder: str = "") -> bytes:
+    made = BytesIO()
+    with ZipFile(made, "w") as opened:
+        for name, content in files.items():
+            opened.writestr(folder + name, content)
+    return made.getvalue()
+
+
+def test_formats_of_several_files_are_those_that_are_known() -> None:
+    assert set(SEVERAL) == {"nav2", "png", "boxes", "habitat", "svg", "arena", "urdf", "sdf", "dxf"}
+
+
+@pytest.mark.parametrize("format", SEVERAL)
+@pytest.mark.parametrize("folder", ["", "my home/"])
+def test_an_archive_comes_back_as_the_home_that_it_was(format: str, folder: str) -> None:
+    for scene in (HOME, TWO_STOREYS):
+        files = export(scene, format)
+        if len(files) > 1:
+            answer = read(archive(files, folder), f"{format}.zip")
+            assert (answer.format, answer.changes, answer.guesses, answer.unread) == ("scene", (), (), ())
+            assert json.loads(dump_scene(answer.scene, "json")) == json.loads(dump_scene(scene, "json"))
+
+
+def test_two_homes_in_an_archive_are_refused() -> None:
+    files = {f"{number}/{name}": content for number in (1, 2) for name, content in export(HOME, "nav2").items()}
+    with pytest.raises(FieldError, match="an archive of 2 plans"):
+        read(archive(files), "homes.zip")
+
+
+def test_what_is_one_file_is_alone() -> None:
+    assert list(export(Scene(rooms=(UPPER,)), "csv")) == ["house.csv"]
+
+
+def test_atiss_loader_splits_the_name_of_all_in_a_folder() -> None:
+    """It takes what follows the first underscore of each, and fails where there is none."""
+    known = {line.split(b",")[0].decode() for line in export(HOME, "boxes")["house_splits.csv"].splitlines()}
+    tops = {name.split("/")[0] for name in export(HOME, "boxes")}
+    assert {top.split("_")[1] for top in tops} & known == known
