@@ -166,10 +166,6 @@ class Rect(NamedTuple):
         """Shifts the rectangle."""
         return Rect(self.x0 + dx, self.z0 + dz, self.x1 + dx, self.z1 + dz)
 
-    def swept(self, dx: int, dz: int) -> Rect:
-        """Returns the bounds of all that the rectangle covers while it is shifted so far."""
-        return Rect(self.x0 + min(0, dx), self.z0 + min(0, dz), self.x1 + max(0, dx), self.z1 + max(0, dz))
-
     def common(self, other: Rect) -> Rect:
         """Returns what both cover; its extents are negative where they lie apart."""
         return Rect(max(self.x0, other.x0), max(self.z0, other.z0), min(self.x1, other.x1), min(self.z1, other.z1))

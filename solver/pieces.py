@@ -191,11 +191,6 @@ class Candidate:
         return turned(self.size_mm[0], self.size_mm[1], self.rotation)
 
     @property
-    def footprint(self) -> Rect:
-        """Its footprint where it is wished; with `attach` it means nothing."""
-        return Rect.around(self.anchor_mm, self.extent)
-
-    @property
     def stays(self) -> bool:
         """Whether it leaves a piece one place only: all of where the footprint must stay."""
         return self.within is not None and (self.within.width, self.within.depth) == self.extent

@@ -49,9 +49,8 @@ def test_distances_of_points_and_rectangles() -> None:
     assert BODY.distance_to(Rect(2000, 500, 2100, 1000)) == 0, "touching"
 
 
-def test_rectangles_shifted_swept_and_shared() -> None:
+def test_rectangles_shifted_and_shared() -> None:
     assert BODY.moved(10, -20) == Rect(1010, 480, 2010, 880)
-    assert BODY.swept(0, -300) == Rect(1000, 200, 2000, 900)
     assert BODY.common(ROOM) == BODY
     assert BODY.common(Rect(3000, 0, 3100, 100)).width < 0
     assert BODY.centre == (1500, 700)

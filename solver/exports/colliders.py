@@ -52,9 +52,8 @@ class Collider(NamedTuple):
 
 
 class Inertia(NamedTuple):
-    """A body's mass, kg, its centre, m, and its moments about that, kg m2: xx, yy, zz and the products xy, xz, yz; z up."""
+    """A body's centre, m, and its moments about that, kg m2: xx, yy, zz and the products xy, xz, yz; z up."""
 
-    mass: float
     middle: Triple
     moments: Triple
     products: Triple
@@ -186,7 +185,7 @@ def inertia_of(colliders: Sequence[Collider], mass: float) -> Inertia:
             moments[i] += share * (own[i] + off[j] ** 2 + off[k] ** 2)
         for i, (j, k) in enumerate(((0, 1), (0, 2), (1, 2))):
             products[i] -= share * off[j] * off[k]
-    return Inertia(mass, middle, (moments[0], moments[1], moments[2]), (products[0], products[1], products[2]))
+    return Inertia(middle, (moments[0], moments[1], moments[2]), (products[0], products[1], products[2]))
 
 
 def _weighted(colliders: Sequence[Collider], shares: Sequence[float], mass: float) -> Triple:

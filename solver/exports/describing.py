@@ -21,7 +21,6 @@ from solver.exports.kind_facts import (
     living_facts,
     paints_of_shape,
     parts_of_shape,
-    unit_shape,
 )
 from solver.exports.model import FloorPlate, HouseModel, ModelBody, Paint, Sort
 from solver.exports.paints import PLAIN_FLOOR, Paints, paints_of
@@ -61,7 +60,6 @@ def describe(scene: Scene, catalogs: Catalogs, free: Freedom = "light", warnings
         leaves=tuple(leaves_of(plan, paints)),
         rooms=tuple(_floor(room, plan, bands.own(room), _flooring(room, catalogs)) for room in rooms),
         thickness=thick(scene.wall_thickness),
-        shapes=maker.unit_shapes,
         warnings=tuple(warnings),
         kinds=kinds,
         categories=categories,
@@ -127,8 +125,6 @@ class BodyMaker:
         self._known_assets = catalogs.assets
         self.assets: dict[str, Asset] = {}
         """The own assets that were met."""
-        self.unit_shapes: dict[str, tuple[BodyPart, ...]] = {}
-        """The parts of each shape that was met, as shares of a body's box."""
 
     def bodies(self, scene: Scene) -> Iterator[ModelBody]:
         """Yields furniture and decorations room by room, then the people and pets that are in a room."""
@@ -199,8 +195,6 @@ class BodyMaker:
     def _parts_of(self, shape: str, size: tuple[float, float, float]) -> tuple[BodyPart, ...]:
         made = self._parts.get((shape, size))
         if made is None:
-            if shape not in self.unit_shapes:
-                self.unit_shapes[shape] = unit_shape(self._book, shape)
             made = self._parts[shape, size] = parts_of_shape(self._book, shape, size)
         return made
 

@@ -56,11 +56,10 @@ class ModelBody(NamedTuple):
     """A piece of furniture, a decoration, a person or a pet.
 
     `x` and `z` are the middle of its footprint and `y` its underside in the house, m; `turn` in degrees; `mass` in kg; `friction` is a
-    coefficient. `kind` is the catalogs' key (None: they do not know it), `shape` the key under which bodies of one look share their
-    parts in `HouseModel.shapes`. `parent` is the id of what carries it. `hung`: it hangs on a wall; `fixed`: it never moves in a
-    simulator; `flat`: a rug or mat, which others stand through. `parts` and `paints` go together. `uses` are the points on the
-    floor (x, z, turn) from which it is used, facing it. `fronts` is what opens, in m. `asset` is the name, in `HouseModel.assets`, of
-    what it is shown as; it collides as its parts all the same.
+    coefficient. `kind` is the catalogs' key (None: they do not know it), `shape` that of its shape. `parent` is the id of what carries it.
+    `hung`: it hangs on a wall; `fixed`: it never moves in a simulator; `flat`: a rug or mat, which others stand through. `parts` and
+    `paints` go together. `uses` are the points on the floor (x, z, turn) from which it is used, facing it. `fronts` is what opens, in m.
+    `asset` is the name, in `HouseModel.assets`, of what it is shown as; it collides as its parts all the same.
     """
 
     id: str
@@ -261,8 +260,6 @@ class HouseModel:
     leaves: tuple[DoorLeaf, ...]
     rooms: tuple[FloorPlate, ...]
     thickness: float
-    shapes: Mapping[str, tuple[BodyPart, ...]] = field(default_factory=dict)
-    """The parts of each shape as shares of a body's box: width, height and depth 1, underside at 0."""
     warnings: tuple[str, ...] = ()
     kinds: tuple[str, ...] = ()
     """Every kind of furniture that the catalogs know, in order: what training counts as classes, the same for all houses."""

@@ -53,9 +53,8 @@ class PlanFile:
 
 
 class PlanReader(NamedTuple):
-    """A format: what it is, how a file of it is known, how it is read."""
+    """A format: how a file of it is known, how it is read."""
 
-    words: str
     is_it: Callable[[PlanFile], bool]
     read: Callable[[PlanFile], DrawnPlan]
 
@@ -76,13 +75,13 @@ def _drawing(read: Callable[[bytes, float | None, Catalogs | None], DrawnPlan]) 
 
 
 READERS: Final[Mapping[str, PlanReader]] = {
-    "geojson": PlanReader("GeoJSON of rooms, for plans of your own", lambda file: is_features(file.document), _document(read_features)),
-    "procthor": PlanReader("house JSON of ProcTHOR and AI2-THOR", lambda file: is_procthor(file.document), _document(read_procthor)),
-    "rplan": PlanReader("apartments of RPLAN as HouseGAN++ keeps them", lambda file: is_rplan(file.document), _document(read_rplan)),
-    "sh3d": PlanReader("Sweet Home 3D: .sh3d, or its Home.xml", lambda file: is_sweet_home(file.content), _drawing(read_sweet_home)),
-    "dxf": PlanReader("DXF: layers of rooms, walls, doors, windows", lambda file: is_dxf(file.content), _drawing(read_dxf)),
-    "svg": PlanReader("SVG: shapes called rooms, walls, doors, windows", lambda file: is_svg(file.content), _drawing(read_svg)),
-    "ifc": PlanReader("IFC 2x3 and 4", lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
+    "geojson": PlanReader(lambda file: is_features(file.document), _document(read_features)),
+    "procthor": PlanReader(lambda file: is_procthor(file.document), _document(read_procthor)),
+    "rplan": PlanReader(lambda file: is_rplan(file.document), _document(read_rplan)),
+    "sh3d": PlanReader(lambda file: is_sweet_home(file.content), _drawing(read_sweet_home)),
+    "dxf": PlanReader(lambda file: is_dxf(file.content), _drawing(read_dxf)),
+    "svg": PlanReader(lambda file: is_svg(file.content), _drawing(read_svg)),
+    "ifc": PlanReader(lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
 }
 """The formats by name."""
 

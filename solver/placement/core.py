@@ -191,8 +191,8 @@ class Core:
         """
         settled, added = kernel.settle(self.engine, positions, solution, walk, tidy)
         if settled in (layout.NO_WHOLE_PLACE, layout.NOT_VALID):
-            broken = self.problem().violations(self.engine.grid.positions.tolist()) if settled == layout.NOT_VALID else ()
-            raise AssertionError(f"{self.encoded.space.room}: {(*broken, 'the rows leave no whole position')[0]}")
+            problem = "the rows leave no whole position" if settled == layout.NO_WHOLE_PLACE else "the positions break a rule"
+            raise AssertionError(f"{self.encoded.space.room}: {problem}")
         return settled == layout.WALKABLE, added
 
     def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:

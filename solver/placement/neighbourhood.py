@@ -29,11 +29,10 @@ MOST_FREED = 12
 
 @dataclass(frozen=True)
 class Found:
-    """Where all pieces may stand: of each its candidate and footprint, in the pieces' order, and what the search says it costs."""
+    """Where all pieces may stand: of each its candidate and footprint, in the pieces' order."""
 
     ways: tuple[Candidate, ...]
     places: tuple[Rect, ...]
-    cost: float
 
 
 def as_wished(space: Space, pieces: Sequence[Piece]) -> Found | None:
@@ -59,7 +58,7 @@ def as_wished(space: Space, pieces: Sequence[Piece]) -> Found | None:
             dx, dz = rotate(sum(attach.across_mm) // 2, sum(attach.along_mm) // 2, turns[attach.parent])
             x, z = parent.x0 + (parent.width - extent[0]) // 2 + dx, parent.z0 + (parent.depth - extent[1]) // 2 + dz
             found[piece.label] = Rect(x, z, x + extent[0], z + extent[1])
-    return Found(tuple(ways), tuple(found.values()), 0.0)
+    return Found(tuple(ways), tuple(found.values()))
 
 
 @dataclass(frozen=True)
@@ -171,10 +170,9 @@ class Neighbourhood:
         if decisions is None or not core.evaluate(decisions, SEARCH.required_qps, budget, True):
             return None
         rects, own = core.bodies(), {piece.label: k for k, piece in enumerate(core.encoded.pieces)}
-        cost = core.preference(decisions) + float(core.engine.nodes.best_cost[0])
         taken = {label: core.decided(int(decisions[own[label]])) for label in moving}
         ways = tuple(taken.get(p.label, self.ways[p.label]) for p in self.pieces)
-        return Found(ways, tuple(rects[own[p.label]] for p in self.pieces), cost)
+        return Found(ways, tuple(rects[own[p.label]] for p in self.pieces))
 
     def _still(self, piece: Piece) -> Candidate:
         way = self.ways[piece.label]
@@ -211,7 +209,7 @@ def standing(space: Space, pieces: Sequence[Piece], budget: Budget) -> Neighbour
     """Returns a room of those pieces that can be used together where they are wished; of none where one is wished nowhere."""
     wished = as_wished(space, pieces)
     if wished is None:
-        return Neighbourhood(space, (), Found((), (), 0.0))
+        return Neighbourhood(space, (), Found((), ()))
     room = Neighbourhood(space, tuple(pieces), wished)
     return _of(space, [pieces[k] for k in sorted(room.standing(budget))], room.ways, room.rects)
 
@@ -234,5 +232,5 @@ def joined_in_turn(room: Neighbourhood, pieces: Sequence[Piece], budget: Budget)
 
 def _of(space: Space, pieces: Sequence[Piece], ways: Mapping[str, Candidate], rects: Mapping[str, Rect]) -> Neighbourhood:
     """Returns a room of some pieces in their ways, where they stand."""
-    base = Found(tuple(ways[piece.label] for piece in pieces), tuple(rects[piece.label] for piece in pieces), 0.0)
+    base = Found(tuple(ways[piece.label] for piece in pieces), tuple(rects[piece.label] for piece in pieces))
     return Neighbourhood(space, tuple(pieces), base)

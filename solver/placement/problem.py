@@ -4,13 +4,11 @@ Along each axis apart: minimise the sum of the terms, subject to low <= p <= hig
 hold. Variables are min corners; terms count in metres, everything else in whole millimetres. docs/maths.md says it at more length.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final, NamedTuple
 
 import numpy as np
 
-from solver.geometry import Rect
 from solver.pieces import Residuals
 from solver.placement.layout import Floats, Ints
 
@@ -33,11 +31,6 @@ class Term(NamedTuple):
     offset: float
     weight: float
 
-    def cost(self, p: Sequence[float]) -> float:
-        """Returns the term's value at the positions of its axis, m."""
-        before = 0.0 if self.i == ORIGIN else p[self.i]
-        return self.weight * (p[self.j] - before - self.offset) ** 2
-
 
 class DifferenceRow(NamedTuple):
     """Asks for p_j - p_i >= s, along `axis`, mm."""
@@ -46,13 +39,6 @@ class DifferenceRow(NamedTuple):
     i: int
     j: int
     s: int
-
-    def slack(self, p: Sequence[Sequence[float]]) -> float:
-        """Returns how far the row is satisfied (< 0: violated) at positions p[axis][variable], mm."""
-        own = p[self.axis]
-        after = 0 if self.j == ORIGIN else own[self.j]
-        before = 0 if self.i == ORIGIN else own[self.i]
-        return after - before - self.s
 
 
 class ProblemBox(NamedTuple):
@@ -68,11 +54,6 @@ class ProblemBox(NamedTuple):
     extent: tuple[int, int]
     bottom: int
     top: int
-
-    def rect(self, p: Sequence[Sequence[int]]) -> Rect:
-        """Returns the footprint at integer positions p[axis][variable], mm."""
-        x, z = (p[axis][self.var[axis]] + self.offset[axis] for axis in (0, 1))
-        return Rect(x, z, x + self.extent[0], z + self.extent[1])
 
 
 class Choice(NamedTuple):
@@ -97,19 +78,6 @@ class Problem:
     rows: list[DifferenceRow] = field(default_factory=list)
     boxes: list[ProblemBox] = field(default_factory=list)
     choices: list[Choice] = field(default_factory=list)
-
-    def violations(self, p: Sequence[Sequence[int]]) -> list[str]:
-        """Lists, in exact integers, what the positions p[axis][variable] break; empty if nothing."""
-        broken = []
-        for axis in (0, 1):
-            for i, (low, high) in enumerate(zip(self.low[axis], self.high[axis], strict=True)):
-                if not low <= p[axis][i] <= high:
-                    broken.append(f"variable {i} of axis {axis}: {p[axis][i]} outside [{low}, {high}]")
-        broken += [f"{row}" for row in self.rows if row.slack(p) < 0]
-        for choice in self.choices:
-            if all(row.slack(p) < 0 for row in choice.options):
-                broken.append(f"{choice.first} and {choice.second} are not apart")
-        return broken
 
 
 @dataclass(frozen=True)

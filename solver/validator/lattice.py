@@ -50,10 +50,6 @@ class ExactBox(NamedTuple):
         """Moves every edge outwards."""
         return ExactBox(self.x0 - by, self.z0 - by, self.x1 + by, self.z1 + by)
 
-    def moved(self, x: int, z: int) -> ExactBox:
-        """Shifts the box."""
-        return ExactBox(self.x0 + x, self.z0 + z, self.x1 + x, self.z1 + z)
-
 
 class WallEdge(NamedTuple):
     """A straight piece of a room's wall line.

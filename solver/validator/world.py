@@ -83,11 +83,6 @@ class World:
     places: tuple[PlacedRoom, ...]
 
     @kept
-    def by_id(self) -> Mapping[str, PlacedRoom]:
-        """The rooms by id."""
-        return {place.room.id: place for place in self.places}
-
-    @kept
     def numbers(self) -> Mapping[str, tuple[int, int]]:
         """Of each room by id its storey, and its number there."""
         counts: Counter[int] = Counter()

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from solver.placement.problem import Problem
+from solver.geometry import Rect
+from solver.placement.problem import DifferenceRow, Problem, ProblemBox
 
 Positions = Sequence[Sequence[float]]
 
@@ -26,6 +27,18 @@ def worst(problem: Problem, p: Positions) -> float:
     broken += [short(row) for row in problem.rows]
     broken += [min((short(row) for row in choice.options), default=float("inf")) for choice in problem.choices]
     return max(broken)
+
+
+def slack(row: DifferenceRow, p: Positions) -> float:
+    """Returns how far a row is satisfied (< 0: violated) at positions p[axis][variable], mm."""
+    own = p[row.axis]
+    return (own[row.j] if row.j >= 0 else 0) - (own[row.i] if row.i >= 0 else 0) - row.s
+
+
+def rect(box: ProblemBox, p: Sequence[Sequence[int]]) -> Rect:
+    """Returns a box's footprint at integer positions p[axis][variable], mm."""
+    x, z = (p[axis][box.var[axis]] + box.offset[axis] for axis in (0, 1))
+    return Rect(x, z, x + box.extent[0], z + box.extent[1])
 
 
 def cost(problem: Problem, p: Positions) -> float:

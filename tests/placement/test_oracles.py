@@ -8,6 +8,7 @@ from tests.bench.__main__ import gap
 from tests.bench.measure import found
 from tests.bench.rooms import room_problem
 from tests.every import every
+from tests.oracles import sums
 from tests.oracles.optimum import optimum
 from tests.oracles.verdict import verdict, witness
 
@@ -34,7 +35,7 @@ def test_what_the_oracle_calls_possible_it_can_show() -> None:
     shown = {seed: witness(room_problem(seed)) for seed in range(ROOMS)}
     assert {positions is None for positions in shown.values()} == {True, False}
     for seed, positions in shown.items():
-        assert positions is None or room_problem(seed).violations(positions) == []
+        assert positions is None or sums.worst(room_problem(seed), [[mm / 1000 for mm in axis] for axis in positions]) < 1e-9
 
 
 @pytest.mark.parametrize("seed", CLOSED)

@@ -235,7 +235,7 @@ def assert_apart(space: Space, problem: Problem, p: Sequence[Sequence[int]]) -> 
     """Asks in integers that all is in the room and bodies share no space with each other and no stand of another; counts parts."""
     clear, rects = space.clear, list[tuple[ProblemBox, Rect]]()
     for part in problem.boxes:
-        r = part.rect(p)
+        r = sums.rect(part, p)
         assert clear.x0 <= r.x0 and r.x1 <= clear.x1 and clear.z0 <= r.z0 and r.z1 <= clear.z1
         for before, other in rects:
             same = before.label == part.label or (before.stand and part.stand)

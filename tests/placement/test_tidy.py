@@ -9,7 +9,9 @@ import pytest
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Attach, Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.placement import arrange, place
+from solver.placement.problem import Problem
 from solver.streams import Stream
+from tests.oracles import sums
 from tests.placement.rooms import random_space, random_wanted
 
 ROOM = Space("r", Rect(50, 50, 4050, 3050), (), (Doorway("d", "south", Rect(1600, 2150, 2500, 3050), "hallway"),))
@@ -101,7 +103,7 @@ def test_tidying_costs_what_the_terms_of_the_bodies_say() -> None:
         for tidy in (False, True):
             walkable, added = solved.core.settle(solved.solution.positions, solved.solution, solved.walkable, tidy)
             metres = [[at / 1000 for at in own] for own in solved.core.engine.grid.positions.tolist()]
-            costs.append(sum(term.cost(metres[term.axis]) for term in problem.terms if (term.axis, term.j) in moved))
+            costs.append(sums.cost(Problem(terms=[term for term in problem.terms if (term.axis, term.j) in moved]), metres))
             assert walkable == solved.walkable
         assert added == pytest.approx(costs[1] - costs[0], abs=1e-8)
         assert added <= 0.8

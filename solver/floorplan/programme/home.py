@@ -275,10 +275,9 @@ def _written(best: _Attempt, plot: _Plot, walls: HouseWalls) -> PlannedHome:
     rooms = tuple(Rect(found.width - x1, z0, found.width - x0, z1) if mirrored else Rect(x0, z0, x1, z1) for x0, z0, x1, z1 in boxes)
     first = len(boxes) - len(found.boxes)
     owners = {first + i: first + one.owner for i, one in enumerate(best.planned) if one.owner is not None}
-    entry = next((first + i for i, one in enumerate(best.planned) if one.entry), None)
     types = (*(HALLWAY,) * first, *(one.type for one in best.planned))
     layout = Layout(Rect(0, 0, found.width, found.depth), rooms, hallways=first, behind=owners, walls=walls)
-    return PlannedHome(layout, types, entry, found.kind, _notes(best, plot, types, rooms))
+    return PlannedHome(layout, types, found.kind, _notes(best, plot, types, rooms))
 
 
 def _notes(best: _Attempt, plot: _Plot, types: Sequence[str], rooms: Sequence[Rect]) -> tuple[str, ...]:

@@ -69,11 +69,6 @@ class PlannedRoom:
         return self.kind.plan.way_through and not self.kind.plan.habitable
 
     @property
-    def small(self) -> bool:
-        """Tells whether it is a small wet room."""
-        return self.kind.plan.wet and not self.kind.plan.habitable
-
-    @property
     def garage(self) -> bool:
         """Tells whether cars stand in it."""
         return self.kind.plan.garage_door

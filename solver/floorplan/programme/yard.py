@@ -32,11 +32,10 @@ PATIO: Final = "patio"
 
 @dataclass(frozen=True)
 class PlannedHome:
-    """A home: its layout (own bathrooms `behind` their bedrooms), types, entry (None: wherever a plain house has it), kind."""
+    """A home: its layout (own bathrooms `behind` their bedrooms), types, kind and notes."""
 
     layout: Layout
     types: tuple[str, ...]
-    entry: int | None
     kind: str
     notes: tuple[str, ...]
 

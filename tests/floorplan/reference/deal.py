@@ -44,9 +44,9 @@ class Dealer:
         self.entries = [i for i in every if planned[i].entry]
         self.garages = [i for i in every if planned[i].garage]
         self.public = [i for i in every if planned[i].public]
-        self.small = [i for i in every if planned[i].small and planned[i].owner is None]
+        self.small = [i for i in every if is_small_wet(planned[i]) and planned[i].owner is None]
         self.owned = [(i, one.owner) for i, one in enumerate(planned) if one.owner is not None]
-        self.others = [i for i in every if not (planned[i].kind.plan.way_through or planned[i].small or planned[i].garage)]
+        self.others = [i for i in every if not (planned[i].kind.plan.way_through or is_small_wet(planned[i]) or planned[i].garage)]
         self.areas = [one.size.typical for one in planned]
 
     def deal(self, kind: str) -> Draft:
@@ -101,7 +101,7 @@ class Dealer:
 
     def _join(self, suite: Chunk, column: Column) -> None:
         """Adds a small wet room at the wet end of a suite."""
-        if self.planned[suite[0][-1]].small:
+        if is_small_wet(self.planned[suite[0][-1]]):
             suite.insert(0, column)
         else:
             suite.append(column)
@@ -207,7 +207,7 @@ class Dealer:
 
     def _sleeps(self, column: Column) -> bool:
         """Tells whether the room of a column that lies at the hallway is slept or worked in: not beside the entry."""
-        return not self.planned[column[0]].small
+        return not is_small_wet(self.planned[column[0]])
 
     def _ranch(self) -> Draft:
         public, private = self._chunks()
@@ -243,6 +243,11 @@ class Dealer:
         self._fill((north, south), depths, private)
         south[:0] = [(room,) for room in self.garages]
         return Draft("rows", [north, south], depths)
+
+
+def is_small_wet(room: PlannedRoom) -> bool:
+    """Whether it is a bathroom, say, in which nobody lives."""
+    return room.kind.plan.wet and not room.kind.plan.habitable
 
 
 def moved(draft: Draft, stream: Stream) -> Draft:

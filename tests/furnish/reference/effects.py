@@ -14,7 +14,7 @@ from solver.relations.subject import Kind, Scope
 from solver.scene import WALLS
 from tests.furnish.reference.openings import middle_of, opened
 from tests.furnish.reference.slots import SIDES, slots_of
-from tests.furnish.reference.subject import Subject, missed
+from tests.furnish.reference.subject import Subject, missed, wished_footprint
 
 NEAR_MM, FAR_MM, FAR_FROM_OPENING_MM, LEAST_MM = 1500, 2000, 1500, 10
 CENTRED_REACH_MM = 1000
@@ -141,7 +141,7 @@ def behind_gate(subject: Subject, candidate: Candidate) -> Rect | None:
     faced = any(spec.type == "facing" and "garage_door" in spec.of for spec in subject.relations)
     ahead, clear = OPPOSITE[WALL_BEHIND[candidate.rotation % 360]], subject.scope.clear
     for gate in opened(subject.scope, "garage_door") if faced else ():
-        (low, high), (a, b) = gate.interval, candidate.footprint.along(ahead)
+        (low, high), (a, b) = gate.interval, wished_footprint(candidate).along(ahead)
         if candidate.attach or (gate.wall == ahead and low <= a and b <= high):
             start, end = clear.along(gate.wall)
             low, high = max(start, low), min(end, high)
@@ -173,7 +173,7 @@ def _off_distance(subject: Subject, spec: RelationSpec, openings: list[Opened], 
     wished = max(distance_mm(spec, default), LEAST_MM) / 1000
 
     def cost_of(candidate: Candidate) -> float:
-        nearest = min(candidate.footprint.distance_to(Rect(*middle_of(opening), *middle_of(opening))) for opening in openings)
+        nearest = min(wished_footprint(candidate).distance_to(Rect(*middle_of(opening), *middle_of(opening))) for opening in openings)
         off = sign * (nearest / 1000 - wished)
         return missed(spec) * min(1.0, off / wished) if off > 0 else 0.0
 
@@ -202,7 +202,7 @@ def _is(scope: Scope, candidate: Candidate, wall: str, sort: str) -> bool:
     """Tells whether the wall behind a candidate is of a sort; only a window right behind it counts, or a door straight across."""
     here = [opening for opening in scope.openings if opening.wall == wall]
     if sort in ("window", "across"):
-        a, b = candidate.footprint.along(wall)
+        a, b = wished_footprint(candidate).along(wall)
         return any(low < b and a < high for low, high in _made_by(scope, wall, sort))
     own, other = (scope.clear.width, scope.clear.depth) if wall in ALONG_X else (scope.clear.depth, scope.clear.width)
     return {
@@ -230,7 +230,7 @@ def _beside_shunned(subject: Subject, candidate: Candidate) -> Iterator[Rect]:
     if wall is None:
         return
     shuns = {sort for spec in subject.relations if spec.type == "against_wall" for sort, cost in spec.walls.items() if cost >= SHUNNED}
-    (a, b), (start, end) = candidate.footprint.along(wall), clear.along(wall)
+    (a, b), (start, end) = wished_footprint(candidate).along(wall), clear.along(wall)
     for sort in shuns & {"window", "across"}:
         there = _made_by(subject.scope, wall, sort)
         if there and not any(low < b and a < high for low, high in there):
@@ -248,7 +248,7 @@ def _made_by(scope: Scope, wall: str, sort: str) -> list[tuple[int, int]]:
 
 def _along_window(scope: Scope, candidate: Candidate) -> bool:
     """Tells whether a piece's long side lies before the middle of a window of another wall: a bed lengthwise under it."""
-    rect, near = candidate.footprint, 2 * scope.gap_mm
+    rect, near = wished_footprint(candidate), 2 * scope.gap_mm
     if candidate.size_mm[1] <= candidate.size_mm[0]:
         return False
     others = [one for one in opened(scope, "window") if one.wall != candidate.wall and rect.wall_distance(one.wall, scope.clear) <= near]
@@ -259,7 +259,7 @@ def _in_corner(subject: Subject, spec: RelationSpec) -> Effect:
     clear, near = subject.scope.clear, 2 * subject.scope.gap_mm
 
     def cost_of(candidate: Candidate) -> float:
-        rect = candidate.footprint
+        rect = wished_footprint(candidate)
         away = [min(rect.wall_distance(wall, clear) for wall in walls) for walls in (("west", "east"), ("north", "south"))]
         return 0.0 if max(away) <= near else missed(spec)
 

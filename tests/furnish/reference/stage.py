@@ -27,7 +27,7 @@ from tests.furnish.reference.openings import opened
 from tests.furnish.reference.own_places import DRAW, own_candidates
 from tests.furnish.reference.run_plans import OFF_PLAN_COST, planned_run
 from tests.furnish.reference.slots import SIDES, faces
-from tests.furnish.reference.subject import Parent, Subject
+from tests.furnish.reference.subject import Parent, Subject, wished_footprint
 
 GIVE_PLACE = (*SIDES, "on")
 
@@ -157,7 +157,7 @@ class _Furnisher:
         for candidate in own_candidates(subject, self.walls, [effect for _, effect in effects]):
             cost = candidate.cost + missed + preferences.cost(candidate, subject)
             if candidate.wall is None:
-                cost += self._in_the_way(subject, candidate.footprint) + _facing_wall(subject, candidate)
+                cost += self._in_the_way(subject, wished_footprint(candidate)) + _facing_wall(subject, candidate)
             cost += sum(effect.cost_of(candidate) for _, effect in effects if effect.cost_of)
             if cost < math.inf:
                 found.append(replace(candidate, cost=round(cost, 6), weights=(pull, pull), within=kept_in(subject, candidate)))
@@ -209,7 +209,7 @@ def _facing_wall(subject: Subject, candidate: Candidate) -> float:
     """Returns what it costs a piece used from its front only to stand so near to a wall that it looks at nothing else."""
     if _kind(subject, candidate).use_sides != ("front",):
         return 0.0
-    ahead = candidate.footprint.wall_distance(wall_faced("front", candidate.rotation), subject.scope.clear)
+    ahead = wished_footprint(candidate).wall_distance(wall_faced("front", candidate.rotation), subject.scope.clear)
     return WALL_COST if ahead < AHEAD_MM else 0.0
 
 

@@ -8,6 +8,8 @@ from math import inf
 from typing import NamedTuple
 
 from catalogs.schema import RelationSpec
+from solver.geometry import Rect
+from solver.pieces import Candidate
 from solver.relations.subject import Kind, Scope
 
 
@@ -48,6 +50,11 @@ class Subject:
     def parents(self, names: tuple[str, ...]) -> list[Parent]:
         """Returns every way that the earlier pieces of those names may stand."""
         return [parent for label in self.labels(names) for parent in self.standing[label]]
+
+
+def wished_footprint(candidate: Candidate) -> Rect:
+    """Where a candidate is wished, in its parent's frame where it has one."""
+    return Rect.around(candidate.anchor_mm, candidate.extent)
 
 
 def missed(spec: RelationSpec) -> float:
