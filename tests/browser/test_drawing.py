@@ -211,6 +211,15 @@ def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:
         expect(page.get_by_role("combobox", name="Kind")).to_have_value(label.split()[2])
     assert board.openings() == 3
     page.get_by_role("button", name=re.compile("^Room 2,")).press("Enter")
+    for key in ("w", "ArrowRight", "Shift+ArrowDown"):  # into the wall in the east, then along it
+        page.keyboard.press(key)
+    expect(page.get_by_label("From the north corner, m")).to_have_value("0.81")
+    page.keyboard.press("Delete")
+    page.keyboard.press("p")
+    page.keyboard.press("ArrowUp")
+    expect(page.locator(".drawing-said")).to_have_text("Choose a room first.")
+    assert board.openings() == 3
+    page.get_by_role("button", name=re.compile("^Room 2,")).press("Enter")
     field = page.get_by_label("North wall", exact=True)
     field.fill("4.35")
     field.press("Enter")
@@ -340,10 +349,11 @@ def test_a_picture_lies_beneath_and_is_scaled_by_a_known_length(board: DrawingBo
     board.click(4000, 1000)
     expect(page.get_by_label("That is, m")).to_be_focused()
     page.keyboard.type("6\n")  # in place of what it was taken to be
+    expect(page.locator(".sheet")).to_be_focused()
+    expect(page.get_by_role("button", name="Draw a room")).to_have_attribute("aria-pressed", "true")
     width = float(page.locator(".traced").get_attribute("width") or 0)
     assert width == pytest.approx(24000, rel=0.02)
     in_view(board)
-    page.locator("[data-tool=choose]").last.click()  # the line is put away
     field = page.get_by_label("Its width, m")
     expect(field).to_have_value(f"{width / 1000:.2f}")
     field.fill("50")

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { areaOf, areOverlapping, boxOf, combined, cornersOfBox, isSound, wallsOf, type Corners } from "../src/draw/corners";
-import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningChanged, withoutRoom, withRoom, type Draft } from "../src/draw/draft";
+import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningAt, withOpeningChanged, withoutRoom, withRoom, type Draft } from "../src/draw/draft";
 import { DrawnPlan } from "../src/draw/drawn_plan";
 import { PictureBeneath } from "../src/draw/picture_beneath";
 import { reshapedRooms } from "../src/draw/reflow";
@@ -111,6 +111,22 @@ describe("a plan", () => {
     expect(openingMoved(draft, id, { x: 100_000, z: 0 }, 200)).toBeNull();
     expect(withOpeningChanged(draft, id, { to: 3950 })?.openings[0]).toMatchObject({ to: 3950 });
     expect(withOpeningChanged(draft, id, { to: 4050 })).toBeNull();
+  });
+
+  it("puts openings where most of a wall is free, of a side of a room", () => {
+    const north = { axis: "x", inward: 1 } as const;
+    const at = (draft: Draft, kind: "door" | "window", room: string, side: object) => withOpeningAt(draft, kind, room, side);
+    const first = at(three(), "window", "room_1", north) as { draft: Draft };
+    expect(first.draft.openings[0]).toMatchObject({ axis: "x", line: 0, from: 1300, to: 2700 });
+    const second = at(first.draft, "door", "room_1", north) as { draft: Draft };
+    expect(second.draft.openings[1]).toMatchObject({ line: 0, from: 200, to: 1100, swing: 1 });
+    expect(at(second.draft, "window", "room_1", north)).toBeNull();
+    expect(at(three(), "door", "room_3", north)?.draft.openings[0]).toMatchObject({ line: 3000, from: 1550, to: 2450 }); // to the wider of both rooms beyond
+    const narrow = drawn([0, 0, 1600, 3000]); // a window leaves less on either side than it takes itself
+    const taken = at(narrow, "window", "room_1", north) as { draft: Draft };
+    expect([taken.draft.openings[0]?.to, at(taken.draft, "door", "room_1", north)]).toEqual([1500, null]);
+    const shape = reshaped(drawn([0, 0, 4000, 4000]), "room_1", box(0, 0, 1000, 1000), "cut") as Draft;
+    expect(at(shape, "door", "room_1", north)?.draft.openings[0]).toMatchObject({ line: 0, from: 2050 }); // the longer of two walls in the north
   });
 
   it("puts what is clicked where walls meet into the wall of one pair of rooms", () => {

@@ -9,7 +9,7 @@ import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft
 import { DrawnPlan } from "./drawn_plan";
 import { button, group, hint, lengthField, row } from "./elements";
 import { draftNames, Inspector } from "./inspector";
-import { Pencil, type ToolName } from "./pencil";
+import { isOpening, Pencil, type ToolName } from "./pencil";
 import { PictureBeneath } from "./picture_beneath";
 import { Reflow } from "./reflow";
 import { UNTYPED, atOrigin, clearAreas, draftOf, sceneOf } from "./scene_draft";
@@ -153,7 +153,7 @@ export class Board {
     this.#pencil.tool = tool;
     for (const name of ["choose", "room", "add", "cut", "door", "window", "passage", "garage_door"] as const) this.#toolbar.press(name, name === tool);
     this.#sheet.svg.dataset.tool = tool;
-    this.#say("");
+    this.#say(isOpening(tool) ? say("Click a wall. Or choose a room: an arrow key puts it into the wall on that side.") : "");
   }
 
   #say(words: string): void {
@@ -232,11 +232,10 @@ export class Board {
     const isMeasured = this.#picture.measured.length === 2;
     const scale = lengthField(isMeasured ? say("That is, m") : say("Its width, m"), this.#picture.length, (length) => {
       const isSet = this.#picture.setScale(length);
-      if (isSet) {
-        this.#say("");
-        this.#fit(); // it has become another size
-      }
+      if (isSet && isMeasured) this.#use(this.#plan.settled.rooms.length > 0 ? "choose" : "room"); // what one does next
+      if (isSet) this.#fit(); // it has become another size
       this.#redraw();
+      if (isSet && isMeasured) this.#sheet.svg.focus();
       return isSet;
     });
     scale.classList.add("picture-length");
@@ -309,7 +308,7 @@ export class Board {
       v: () => this.#use("choose"), b: () => this.#use("room"), u: () => this.#use("add"), x: () => this.#use("cut"), d: () => this.#use("door"),
       w: () => this.#use("window"), p: () => this.#use("passage"), g: () => this.#use("garage_door"), n: () => this.#addRoom(), f: () => this.#fit(),
       Delete: () => this.#remove(), Backspace: () => this.#remove(), Escape: () => this.#escape(),
-      ArrowUp: () => this.#nudge(0, -1, event), ArrowDown: () => this.#nudge(0, 1, event), ArrowLeft: () => this.#nudge(-1, 0, event), ArrowRight: () => this.#nudge(1, 0, event),
+      ArrowUp: () => this.#arrow(0, -1, event), ArrowDown: () => this.#arrow(0, 1, event), ArrowLeft: () => this.#arrow(-1, 0, event), ArrowRight: () => this.#arrow(1, 0, event),
     };
     return keys[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
   }
@@ -324,6 +323,16 @@ export class Board {
     const { room, opening } = this.#plan.chosen;
     if (room !== null) this.#plan.step(withoutRoom(this.#plan.settled, room));
     if (opening !== null) this.#plan.step(withoutOpening(this.#plan.settled, opening));
+  }
+
+  /** Puts the opening in hand into a wall of the chosen room; else moves what is chosen. */
+  #arrow(across: number, along: number, event: KeyboardEvent): void {
+    const room = this.#plan.settled.rooms.find(({ id }) => id === this.#plan.chosen.room);
+    const { tool } = this.#pencil;
+    if (!isOpening(tool) || this.#plan.chosen.opening !== null) return this.#nudge(across, along, event);
+    this.#sheet.svg.focus(); // where arrows go on moving what was put
+    if (room) this.#inspector.put(tool, room, { axis: across === 0 ? "x" : "z", inward: across + along > 0 ? -1 : 1 });
+    else this.#say(say("Choose a room first."));
   }
 
   /** Moves what is chosen by a step of the grid. */

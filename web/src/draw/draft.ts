@@ -270,6 +270,23 @@ export function withOpening(draft: Draft, kind: OpeningKind, at: Point, reach: n
   return { draft: { ...draft, openings: [...draft.openings, opening] }, id };
 }
 
+/** The plan with an opening in the middle of the longest stretch, between walls that meet there and other openings, of a room's walls that are as asked for. */
+export function withOpeningAt(draft: Draft, kind: OpeningKind, room: string, asked: Partial<Wall>): ReturnType<typeof withOpening> {
+  const isMeant = (wall: RoomWall): boolean => wall.room.id === room && (asked.index ?? wall.index) === wall.index && asked.axis === wall.axis && asked.inward === wall.inward;
+  const stretches = allWalls(draft).filter(isMeant).flatMap((wall) => {
+    const taken = draft.openings.filter((one) => isOnSameLine(one, wall));
+    const cuts = [wall.from, ...[...taken, ...facesOf(draft, wall)].flatMap(({ from, to }) => [from, to]), wall.to]
+      .filter((at) => at >= wall.from && at <= wall.to).sort((a, b) => a - b);
+    return cuts.slice(1).map((to, i) => ({ ...wall, from: cuts[i] as number, to })).filter((one) => one.to - one.from >= OPENING_SIZES[kind].least && isFree(draft, one, ""));
+  }).sort((a, b) => b.to - b.from - (a.to - a.from));
+  for (const { axis, line, from, to } of stretches) {
+    const middle = Math.round((from + to) / 2);
+    const put = withOpening(draft, kind, axis === "x" ? { x: middle, z: line } : { x: line, z: middle }, 1);
+    if (put) return put;
+  }
+  return null;
+}
+
 /** An opening in the wall nearest to a point. */
 export function openingMoved(draft: Draft, id: string, at: Point, reach: number): Draft | null {
   const opening = draft.openings.find((one) => one.id === id);

@@ -3,7 +3,7 @@ import type { OpeningKind } from "../contract";
 import { inWords } from "../panel/programme";
 import { roomNames } from "../panel/room";
 import { wallsOf, type Wall } from "./corners";
-import { facesOf, OPENING_SIZES, wallLengthened, wallsAt, withOpening, withOpeningChanged, withoutOpening, withName, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom, type RoomWall } from "./draft";
+import { OPENING_SIZES, wallLengthened, wallsAt, withOpeningAt, withOpeningChanged, withoutOpening, withName, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom } from "./draft";
 import type { DrawnPlan } from "./drawn_plan";
 import { button, choiceField, group, hint, lengthField, row, switchField, textField } from "./elements";
 import { UNTYPED } from "./scene_draft";
@@ -85,19 +85,13 @@ export class Inspector {
   #wall(room: DraftRoom, wall: Wall, words: string): HTMLElement {
     const take = (length: number): boolean => this.#take(
       wallLengthened(this.plan.settled, room.id, wall.index, length), say("The wall cannot be so long: rooms would meet, or nothing would be left."));
-    const puts = (["door", "window"] as const).map((kind) => button(say(kind === "door" ? "Door" : "Window"), () => this.#put(kind, { ...wall, room }), { label: say(`Add a ${kind} to the {wall}`, { wall: words }) }));
+    const puts = (["door", "window"] as const).map((kind) => button(say(kind === "door" ? "Door" : "Window"), () => this.put(kind, room, wall), { label: say(`Add a ${kind} to the {wall}`, { wall: words }) }));
     return row(lengthField(capital(words), wall.to - wall.from, take), ...puts);
   }
 
-  /** Puts an opening into the middle of the longest stretch of a wall that is free. */
-  #put(kind: OpeningKind, wall: RoomWall): void {
-    const before = this.plan.settled;
-    const inTheWay = [...before.openings.filter((one) => one.axis === wall.axis && one.line === wall.line), ...facesOf(before, wall)];
-    const cuts = [wall.from, ...inTheWay.flatMap(({ from, to }) => [from, to]), wall.to]
-      .filter((at) => at >= wall.from && at <= wall.to).sort((a, b) => a - b);
-    const [best] = cuts.slice(1).map((to, i) => ({ from: cuts[i] as number, to })).sort((a, b) => b.to - b.from - (a.to - a.from));
-    const middle = Math.round(((best?.from ?? wall.from) + (best?.to ?? wall.to)) / 2);
-    const put = withOpening(before, kind, wall.axis === "x" ? { x: middle, z: wall.line } : { x: wall.line, z: middle }, 1);
+  /** Puts an opening into one of a room's walls, where most of it is free. */
+  put(kind: OpeningKind, { id }: DraftRoom, side: Partial<Wall>): void {
+    const put = withOpeningAt(this.plan.settled, kind, id, side);
     if (!this.#take(put?.draft ?? null, say("The wall is too short for it.")) || !put) return;
     this.plan.choose({ opening: put.id });
   }

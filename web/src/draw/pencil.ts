@@ -1,7 +1,7 @@
 /** The pointer on the sheet: what is drawn, taken hold of or dragged by it, with the tool in hand. */
 import type { OpeningKind } from "../contract";
 import { boxBetween, boxOf, cornersOfBox, type Box, type Point } from "./corners";
-import { openingMoved, reshaped, roomMoved, wallMoved, withOpening, withRoom, type Draft } from "./draft";
+import { OPENING_SIZES, openingMoved, reshaped, roomMoved, wallMoved, withOpening, withRoom, type Draft } from "./draft";
 import type { DrawnPlan } from "./drawn_plan";
 import type { Sheet } from "./sheet";
 import { linesOf, snapped, snappedPoint, snappedShift } from "./snapping";
@@ -12,7 +12,10 @@ export type ToolName = "choose" | "room" | "add" | "cut" | "measure" | OpeningKi
 /** How near is on it, and how far a pointer goes before it drags [pixels]. */
 const REACH = 12;
 const DRAGGED = 4;
-const OPENINGS: ReadonlySet<string> = new Set(["door", "passage", "garage_door", "window"]);
+
+export function isOpening(tool: ToolName): tool is OpeningKind {
+  return Object.hasOwn(OPENING_SIZES, tool);
+}
 
 export interface PencilWords {
   /** What is about to be drawn. */
@@ -98,8 +101,7 @@ export class Pencil {
   #begin(event: PointerEvent): Stroke | null {
     if (this.tool === "choose") return this.#grasp(event);
     if (this.tool === "measure") return this.#measure(event);
-    if (OPENINGS.has(this.tool)) return this.#put(this.tool as OpeningKind, event);
-    return this.#rectangle(event, this.tool as "room" | "add" | "cut");
+    return isOpening(this.tool) ? this.#put(this.tool, event) : this.#rectangle(event, this.tool);
   }
 
   #reach(): number {

@@ -49,7 +49,7 @@ export const KEY_LIST: readonly (readonly [Words, readonly (readonly [keys: stri
     ["V", "choose and move"],
     ["B", "draw a room"],
     ["U X", "add area to the chosen room, cut area from it"],
-    ["D W P G", "door, window, passage, garage door"],
+    ["D W P G", "door, window, passage, garage door: click a wall, or an arrow for that side of the chosen room"],
     ["N", "a room of 4 by 3 m"],
     ["F", "fit all in view"],
     ["Shift Alt", "while a wall is dragged: for its room alone; no snapping"],
