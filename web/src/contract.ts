@@ -122,4 +122,5 @@ export interface Catalog {
   readonly floorings?: Named<{ readonly color: string }>;
   readonly presets?: Named<Served.Preset>;
   readonly access?: Named<{ readonly description: string }>;
+  readonly synonyms?: Named<{ readonly known_as?: readonly string[] }>;
 }

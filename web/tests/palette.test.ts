@@ -77,7 +77,40 @@ describe("the palette", () => {
     expect(shown()).toEqual(["desk"]);
     press("[aria-label='Favourite: desk']");
     press("[data-category=favourites]");
-    expect([shown(), said()]).toEqual([[], "No such kind."]);
+    expect([shown(), said()]).toEqual([[], "Nothing is starred yet: the ★ at a kind puts it here."]);
+    press("[aria-label='Close']");
+  });
+
+  it("finds a kind by what others call it, where none is called so", async () => {
+    const kinds = { wardrobe: {}, sofa: {}, sofa_bed: {} };
+    const furniture = Object.fromEntries(Object.keys(kinds).map((key) => [key, { category: "seating", size: [2, 0.9, 0.8] }]));
+    const synonyms = { sofa: { known_as: ["couch", "canape"] }, wardrobe: { known_as: ["armoire", "sofa cupboard"] } };
+    await palette.await(Promise.resolve({ furniture, decorations: {}, synonyms } as unknown as Catalog));
+    const found = (words: string) => {
+      const search = host.querySelector("input") as HTMLInputElement;
+      search.value = words;
+      search.dispatchEvent(new Event("input"));
+      return [...host.querySelectorAll<HTMLElement>("li:not([hidden]) [data-kind]")].map((one) => one.dataset.kind);
+    };
+    expect([found("Couch"), found("Canapé"), found("armo"), found("sofa"), found("moire")]).toEqual([["sofa"], ["sofa"], ["wardrobe"], ["sofa", "sofa_bed"], []]);
+  });
+
+  it("has what is called as was searched first, which Enter takes, and presses nothing else", async () => {
+    const kinds = ["armchair", "loveseat_sofa", "sofa", "sofa_bed"].map((key) => [key, { category: "seating", size: [2, 0.9, 0.8] }]);
+    await palette.await(Promise.resolve({ furniture: Object.fromEntries(kinds), decorations: {} } as unknown as Catalog));
+    const chosen: string[] = [];
+    palette.onChoose = ({ key }) => chosen.push(key);
+    const search = host.querySelector("input") as HTMLInputElement;
+    const shown = () => [...host.querySelectorAll<HTMLElement>("li:not([hidden]) [data-kind]")].map((one) => one.dataset.kind);
+    search.value = "sofa";
+    search.dispatchEvent(new Event("input"));
+    expect(shown()).toEqual(["sofa", "sofa_bed", "loveseat_sofa"]);
+    const enter = new KeyboardEvent("keydown", { key: "Enter", cancelable: true });
+    search.dispatchEvent(enter);
+    expect([chosen, enter.defaultPrevented]).toEqual([["sofa"], true]);
+    search.value = "";
+    search.dispatchEvent(new Event("input"));
+    expect(shown()).toEqual(["armchair", "loveseat_sofa", "sofa", "sofa_bed"]);
   });
 });
 

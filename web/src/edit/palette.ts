@@ -10,6 +10,8 @@ interface Entry {
   readonly key: string;
   readonly kind: FurnitureKind;
   readonly text: string;
+  /** What others call it, in letters without marks. */
+  readonly known: readonly string[];
   readonly item: HTMLElement;
   readonly picture: HTMLCanvasElement;
 }
@@ -33,6 +35,7 @@ const STILL = 6;
 const LOADING = say("Loading…");
 const NOT_LOADED = say("The kinds could not be loaded.");
 const NONE = say("No such kind.");
+const NONE_LIKED = say("Nothing is starred yet: the ★ at a kind puts it here.");
 /** What lives in a house is no piece of furniture. */
 const LIVING = "dynamic";
 
@@ -57,6 +60,11 @@ export function kindsOf(catalog: Catalog): { readonly key: string; readonly kind
   })).sort((a, b) => a.key.localeCompare(b.key));
 }
 
+/** Letters without marks, as the catalog has what others call a kind. */
+function plain(written: string): string {
+  return written.normalize("NFD").replace(/\p{M}/gu, "");
+}
+
 /** Nothing beside the kinds. */
 const ALONE: PaletteWords = { favourites: { has: () => false, toggle: () => undefined }, portray: () => undefined, over: () => undefined, drop: () => undefined };
 
@@ -69,6 +77,8 @@ export class Palette {
   /** Pictures are drawn of what has come into view. */
   readonly #seen: IntersectionObserver | null;
   #entries: Entry[] = [];
+  /** Those as they are listed. */
+  #ranked: readonly Entry[] = [];
   #category = ALL;
   /** What had the focus before. */
   #before: Element | null = null;
@@ -112,9 +122,8 @@ export class Palette {
   }
 
   #fill(catalog: Catalog): void {
-    this.#nothing.textContent = NONE;
-    this.#entries = [...ownKindsOf(catalog), ...kindsOf(catalog)].map(({ key, kind }) => this.#entry(key, kind));
-    this.#list.replaceChildren(...this.#entries.map(({ item }) => item));
+    this.#entries = [...ownKindsOf(catalog), ...kindsOf(catalog)].map(({ key, kind }) => this.#entry(key, kind, catalog.synonyms?.[kind.key]?.known_as));
+    this.#list.replaceChildren();
     const categories = [...new Set(this.#entries.map(({ kind }) => kind.category).filter((category) => category !== ""))].sort();
     this.#categories.replaceChildren(...[ALL, LIKED, ...categories].map((category) => this.#chip(category)));
     for (const { picture } of this.#entries) this.#seen?.observe(picture);
@@ -148,7 +157,7 @@ export class Palette {
     this.#search.focus();
   }
 
-  #entry(key: string, kind: FurnitureKind): Entry {
+  #entry(key: string, kind: FurnitureKind, known: readonly string[] = []): Entry {
     const [item, choose, picture, size] = [document.createElement("li"), button(), document.createElement("canvas"), document.createElement("small")];
     choose.dataset.kind = key;
     Object.assign(picture, PICTURE);
@@ -157,7 +166,7 @@ export class Palette {
     choose.append(picture, capital(words(key)), " ", size);
     this.#listen(choose, kind);
     item.append(choose, this.#star(key));
-    return { key, kind, item, picture, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
+    return { key, kind, item, picture, known, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
   }
 
   #star(key: string): HTMLElement {
@@ -235,13 +244,20 @@ export class Palette {
   #filter(): void {
     const wanted = this.#search.value.trim().toLowerCase().replaceAll("_", " ");
     const isOf = ({ key, kind }: Entry): boolean => this.#category === ALL || kind.category === this.#category || (this.#category === LIKED && this.others.favourites.has(key));
-    for (const entry of this.#entries) entry.item.hidden = !entry.text.includes(wanted) || !isOf(entry);
+    const found = this.#entries.filter((entry) => entry.text.includes(wanted) && isOf(entry));
+    const isOffered = new Set(found.length > 0 ? found : this.#entries.filter((entry) => isOf(entry) && entry.known.some((word) => word.startsWith(plain(wanted)))));
+    for (const entry of this.#entries) entry.item.hidden = !isOffered.has(entry);
+    // what is called just so comes first, then what begins so: Enter takes the first
+    const off = ({ key }: Entry): number => (words(key).toLowerCase() === wanted ? 0 : words(key).toLowerCase().startsWith(wanted) ? 1 : 2);
+    this.#ranked = [...this.#entries].sort((one, other) => off(one) - off(other));
+    this.#list.append(...this.#ranked.map(({ item }) => item));
     for (const chip of this.#categories.querySelectorAll<HTMLElement>("button")) chip.setAttribute("aria-pressed", String(chip.dataset.category === this.#category));
     this.#nothing.hidden = this.#shown().length > 0;
+    if (this.#entries.length > 0) this.#nothing.textContent = this.#category === LIKED && wanted === "" ? NONE_LIKED : NONE;
   }
 
   #shown(): Entry[] {
-    return this.#entries.filter(({ item }) => !item.hidden);
+    return this.#ranked.filter(({ item }) => !item.hidden);
   }
 
   #escape(event: KeyboardEvent): void {
@@ -253,7 +269,9 @@ export class Palette {
   /** Enter takes the first that is found. */
   #enter(event: KeyboardEvent): void {
     const [first] = this.#shown();
-    if (event.key === "Enter" && first) this.onChoose(first.kind);
+    if (event.key !== "Enter" || !first) return;
+    event.preventDefault(); // or it would press the button that the focus goes back to
+    this.onChoose(first.kind);
   }
 }
 
