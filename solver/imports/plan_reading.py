@@ -25,7 +25,7 @@ from solver.imports.line_growing import grown, usual_gap
 from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
-from solver.imports.straighten import straightened, tell_of
+from solver.imports.straighten import NEAR, straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import unit_named, unit_of
@@ -39,6 +39,8 @@ USUAL_THICKNESS: Final = 100
 HEIGHT: Final = 2.8
 LINES_APART: Final = 20
 """Rooms whose neighbours are no farther away, mm, are drawn along the lines of their walls."""
+WALL: Final = 0.75
+"""Inner faces that are farther apart than this share of the usual thickness have a wall between them."""
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
 
 def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> list[NamedRoom]:
     plan = replace(plan, rooms=tuple(cut_open(room, plan.openings, notes) for room in plan.rooms))
-    made = straightened([room.points for room in plan.rooms], [room.level for room in plan.rooms])
+    apart = plan.wall_thickness * WALL if plan.drawn == "inner" and plan.wall_thickness else NEAR
+    made = straightened([room.points for room in plan.rooms], [room.level for room in plan.rooms], apart)
     kept: list[tuple[DrawnRoom, str, FloorCorners]] = []
     straight = []
     for room, one in zip(plan.rooms, made, strict=True):

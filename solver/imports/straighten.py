@@ -119,8 +119,11 @@ def turned_by(spot: Spot, degrees: float) -> Spot:
     return spot[0] * c + spot[1] * s, spot[1] * c - spot[0] * s
 
 
-def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int]) -> list[StraightRoom]:
-    """Returns rooms with straight walls; `levels` says which rooms share lines."""
+def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int], apart: float = NEAR) -> list[StraightRoom]:
+    """Returns rooms with straight walls; `levels` says which rooms share lines.
+
+    What lies no farther apart than `apart`, mm, and before each other is one wall line and not the two faces of a wall.
+    """
     stretches = [_stretches(polygon) for polygon in polygons]
     runs: dict[tuple[int, str], list[StraightRun]] = {}
     for room, polygon, level in zip(stretches, polygons, levels, strict=True):
@@ -130,7 +133,7 @@ def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int]) -> l
                 run.looks = clockwise * (run.points[-1][run.axis == "z"] - run.points[0][run.axis == "z"])
                 runs.setdefault((level, run.axis), []).append(run)
     for together in runs.values():
-        _gather(together)
+        _gather(together, min(apart, NEAR))
     return [_straight(room, len(polygons)) for room in stretches]
 
 
@@ -203,17 +206,17 @@ def _kinds(points: Sequence[Spot]) -> list[str]:
     return ["slanted" if kind == "tiny" and "tiny" in (kinds[at - 1], following[at]) else kind for at, kind in enumerate(kinds)]
 
 
-def _gather(runs: list[StraightRun]) -> None:
+def _gather(runs: list[StraightRun], apart: float) -> None:
     """Gives runs that lie near each other one coordinate: their median, weighted by length.
 
-    Runs that look opposite ways are the two faces of one wall line only where they lie before each other.
+    Runs that look opposite ways are the two faces of one wall line only where they lie before each other, and near enough.
     """
     groups = [*_near_each_other([run for run in runs if run.looks > 0]), *_near_each_other([run for run in runs if run.looks <= 0])]
     groups.sort(key=lambda group: group[0].middle)
     at = 0
     while at + 1 < len(groups):
         both = sorted((*groups[at], *groups[at + 1]), key=lambda run: run.middle)
-        if both[-1].middle - both[0].middle <= NEAR and _face(both):
+        if both[-1].middle - both[0].middle <= apart and _face(both):
             groups[at : at + 2] = [both]
         else:
             at += 1

@@ -224,7 +224,7 @@ def test_what_lies_and_hangs_there_reads_back(format: str) -> None:
 
 @pytest.mark.parametrize("program", ["studio", "a U"])
 @pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
-@pytest.mark.parametrize(("inner", "outer"), [(0.08, None), (0.12, 0.24), (0.1, 0.36)])
+@pytest.mark.parametrize(("inner", "outer"), [(0.02, None), (0.08, None), (0.12, 0.24), (0.1, 0.36)])
 def test_walls_of_other_thickness_read_back(program: str, format: str, inner: float, outer: float | None) -> None:
     before = thick(home(program), inner, outer)
     (name, content), *_ = export(before, format).items()
