@@ -17,6 +17,8 @@ REACH: Final = 300
 """How far from its wall's line an opening may be drawn, mm, beside half the wall."""
 THICKEST_JOINED: Final = 600
 """How far apart the lines of two rooms may be that a door joins, mm."""
+CROSSED: Final = 10
+"""How far the lines of two rooms may lie beyond each other, mm, where a room with a stub of wall keeps its own."""
 NARROWEST: Final = {"door": 500, "garage_door": 1500, "passage": 400, "window": 200}
 """An opening that is left with less, mm, is none."""
 TOLD: Final = 10
@@ -93,7 +95,7 @@ def _joined(opening: PlacedDrawing, by_axis: dict[tuple[int, str], list[PlanEdge
         return f"the nearest is {abs(first.at - line) / 1000:.2f} m away"
     others = [
         edge for edge in here
-        if edge.out == -first.out and edge.room != first.room and 0 <= (edge.at - first.at) * first.out <= THICKEST_JOINED
+        if edge.out == -first.out and edge.room != first.room and -CROSSED <= (edge.at - first.at) * first.out <= THICKEST_JOINED
     ]  # fmt: skip
     other = min(others, key=lambda edge: (abs(edge.at - first.at), -_common(edge, low, high), edge.room, edge.side), default=None)
     walls = (first,) if other is None else (first, other)

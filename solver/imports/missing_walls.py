@@ -15,7 +15,7 @@ NARROWEST: Final = 600
 """A gap in the walls that is a passage is wider, mm."""
 WIDEST: Final = 2000
 """A gap between the faces of walls that is a passage is no wider, mm."""
-NICHE: Final = 150
+NICHE: Final = 200
 """A niche at a door is no deeper, mm."""
 SHALLOW: Final = 40
 """A niche that is no deeper, mm, is none, whether there is a door or not."""
