@@ -33,72 +33,40 @@ from solver.scene import Scene
 from solver.scene_bodies import counted
 from solver.version import VERSION
 
-TEXT, FLAG, REAL, WHOLE = pa.string(), pa.bool_(), pa.float64(), pa.int64()
-TEXTS = pa.list_(TEXT)
-
-
-def _schema(text: dict[str, pa.DataType]) -> pa.Schema:
-    return pa.schema([pa.field(name, kind) for name, kind in text.items()])
-
-
-def _named(names: str, kind: pa.DataType) -> dict[str, pa.DataType]:
-    return dict.fromkeys(names.split(), kind)
-
-
-SCHEMAS: Final[dict[str, pa.Schema]] = {
-    "houses": _schema(
-        {
-            "seed": WHOLE,
-            **_named("id split status program style request catalog catalog_fingerprint version", TEXT),
-            **_named("width depth area", REAL),
-            **_named("rooms doors windows furniture decorations people errors warnings proven best left_out missing", WHOLE),
-            **_named("unjoined notes issues", TEXTS),
-            **_named("refused digest scene", TEXT),
-        }
-    ),
-    "rooms": _schema(
-        {
-            "seed": WHOLE,
-            "id": TEXT,
-            "index": WHOLE,
-            "type": TEXT,
-            "level": WHOLE,
-            "outdoor": FLAG,
-            **_named("x z width depth area", REAL),
-            "polygon": pa.list_(pa.list_(REAL)),
-            "flooring": TEXT,
-            **_named("furniture decorations", WHOLE),
-            "cost": REAL,
-            **_named("proven best", FLAG),
-            "left_out": TEXTS,
-        }
-    ),
-    "pieces": _schema(
-        {
-            "seed": WHOLE,
-            **_named("id room sort name kind category", TEXT),
-            **_named("x y z turn width depth height mass", REAL),
-            **_named("color parent under wall", TEXT),
-        }
-    ),
-    "receptacles": _schema(
-        {"seed": WHOLE, **_named("id piece room surface front", TEXT), **_named("x y z turn width depth clearance", REAL)}
-    ),
-    "doors": _schema(
-        {
-            "seed": WHOLE,
-            **_named("id kind", TEXT),
-            "level": WHOLE,
-            "axis": TEXT,
-            **_named("x z width sill head", REAL),
-            **_named("room_a room_b hinge swing", TEXT),
-            "main_entrance": FLAG,
-        }
-    ),
-    "graph": _schema({"seed": WHOLE, **_named("a b edge door", TEXT)}),
-    "fronts": _schema({"seed": WHOLE, **_named("piece front", TEXT), "opens": REAL, "meets": TEXT}),
+REAL, TEXT = pa.float64(), pa.string()
+COLUMN_KINDS: Final[dict[str, pa.DataType]] = {
+    "text": TEXT, "flag": pa.bool_(), "real": REAL, "whole": pa.int64(), "texts": pa.list_(TEXT), "points": pa.list_(pa.list_(REAL)),
+}  # fmt: skip
+"""What columns hold, by the word for it in `TABLE_COLUMNS`."""
+TABLE_COLUMNS: Final = {
+    "houses": """
+        whole: seed; text: id split status program style request catalog catalog_fingerprint version; real: width depth area;
+        whole: rooms doors windows furniture decorations people errors warnings proven best left_out missing; texts: unjoined notes issues;
+        text: refused digest scene
+    """,
+    "rooms": """
+        whole: seed; text: id; whole: index; text: type; whole: level; flag: outdoor; real: x z width depth area; points: polygon;
+        text: flooring; whole: furniture decorations; real: cost; flag: proven best; texts: left_out
+    """,
+    "pieces": "whole: seed; text: id room sort name kind category; real: x y z turn width depth height mass; text: color parent under wall",
+    "receptacles": "whole: seed; text: id piece room surface front; real: x y z turn width depth clearance",
+    "doors": """
+        whole: seed; text: id kind; whole: level; text: axis; real: x z width sill head; text: room_a room_b hinge swing;
+        flag: main_entrance
+    """,
+    "graph": "whole: seed; text: a b edge door",
+    "fronts": "whole: seed; text: piece front; real: opens; text: meets",
 }
-"""The schemas by table; every row names its home by `seed`."""
+"""The columns of each table in their order, behind what they hold; every row names its home by `seed`."""
+
+
+def _schema(columns: str) -> pa.Schema:
+    parts = [part.split(":") for part in columns.split(";")]
+    return pa.schema([pa.field(name, COLUMN_KINDS[kind.strip()]) for kind, names in parts for name in names.split()])
+
+
+SCHEMAS: Final[dict[str, pa.Schema]] = {table: _schema(columns) for table, columns in TABLE_COLUMNS.items()}
+"""The schemas by table."""
 
 
 RECORDS: Final = "shards"
