@@ -27,6 +27,26 @@ describe("history", () => {
     expect(home.canRedo).toBe(false);
   });
 
+  it("chooses what a deletion took, once that is undone, and nothing of what came for something else", () => {
+    const home = new Home();
+    home.show(shown(1, ["sofa_1", "bed_1", "lamp_1"]), "new");
+    home.select("sofa_1");
+    home.show(shown(1, ["lamp_1"]), "step");
+    expect(home.chosen).toEqual([]);
+    home.undo();
+    expect(home.chosen).toEqual(["sofa_1", "bed_1"]);
+    home.redo();
+    expect(home.chosen).toEqual([]);
+    home.show(shown(1, ["desk_1"]), "step"); // the room anew
+    home.undo();
+    expect(home.chosen).toEqual([]);
+    home.undo();
+    home.select("lamp_1");
+    home.redo();
+    home.undo();
+    expect(home.chosen).toEqual(["lamp_1"]); // who has chosen something keeps it
+  });
+
   it("takes for no step what leaves the home as it was, and keeps what can be redone", () => {
     const home = new Home();
     const [first, second] = [shown(1), shown(2)];

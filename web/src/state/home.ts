@@ -141,7 +141,16 @@ export class Home {
       return;
     }
     this.#future.push(this.#settled);
+    const left = this.#bodyIds();
     this.#goTo(before);
+    if (this.#selected === null) this.choose(this.#broughtBack(left));
+  }
+
+  /** What a deletion that is undone brings back: furniture, not what lies on it; else decorations. Nothing where something else went for it. */
+  #broughtBack(left: ReadonlySet<string>): readonly string[] {
+    const isAll = [...left].every((id) => this.#bodyIds().has(id));
+    const back = (kind: "furniture" | "decorations"): string[] => (this.scene?.rooms ?? []).flatMap((room) => room[kind].map(({ id }) => id)).filter((id) => !left.has(id));
+    return !isAll ? [] : back("furniture").length > 0 ? back("furniture") : back("decorations");
   }
 
   redo(): void {
