@@ -137,7 +137,8 @@ BROKEN = {
     "empty.json": ("", "It is empty."),
     "list.json": ("[1, 2]", "none of the files"),
     "null.json": ("null", "none of the files"),
-    "nan.json": ('{"rooms": [{"width": NaN, "depth": 2}]}', "rooms[0].width: Enter a number"),
+    "nan.json": ('{"rooms": [{"width": NaN, "depth": 2}]}', "rooms[0].width: is nan; allowed: a number above 0"),
+    "walls.geojson": ('{"type": "FeatureCollection", "unit": "m", "features": []}', "It holds no rooms. What is needed: at least one room"),
     "huge.json": ('{"rooms": [{"width": 1e300, "depth": 2}]}', "up to 1000"),
     "named <b>.json": ('{"rooms": [{"width": 3, "depth": 2, "furniture": 7}]}', "rooms[0].furniture"),
     "large.json": ('{"rooms": [' + " " * 9_000_000 + "]}", "It is larger than 8 MB"),
@@ -189,10 +190,10 @@ BESIDE = [[4, 0], [8, 0], [8, 3], [4, 3], [4, 0]]
 
 
 def drawn_plan() -> str:
-    """A plan of two rooms as GeoJSON, a door between them, another that leads outside, and a line that is in no wall."""
+    """A plan of two rooms as GeoJSON, a door between them, another that leads outside, a line that is in no wall, and a storey above."""
     rooms = [
-        {"type": "Feature", "properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
-        for name, ring in (("Schlafzimmer", SQUARE), ("Salon", BESIDE))
+        {"type": "Feature", "properties": {"name": name, "level": level}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+        for name, level, ring in (("Schlafzimmer", 0, SQUARE), ("Salon", 0, BESIDE), ("Attic", 1, SQUARE))
     ]
     lines = [[[4, 1], [4, 1.9]], [[5, 0], [5.9, 0]], [[20, 20], [20.9, 20]]]
     doors = [{"type": "Feature", "properties": {"kind": "door"}, "geometry": {"type": "LineString", "coordinates": line}} for line in lines]
@@ -207,7 +208,15 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     expect(page).to_have_title("Compose: flat.geojson")
     visit.settle()
     assert visit.count("rooms") == 2
-    expect(page.locator("#imported_list")).to_contain_text("Left out (1)")
+    expect(page.locator("#imported_list")).to_contain_text("Left out (2)")
+    page.get_by_role("button", name="Open storey 1").click()
+    expect(page.get_by_role("button", name="Open storey 0")).to_be_visible()
+    visit.settle()
+    assert page.evaluate("compose.scene.rooms.map(room => room.name)") == ["Attic"]
+    page.get_by_role("button", name="Open storey 0").click()
+    expect(page.get_by_role("button", name="Open storey 1")).to_be_visible()
+    visit.settle()
+    assert visit.count("rooms") == 2
     expect(page.locator("#status")).to_contain_text("Not furnished yet")
     expect(page.locator("#status .broken, #status .kept, #issues").filter(visible=True)).to_have_count(0)
     expect(page.get_by_role("button", name="Furnish empty rooms")).to_be_visible()

@@ -283,7 +283,7 @@ class Page {
     this.#home.select(null);
     this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
     this.#saved.holds(saved);
-    this.#imported.show(read);
+    this.#imported.show(read, (level) => this.#openFile({ ...file, level }, "push"));
     await this.#reads;
   }
 

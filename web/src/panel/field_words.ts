@@ -9,6 +9,9 @@ const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
 /** What the service says of a file that is none of its formats. */
 const UNKNOWN_FILE = /^(is in none of the formats|the text is not UTF-8)/;
 
+/** What the service says of a plan without rooms, with what its walls do, or its layers. */
+const ROOMLESS = /^are none in this file(?:; its walls: (.*)|, whose layers are (.*))?$/;
+
 type Field = HTMLInputElement | HTMLSelectElement;
 
 function labelOf(form: HTMLFormElement, field: Field): HTMLElement | null {
@@ -27,6 +30,11 @@ function calledIn(form: HTMLFormElement, field: Field): { readonly name: string;
 export function fieldWords({ problem, allowed }: FieldProblem, unit = ""): string {
   const number = NUMBER.exec(allowed)?.[1];
   if (number !== undefined) return say("Enter {number}", { number: `${tellPlainly(number)}${unit ? ` ${unit}` : ""}` });
+  return problemWords({ problem, allowed });
+}
+
+/** What is wrong with a field of what was sent, such as a file, which nobody enters here. */
+function problemWords({ problem, allowed }: Pick<FieldProblem, "problem" | "allowed">): string {
   const said = tellPlainly(problem);
   return !allowed || problem.includes(allowed) ? said : say("{problem}; allowed: {allowed}", { problem: said, allowed: tellPlainly(allowed) });
 }
@@ -63,9 +71,17 @@ function fileWords({ problem }: FieldProblem): string {
   return `${capital(tellPlainly(problem))}.`;
 }
 
+/** That a plan has no rooms, why its walls or layers tell of none, and what would. */
+function roomlessWords(allowed: string, walls?: string, layers?: string): string {
+  const why = walls ? ` ${say("Its walls {why}.", { why: tellPlainly(walls) })}` : layers ? ` ${say("Its layers are {names}.", { names: layers })}` : "";
+  return `${say("It holds no rooms.")}${why} ${say("What is needed: {allowed}.", { allowed: tellPlainly(allowed) })}`;
+}
+
 /** What is wrong with all that was sent; null where a field is wrong, which has a name. */
 function wholeWords(field: FieldProblem): string | null {
   if (field.field === "file") return fileWords(field);
+  const roomless = field.field === "rooms" && ROOMLESS.exec(field.problem);
+  if (roomless) return roomlessWords(field.allowed, roomless[1], roomless[2]);
   const most = field.field === "body" && /^at most \d+ bytes \((\d+ MB)\)$/.exec(field.allowed)?.[1];
   return most ? say("It is larger than {most}, the most that is read here.", { most }) : null;
 }
@@ -73,6 +89,6 @@ function wholeWords(field: FieldProblem): string | null {
 /** What a failure says, and each field that it names in a line. */
 export function refusalWords(reason: unknown): { readonly title: string; readonly lines: readonly string[] } {
   if (!(reason instanceof ServiceProblem)) return { title: say("The page failed"), lines: [String(reason)] };
-  const lines = reason.fields.map((field) => wholeWords(field) ?? `${tellPlainly(field.field)}: ${fieldWords(field)}`);
+  const lines = reason.fields.map((field) => wholeWords(field) ?? `${tellPlainly(field.field)}: ${problemWords(field)}`);
   return { title: tellPlainly(reason.title), lines: lines.length > 0 ? lines : [tellPlainly(reason.detail)] };
 }

@@ -8,6 +8,8 @@ import { tell, tellPlainly, tellSentence } from "../words/telling";
 /** What was said of a file; a plan that was drawn has nothing of it. */
 type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread" | "issues">;
 
+/** A storey that was left out, as the service calls its place in the file. */
+const STOREY = /^level (-?\d+)(?: \(|$)/;
 const PLAN_RULES: ReadonlySet<string> = new Set(["rooms_overlap", "opening_wrong"]);
 
 /** Which rooms indoors nobody can come into, in words; of all at once where there is no door at all. */
@@ -55,14 +57,21 @@ export function guessLines({ guesses, entrance }: Pick<FurnishAnswer, "guesses" 
   return entrance ? [...rooms, say("One comes in by {door}: {room}", { door: tellPlainly(entrance.id), room: called(entrance.room) })] : rooms;
 }
 
+/** Which storeys of a file were left out, in the order in which that is told. */
+export function storeysLeft({ unread }: Pick<ImportAnswer, "unread">): number[] {
+  return unread.flatMap(({ place }) => STOREY.exec(place)?.[1] ?? []).map(Number);
+}
+
 export class ImportReport {
   #read: ImportAnswer | null = null;
+  /** Opens another storey of the file. */
+  #open: (level: number) => void = () => undefined;
 
   constructor(readonly host: HTMLElement, readonly list: HTMLElement) {}
 
-  /** Shows what there is to say of a file; null: nothing was read. */
-  show(answer: ImportAnswer | null): void {
-    this.#read = answer;
+  /** Shows what there is to say of a file, another storey of which may be opened; null: nothing was read. */
+  show(answer: ImportAnswer | null, open: (level: number) => void = () => undefined): void {
+    [this.#read, this.#open] = [answer, open];
     this.#list(say("What the file became"), answer ? importLines(answer) : []);
   }
 
@@ -79,7 +88,12 @@ export class ImportReport {
     for (const head of this.host.querySelectorAll("h2")) head.textContent = words;
     this.list.ariaLabel = words;
     this.host.hidden = parts.length === 0;
-    this.list.replaceChildren(...parts.flatMap(({ title, lines }) => {
+    const storeys = (this.#read ? storeysLeft(this.#read) : []).map((level) => {
+      const other = Object.assign(document.createElement("button"), { type: "button", textContent: say("Open storey {level}", { level }) });
+      other.addEventListener("click", () => this.#open(level));
+      return other;
+    });
+    this.list.replaceChildren(...storeys, ...parts.flatMap(({ title, lines }) => {
       const [head, list] = [document.createElement("h3"), document.createElement("ul")];
       head.textContent = `${title} (${lines.length})`;
       list.append(...lines.map((line) => {
