@@ -93,11 +93,13 @@ def test_beds_have_no_window_behind_their_head_and_floor_at_both_sides() -> None
     assert ruler.stores_under_windows(scene(body("wardrobe", (1, 0.08), (1.2, 0.6)), openings=(behind,))) == (1, 1)
 
 
-def test_studios_have_nightstands_and_floor_before_the_bed() -> None:
-    found = [floor for seed in range(40) for floor in ruler.floors(generate(Request(seed=seed, program="studio")).scene, "living_room")]
+def test_studios_have_nightstands_a_screen_in_sight_and_floor_before_the_bed() -> None:
+    scenes = [generate(Request(seed=seed, program="studio")).scene for seed in range(40)]
+    found = [floor for one in scenes for floor in ruler.floors(one, "living_room")]
     beds = [(floor, bed) for floor in found for bed in floor.named("bed")]
     tables = [any(table.meets(*ruler.strip(bed, "front", 0.6)) for table in floor.named("coffee_table")) for floor, bed in beds]
     assert sum(len(floor.named("nightstand")) == 2 for floor, _ in beds) >= 0.5 * len(beds) and sum(tables) <= 0.25 * len(beds)
+    assert sum(ruler.screen_before_sofa(one)[0] for one in scenes) >= 36
 
 
 def test_seats_see_what_is_before_them() -> None:
