@@ -35,7 +35,7 @@ def outer_walls(rooms: Sequence[DrawnRoom], thicknesses: Sequence[Sequence[float
             way, by = ((b[0] - a[0]) / length, (b[1] - a[1]) / length), clockwise * (thickness - usual) / 2
             for low, high in lines.alone(number, room.level, a, b):
                 start, end = ((a[0] + way[0] * at + way[1] * by, a[1] + way[1] * at - way[0] * by) for at in (low, high))
-                yield DrawnWall(start, end, thickness, room.where, room.level)
+                yield DrawnWall(start, end, thickness, room.level)
 
 
 class _Lines:

@@ -58,7 +58,6 @@ class DrawnWall:
     start: Spot
     end: Spot
     thickness: float
-    where: str
     level: int = 0
 
 

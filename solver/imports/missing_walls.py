@@ -30,7 +30,7 @@ def passages(
     Of walls of which it draws the faces alone, one is missing where some of it is there, and the gap no wider than a passage.
     Two rooms that are `apart` have none, such as gardens that each have a door: files draw no railings, and what is there would be moved.
     """
-    walls = plan.walls or [DrawnWall(a, b, 0.0, "") for a, b in plan.faces]
+    walls = plan.walls or [DrawnWall(a, b, 0.0) for a, b in plan.faces]
     edges = [edge for room in rooms for edge in room] if walls else []
     made: list[Joined] = []
     for edge in (one for one in edges if one.out > 0):

@@ -161,7 +161,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     thick: float | None = None
     told: list[Unread] = []
     if rooms or not outlines:
-        walls = [DrawnWall(a, b, 0.0, one.where) for one in drawn_walls if not one.closed for a, b in pairwise(one.points)]
+        walls = [DrawnWall(a, b, 0.0) for one in drawn_walls if not one.closed for a, b in pairwise(one.points)]
         found = _beside(rooms, loose, openings, unit)
     else:
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
@@ -300,31 +300,28 @@ def _thickness(walls: Sequence[DrawnShape]) -> float | None:
 
 def _solid_walls(walls: Sequence[DrawnShape]) -> tuple[DrawnWall, ...]:
     """Returns walls drawn as thick lines, and as boxes of four corners: long ones, and short ones that are as thick as a long one."""
-    lines = [
-        DrawnWall(a, b, one.width, one.where) for one in walls if one.width
-        for a, b in pairwise(one.round())
-    ]  # fmt: skip
-    long, short = list[DrawnWall](), list[tuple[DrawnBox, str]]()
+    lines = [DrawnWall(a, b, one.width) for one in walls if one.width for a, b in pairwise(one.round())]
+    long, short = list[DrawnWall](), list[DrawnBox]()
     for one in walls:
         if one.closed and len({*one.points}) == 4:
             x0, z0, x1, z1 = box = bounds_of_points(one.points)
             thin, (start, end) = min(x1 - x0, z1 - z0), longer_line(one.points)
             if thin and math.dist(start, end) >= LONG * thin:
-                long.append(DrawnWall(start, end, thin, one.where))
+                long.append(DrawnWall(start, end, thin))
             elif thin:
-                short.append((box, one.where))
+                short.append(box)
     known = sorted({wall.thickness for wall in long})
-    return (*lines, *long, *(wall for box, where in short for wall in _short_walls(box, where, known)))
+    return (*lines, *long, *(wall for box in short for wall in _short_walls(box, known)))
 
 
-def _short_walls(box: DrawnBox, where: str, known: Sequence[float]) -> Iterator[DrawnWall]:
+def _short_walls(box: DrawnBox, known: Sequence[float]) -> Iterator[DrawnWall]:
     """Yields a short piece of wall along each axis across which it is as thick as some wall is known to be."""
     x0, z0, x1, z1 = box
     x, z = (x0 + x1) / 2, (z0 + z1) / 2
     for start, end, thickness in (((x0, z), (x1, z), z1 - z0), ((x, z0), (x, z1), x1 - x0)):
         near = known[max(0, bisect_left(known, thickness) - 1) :][:2]
         if any(abs(one - thickness) <= ALIKE * thickness for one in near):
-            yield DrawnWall(start, end, thickness, where)
+            yield DrawnWall(start, end, thickness)
 
 
 def labelled(room: DrawnRoom, texts: Sequence[DrawnText]) -> DrawnRoom:

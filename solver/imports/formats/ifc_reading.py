@@ -184,8 +184,7 @@ class _ReadBuilding:
         Of one shape that holds several walls there are the lines of their faces.
         """
         for wall in self.file.by_type("IfcWall"):
-            where = _place(wall)
-            solid = self._solid(wall, where)
+            solid = self._solid(wall, _place(wall))
             if solid is not None:
                 start, end, thickness = solid.middle_line(self.shapes.world_of(wall))
                 if math.dist(start, end) >= LONG * thickness:
@@ -194,7 +193,7 @@ class _ReadBuilding:
                 for level in [at for at in levels if low <= self.floors[at] + by <= high] if levels else [self._level(wall)]:
                     is_one = thickness * self.metres <= THICKEST or not solid.faces
                     for a, b in [(start, end)] if is_one else solid.sliced(self.floors[level] + by):
-                        yield DrawnWall((a[0], -a[1]), (b[0], -b[1]), thickness if is_one else 0.0, where, level)
+                        yield DrawnWall((a[0], -a[1]), (b[0], -b[1]), thickness if is_one else 0.0, level)
 
     def _openings(self) -> Iterator[DrawnOpening]:
         filled: set[int] = set()

@@ -210,7 +210,7 @@ def _room(said: Mapping[str, Any], points: list[Spot], where: str) -> DrawnRoom:
 
 
 def _walls(said: Mapping[str, Any], lines: Sequence[Sequence[Spot]], thickness: float, where: str) -> Iterator[DrawnWall]:
-    yield from (DrawnWall(a, b, thickness, where, _level(said, where)) for line in lines for a, b in pairwise(line))
+    yield from (DrawnWall(a, b, thickness, _level(said, where)) for line in lines for a, b in pairwise(line))
 
 
 def _opening(kind: str, said: Mapping[str, Any], points: Sequence[Spot], where: str) -> DrawnOpening:

@@ -130,7 +130,7 @@ def _wall(element: Element, where: str, level: int, unread: list[Unread]) -> Ite
         unread.append(Unread(where, "a round wall: the rooms' outlines tell where it is"))
         return
     start, end = ((number_in(element, f"x{at}", where), number_in(element, f"y{at}", where)) for at in ("Start", "End"))
-    yield DrawnWall(start, end, number_in(element, "thickness", where, 0.0), where, level)
+    yield DrawnWall(start, end, number_in(element, "thickness", where, 0.0), level)
 
 
 def _opening(element: Element, where: str, level: int) -> DrawnOpening:
