@@ -272,20 +272,27 @@ def test_a_service_lost_during_a_drag_is_said_and_all_stays(visit: Visit) -> Non
     def lose(route: Route) -> None:
         route.abort()
 
-    intercept(bench.page, "**/fix", lose)
+    for call in ("fix", "drag", "floor"):  # all that a drag asks for
+        intercept(bench.page, f"**/{call}", lose)
     bench.choose(ONE)
     bench.rest()
     handles = bench.page.evaluate(HANDLES)
-    bench.drag(ONE, bench.at(OTHER))
+    x, y = bench.at(OTHER)
+    with bench.page.expect_event("requestfailed", lambda request: request.url.endswith("/fix")):
+        bench.drag(ONE, (x, y))
     notice = bench.page.get_by_role("alert")
+    bench.page.mouse.move(x + 2, y)
+    bench.page.mouse.move(x, y)
+    expect(notice).to_be_hidden()
+    bench.page.mouse.up()
     expect(notice).to_contain_text("does not answer")
     expect(notice).to_contain_text("The home is as it was before the change.")
-    bench.page.mouse.up()
     bench.rest()
     assert bench.scene() == bench.before
     assert poses(bench.before) == drawn(bench)
     assert handles and bench.page.evaluate(HANDLES) == handles
-    bench.page.unroute("**/fix", lose)
+    for call in ("fix", "drag", "floor"):
+        bench.page.unroute(f"**/{call}", lose)
     notice.get_by_role("button", name="Try again").click()
     expect(notice).to_be_hidden()
     bench.rest()

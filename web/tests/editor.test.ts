@@ -89,28 +89,29 @@ describe("a drag", () => {
     expect(editor.lift(OTHER)).toBe(true);
   });
 
-  it("ends where it began when the service is lost, and says so once; tried again, it is one step", async () => {
+  it("goes on in the hand when the service is lost, and let go ends where it began, which is said once; tried again, it is one step", async () => {
     const { home, editor, call, calls, at, said } = bench();
     editor.lift(ONE);
     editor.drag({ x: 2, z: 1 });
     await call(0).answer(pushed(3.5));
-    editor.drag({ x: 3, z: 1 });
+    editor.drag({ x: 2.5, z: 1 });
     await call(1).lose();
-    expect([at(ONE), at(OTHER), editor.busy, said.failed.length]).toEqual([[1, 1], [3, 2], false, 1]);
-    editor.drag({ x: 4, z: 1 });
+    expect([editor.dragged, at(OTHER), said.failed.length]).toEqual([ONE, [3.5, 2], 0]);
+    editor.drag({ x: 3, z: 1 });
     editor.drop();
-    expect([at(ONE), editor.busy]).toEqual([[1, 1], false]);
+    await call(2).lose();
+    expect([at(ONE), at(OTHER), editor.busy, said.failed.length]).toEqual([[1, 1], [3, 2], false, 1]);
     said.again[0]?.();
     await turn();
-    await call(2).lose();
+    await call(3).lose();
     expect([at(ONE), said.failed.length]).toEqual([[1, 1], 2]);
     said.again[1]?.();
     await turn();
-    await call(3).answer(pushed(3.5));
+    await call(4).answer(pushed(3.5));
     expect([at(ONE), at(OTHER), home.steps.length]).toEqual([[3, 1], [3.5, 2], 2]);
     said.again[1]?.(); // the home is another by now
     await turn();
-    expect([calls.length, editor.busy]).toEqual([4, false]);
+    expect([calls.length, editor.busy]).toEqual([5, false]);
   });
 
   it("takes nothing that is locked or not there, nor a second piece", () => {

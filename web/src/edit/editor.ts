@@ -218,6 +218,7 @@ export class Editor {
   }
 
   #lost(reason: unknown): void {
+    if (this.#inHand) return; // a frame: the hand goes on, and what is asked once it lets go tells
     const [held, before] = [this.#held, this.home.settled];
     this.#goBack();
     this.words.refused(null);

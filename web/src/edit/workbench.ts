@@ -80,7 +80,7 @@ export class Workbench {
       inView: () => this.#roomInView(),
       failed: (reason, again) => words.failed(reason, again),
     });
-    this.#floor = new FloorZones(stage, floor, (reason) => words.failed(reason, this.#floorSwitch.checked ? () => this.#showFloor() : undefined));
+    this.#floor = new FloorZones(stage, floor, (reason) => { if (this.#floorSwitch.checked) words.failed(reason, () => this.#showFloor()); }); // for a drag nobody asked for it
     this.#why = new WhyPanel(element("why"), explain);
     this.#why.onChoose = (id) => home.select(id);
     this.#why.onShow = (answer) => {
