@@ -143,6 +143,7 @@ def test_a_plan_is_drawn_with_the_pointer_and_furnished(board: DrawingBoard) -> 
     board.click(7000, 1800)
     board.page.get_by_label("Type").select_option("bedroom")
     answer = board.furnish()
+    expect(board.page).to_have_title("Compose: a plan of your own")
     assert answer["scene"]["rooms"][1]["type"] == "bedroom"
     assert min(standing(answer["scene"]).values()) > 0
     assert [issue for issue in answer["issues"] if issue["severity"] == "error"] == []
@@ -150,6 +151,7 @@ def test_a_plan_is_drawn_with_the_pointer_and_furnished(board: DrawingBoard) -> 
     board.page.keyboard.press("Control+z")
     board.visit.settle()
     assert board.visit.count("rooms") > 2, "the home of before is back"
+    expect(board.page).to_have_title("Compose: house 4")
     assert board.visit.console == []
 
 

@@ -305,7 +305,7 @@ class Page {
     this.#entries.show(this.#keeping.homes.current, query, this.#keeping.store.lasts);
     this.#link.opens(query);
     this.#link.edited(this.#home.isEdited);
-    if (how === "new") document.title = file === null ? say("Compose: house {seed}", { seed: scene.seed }) : say("Compose: {file}", { file });
+    document.title = made && file === null ? say("Compose: house {seed}", { seed: scene.seed }) : say("Compose: {file}", { file: file ?? say("a plan of your own") });
     if (made && how === "new") this.#controls.show((this.#wanted = made));
     else this.#controls.showFurnishing(made ?? { style: scene.request?.style ?? undefined, decorate: scene.request?.decorate === true }, made !== null);
   }

@@ -6,7 +6,7 @@ import { EMPTY, withRoom, type Draft } from "../src/draw/draft";
 import { DrawnPlan } from "../src/draw/drawn_plan";
 import { Pencil } from "../src/draw/pencil";
 import { Sheet, type Marks, type Picture } from "../src/draw/sheet";
-import { Files } from "../src/panel/files";
+import { fileName, Files } from "../src/panel/files";
 
 afterEach(() => { vi.unstubAllGlobals(); });
 
@@ -24,6 +24,11 @@ it("hands on pictures to be drawn over, and reads drawings that are called image
   }
   await vi.waitFor(() => { expect(read).toHaveLength(3); });
   expect([over, read]).toEqual([["scan.png", "photo.jpg"], ["plan.svg", "plan.dxf", "home.yaml"]]);
+});
+
+it("names files by the seed, and those of a plan, which has none, as that", () => {
+  const names = [7, null].map((seed) => fileName({ seed } as never, "json"));
+  expect(names).toEqual(["compose-7.json", "compose-plan.json"]);
 });
 
 const PICTURE: Picture = { url: "data:,", width: 1000, height: 3000, scale: 12, opacity: 0.5 };

@@ -9,7 +9,7 @@ import { tellPlainly } from "../words/telling";
 const PICTURE = /^image\/(png|jpeg|gif|webp|avif|bmp)$/;
 
 export function fileName(scene: Scene, format: FileFormat): string {
-  return `compose-${scene.seed}.${format}`;
+  return `compose-${scene.seed ?? "plan"}.${format}`;
 }
 
 export function save(content: Blob, name: string): void {
