@@ -22,8 +22,8 @@ from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holder
 from solver.scene import Furniture, Room
 from solver.validator import Checked
 
-WALKING_SHARE = 4
-"""Why pieces are out of reach may cost this part of what telling may: it is said, not repaired."""
+SHARE = 4
+"""Why pieces are out of reach, and what helps the room as it is answered alone, may cost this part of what telling may."""
 
 NO_WAY = {
     False: "none of the ways to stand, clear of doors and windows, leaves room for all",
@@ -53,16 +53,25 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     leaves the room clean. Where there are several, it does so with the first of each other one: to leave out what that is about.
     """
     verdicts, settings = [*_verdicts(repair)], repair.problem.settings
-    offered: Sequence[tuple[Repair, ...]] = [()] * len(verdicts)
+    told = [Conflict(one.ids, one.message) for one in verdicts]
     if verdicts and settings.offering:
-        bare, work = house.after(replace(house.scene, dynamic=())), settings.explaining_work
-        budget = Budget(work)
-        goal = RepairGoal(bare, _asked(repair), budget, _is_shut_by_itself(bare, repair.problem.room, budget))
-        if len(verdicts) == 1 or _helps_to_leave_all(goal, verdicts):
-            verdicts = verdicts if settings.remove else _by_itself(replace(goal, budget=Budget(work / WALKING_SHARE)), verdicts)
-            offered = [_offered(goal, one, verdicts) for one in verdicts]
-    told = [Conflict(one.ids, one.message, repairs) for one, repairs in zip(verdicts, offered, strict=True)]
+        bare, asked = house.after(replace(house.scene, dynamic=())), _asked(repair)
+        budget = Budget(settings.explaining_work)
+        goal = RepairGoal(bare, asked, budget, _is_shut_by_itself(bare, repair.problem.room, budget))
+        told = _with_repairs(goal, verdicts) or told
+        if len(asked) > 1 and not all(one.repairs for one in told):
+            told = _with_repairs(replace(goal, problems=asked[:1], budget=Budget(settings.explaining_work / SHARE)), verdicts) or told
     return tuple(one for k, one in enumerate(told) if one not in told[:k])  # of two pieces the reason may be the same
+
+
+def _with_repairs(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[Conflict]:
+    """Returns the conflicts with what helps, as far as some does; none where not even to leave out what each is about helps."""
+    settings = goal.problems[0].settings
+    if len(verdicts) > 1 and not _helps_to_leave_all(goal, verdicts):
+        return []
+    walking = replace(goal, budget=Budget(settings.explaining_work / SHARE))
+    kept = verdicts if settings.remove else _by_itself(walking, verdicts)
+    return [Conflict(one.ids, one.message, _offered(goal, one, kept)) for one in kept]
 
 
 def _is_shut_by_itself(house: Checked, room: Room, budget: Budget) -> bool:
@@ -113,7 +122,7 @@ def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
         yield verdict
     if repair.unreached:
         pieces = pieces_as_sent(replace(repair.problem, room=repair.sound))
-        asked = _WhyNot(repair, pieces, Budget(work / WALKING_SHARE))
+        asked = _WhyNot(repair, pieces, Budget(work / SHARE))
         for label in repair.unreached:
             if label not in known:
                 verdict = asked.why(pieces, label, walk=True)
