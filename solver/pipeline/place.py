@@ -3,10 +3,10 @@
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from typing import TypeAlias
 
 from catalogs import Catalogs, load_catalogs
-from catalogs.schema import RelationSpec
 from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
@@ -25,6 +25,8 @@ Asking: TypeAlias = Callable[[Sequence[PieceRequest]], PlaceTask]
 
 MOST_FIRM = 4
 """How many of those left out are asked for with all that comes before them in the list."""
+MOST_FREED = 6
+"""Relations of a piece without a place that are left out in turn, to say which keeps it from one."""
 
 
 def place(  # noqa: PLR0913 - keyword-only options of a public function
@@ -172,13 +174,14 @@ def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Askin
     conflicts, budget = [], Budget(ROOM_WORK)
     for piece in required:
         if piece.label in given_up:
-            conflicts.append(Conflict((piece.label,), _not_held(_sized(task, piece)), (_leaving_out(piece.label),)))
+            words = _not_held(_sized(task, piece), _without_which(task, asked, found, piece.label))
+            conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
         elif piece.label in missing and (parents := _asked_beside(task, piece.label, before[piece.label])):
             words = f"{_sized(task, piece)} is asked for in relation to {' or '.join(parents)}, for which there is no place"
             conflicts.append(Conflict((piece.label,), words, (_leaving_out(piece.label),)))
         elif piece.label in missing:
             others = [other for other in required if other.label not in missing or other is piece]
-            conflicts.append(_conflict(task, asked, others, piece, budget))
+            conflicts.append(_conflict(task, asked, others, piece, budget, found))
     return tuple(conflicts)
 
 
@@ -190,23 +193,25 @@ def _asked_beside(task: PlaceTask, label: str, missing: set[str]) -> Sequence[st
     return next((names for names in others if names and missing.issuperset(names)), ())
 
 
-def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: Piece, budget: Budget) -> Conflict:
+def _conflict(  # noqa: PLR0913, PLR0917 - what was asked, and what came of it
+    task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: Piece, budget: Budget, found: Round
+) -> Conflict:
     """Explains a piece by the fewest that cannot stand, or be reached, together; each without which all others are reached may be left out.
 
     Where they can as soon as no relation holds them, no more is known than that no place was found: not every place where a relation holds
     is tried.
     """
     members, walk = _fewest(task, pieces, missing.label, budget)
-    related, held, bound = task.listing.space, pieces, _bound(task.requests)
+    sent, related, held, bound = task, task.listing.space, pieces, _bound(task.requests)
     if members and missing.label not in members:  # those stand in the answer: not every place where a relation holds is tried
         task = asked([replace(one, relations=()) for one in task.requests])
         pieces = [piece for piece in task.pieces if piece.label in {one.label for one in held}]
         members, walk = _fewest(task, pieces, missing.label, budget)
-        if missing.label not in (members or ()):
-            sized = _sized(task, missing)
-            return Conflict((missing.label,), _not_held(sized) if bound else at_limit(sized, False), (_leaving_out(missing.label),))
+        members, walk = (members, walk) if missing.label in (members or ()) else (None, False)
     if members is None:
-        return Conflict((missing.label,), at_limit(_sized(task, missing), walk), (_leaving_out(missing.label),))
+        sized = _sized(task, missing)
+        words = _not_held(sized, _without_which(sent, asked, found, missing.label)) if bound else at_limit(sized, walk)
+        return Conflict((missing.label,), words, (_leaving_out(missing.label),))
     by_label = {piece.label: piece for piece in pieces}
     removals = tuple(
         _leaving_out(member)
@@ -215,14 +220,10 @@ def _conflict(task: PlaceTask, asked: Asking, pieces: Sequence[Piece], missing: 
     )
     names = " and ".join(_sized(task, by_label[member]) for member in members)
 
-    def can_stand(requests: Sequence[PieceRequest], labels: Collection[str], walk: bool) -> bool | None:
-        other = asked(requests)
-        return feasible(other.listing.space, [piece for piece in other.pieces if piece.label in labels], budget, walk)
-
-    if _bound(task.requests) and can_stand([replace(one, relations=()) for one in task.requests], members, walk) is not False:
-        freed = ((spec.type, requests) for spec, requests in _each_freed(task.requests, missing.label))
-        which = [word for word, requests in freed if can_stand(requests, by_label, True)]
-        return Conflict(members, _not_held(names, which), removals)
+    if bound:
+        free = asked([replace(one, relations=()) for one in task.requests])
+        if feasible(free.listing.space, [piece for piece in free.pieces if piece.label in members], budget, walk) is not False:
+            return Conflict(members, _not_held(names, _without_which(sent, asked, found, missing.label)), removals)
     if walk:
         where, there = ("", "it") if len(members) == 1 else ("together ", "them")
         words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
@@ -239,13 +240,29 @@ def _fewest(task: PlaceTask, pieces: Sequence[Piece], missing: str, budget: Budg
     return minimal_conflict(space, pieces, missing, budget, True) if walk else members, walk
 
 
-def _each_freed(requests: Sequence[PieceRequest], label: str) -> Iterator[tuple[RelationSpec, Sequence[PieceRequest]]]:
-    """Yields each required relation of a piece that has several, and the requests without it."""
-    one = next(request for request in requests if label in request.labels)
-    required = [spec for spec in one.relations if spec.required]
-    for spec in required if len(required) > 1 else ():
-        freed = replace(one, relations=tuple(other for other in one.relations if other is not spec))
-        yield spec, [freed if request is one else request for request in requests]
+def _without_which(task: PlaceTask, asked: Asking, found: Round, label: str) -> list[str]:
+    """Returns without which required relations, its own or of others to it, a piece has a place and no other loses its: each is tried."""
+    words = list[str]()
+    for word, requests in islice(_each_freed(task, label), MOST_FREED):
+        if is_call_spent():
+            break
+        freed = asked(requests)
+        other = quick_placement(freed, freed.pieces)
+        stands = any(one.label == label for one in other.arrangement.placed) and label not in other.breaking
+        if stands and other.score[0] < found.score[0]:
+            words.append(word)
+    return words
+
+
+def _each_freed(task: PlaceTask, label: str) -> Iterator[tuple[str, Sequence[PieceRequest]]]:
+    """Yields each required relation of a piece, and those of others to it with their ids, in words, and the requests without it."""
+    labels = labels_by_name(task.room, task.requests)
+    for one in sorted(task.requests, key=lambda one: label not in one.labels):
+        is_own = label in one.labels
+        for spec in one.relations:
+            if spec.required and (is_own or any(label in labels.get(name, ()) for name in spec.of)):
+                freed = replace(one, relations=tuple(other for other in one.relations if other is not spec))
+                yield spec.type if is_own else f"{spec.type} ({one.id})", [freed if other is one else other for other in task.requests]
 
 
 def _not_held(names: str, without: Sequence[str] = ()) -> str:
