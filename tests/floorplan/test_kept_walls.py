@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from catalogs import Catalogs, load_catalogs
 from solver import Request
@@ -26,23 +28,22 @@ def ends(opening: Opening) -> tuple[int, int]:
     return middle - half, middle + half
 
 
-def is_broken(room: Room, wall: str, at: int, depth: int) -> bool:
-    """Tells whether a window is in a wall there, or a door's square on the floor before it: by a raster of 1 by 5 cm."""
+def broken(room: Room, wall: str, depth: int) -> NDArray[np.bool_]:
+    """Tells of each cm of a wall whether a window is in it, or a door's square on the floor before it: by a raster of 1 by 5 cm."""
     width, length = round(room.width * 1000), round(room.depth * 1000)
+    at = np.arange(5, width if wall in ("north", "south") else length, 10)[:, None]
+    off = np.arange(5, depth, 50)[None, :]
+    x, z = {"north": (at, off), "south": (at, length - off), "west": (off, at), "east": (width - off, at)}[wall]
+    found = np.zeros((at.size, off.size), dtype=bool)
     for opening in room.openings:
         low, high = ends(opening)
         if opening.kind == "window":
-            if opening.wall == wall and low < at < high:
-                return True
+            found |= (opening.wall == wall) & (low < at) & (at < high)
             continue
-        deep = min(high - low, SQUARE)
-        for off in range(5, depth, 50):
-            x, z = {"north": (at, off), "south": (at, length - off), "west": (off, at), "east": (width - off, at)}[wall]
-            across, into = (x, z) if opening.wall in ("north", "south") else (z, x)
-            into = into if opening.wall in ("north", "west") else (length if opening.wall == "south" else width) - into
-            if low < across < high and into < deep:
-                return True
-    return False
+        across, into = (x, z) if opening.wall in ("north", "south") else (z, x)
+        into = into if opening.wall in ("north", "west") else (length if opening.wall == "south" else width) - into
+        found |= (low < across) & (across < high) & (into < min(high - low, SQUARE))
+    return np.logical_or.reduce(found, axis=1)
 
 
 def longest(room: Room, depth: int) -> int:
@@ -50,8 +51,8 @@ def longest(room: Room, depth: int) -> int:
     best = 0
     for wall in ("north", "south", "west", "east"):
         run = 0
-        for at in range(5, round((room.width if wall in ("north", "south") else room.depth) * 1000), 10):
-            run = 0 if is_broken(room, wall, at, depth) else run + 10
+        for is_broken in broken(room, wall, depth).tolist():
+            run = 0 if is_broken else run + 10
             best = max(best, run)
     return best
 
