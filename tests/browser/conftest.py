@@ -85,7 +85,7 @@ def window(browser: Browser, size: ViewportSize = WINDOW, **more: Any) -> Browse
 
 def keep_open(context: BrowserContext, service: ServiceProcess) -> None:
     """Keeps a window and the process of its pages, by a page that stays: a new one of either costs as much as a page."""
-    context.new_page().goto(service.address + PROBE.removeprefix("/"))
+    context.new_page().goto(service.address + PROBE.removeprefix("/"), timeout=ANSWER_MS)
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from pathlib import Path
 from playwright.sync_api import Playwright, ViewportSize
 
 from tests.browser.service_process import descendants
+from tests.browser.visit import ANSWER_MS
 from tests.chromium import FLAGS
 
 LAPTOP: ViewportSize = {"width": 1440, "height": 900}
@@ -51,7 +52,7 @@ def first_picture_s(playwright: Playwright, path: Path, address: str) -> tuple[f
     page.expose_binding("firstPicture", lambda _source: shown.append(spent()))
     page.add_init_script(TELL)
     started = spent()
-    page.goto(address)
+    page.goto(address, timeout=ANSWER_MS)
     while not shown:
         page.wait_for_timeout(100)
     browser.close()

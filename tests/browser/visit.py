@@ -129,7 +129,7 @@ class Visit:
 
     def __init__(self, page: Page, address: str, *, hands_on: bool = False) -> None:
         self.page = page
-        page.set_default_timeout(ANSWER_MS)
+        page.context.set_default_timeout(ANSWER_MS)  # for what a test asks the service itself, too
         self.address, self.hands_on = address, hands_on
         self.handed_on = page.url.startswith(address)
         self.found_other: list[str] = []
@@ -164,7 +164,7 @@ class Visit:
         if self.handed_on:
             self.handed_on = False
             if self.page.evaluate(CAN_GO_ON):
-                with self.page.expect_response(_generated, timeout=ANSWER_MS) as caught:
+                with self.page.expect_response(_generated) as caught:
                     self.page.evaluate(OPEN_ANOTHER, self.address + query)
                 self.found_other = self.page.evaluate(OTHER_THAN_NEW, ANSWER_MS)
                 assert self.found_other is not None, "the page does not come to rest"
@@ -185,7 +185,7 @@ class Visit:
 
     def after(self, act: Callable[[], object]) -> Document:
         """Do something that makes a house, wait until it is shown, return the answer to /generate."""
-        with self.page.expect_response(_generated, timeout=ANSWER_MS) as caught:
+        with self.page.expect_response(_generated) as caught:
             act()
         self.settle()
         answer: Document = caught.value.json()
