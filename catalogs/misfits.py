@@ -41,7 +41,7 @@ def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
     first = min(error.errors(include_url=False), key=lambda one: one["type"] != UNKNOWN)
     at = tuple(step for step in first["loc"] if not (isinstance(step, str) and step.startswith(NO_KEYS)))
     if first["type"] == UNKNOWN:
-        known = _keys(schema, at[:-1])
+        known = known_keys(schema, at[:-1])
         return Fault("", at, f"unknown key{near(str(at[-1]), known)}", ", ".join(known))
     if first["type"] == "literal_error":
         expected = str(first["ctx"]["expected"])
@@ -57,13 +57,13 @@ def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
     return Fault("", at, first["msg"].removeprefix("Value error, ").replace("Input should", "should"))
 
 
-def _keys(schema: Mapping[str, Any], way: Sequence[str | int]) -> list[str]:
+def known_keys(schema: Mapping[str, Any], way: Sequence[str | int]) -> list[str]:
     """Returns the keys that a schema knows that way inside a document."""
     return [key for option in options_of(schema, schema_at(schema, way)) for key in option.get("properties", ())]
 
 
 def _allowed(schema: Mapping[str, Any], way: Sequence[str | int]) -> str:
-    known = _keys(schema, way)
+    known = known_keys(schema, way)
     return f"an object with {', '.join(known)}" if known else allowed(schema, schema_at(schema, way))
 
 

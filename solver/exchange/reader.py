@@ -13,7 +13,7 @@ from typing import Annotated, Any, Final, TypeVar
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import core_schema
 
-from catalogs.misfits import LENGTHS, allowed, called, options_of, reader_of, schema_at, schema_of
+from catalogs.misfits import LENGTHS, allowed, called, known_keys, reader_of, schema_at, schema_of
 from solver.errors import MOST_TOLD, FieldError, RequestError, SceneError
 from solver.exchange.identity import check_outlines, identified, indexed
 from solver.exchange.told_keys import tell_keys
@@ -163,7 +163,7 @@ def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: obje
     if first["type"] == "refused":
         return path(way), first["ctx"]["problem"], first["ctx"]["allowed"]
     if first["type"] in ("unexpected_keyword_argument", "extra_forbidden"):
-        known = [key for option in options_of(schema, schema_at(schema, way[:-1])) for key in option.get("properties", ())]
+        known = known_keys(schema, way[:-1])
         near = get_close_matches(str(way[-1]), known, 1)
         return path(way), "is not known" + (f"; {near[0]}?" if near else ""), ", ".join(known)
     if first["type"] == "value_error":
