@@ -95,6 +95,7 @@ class Synonyms:
         vague = (word for entry in catalogs.synonyms.values() if entry.means == "nothing" for word in entry.known_as)
         self._vague = frozenset(joined(words_of(word)) for word in vague) - {""}
         self._parts = frozenset(self._by_phrase) | self._vague
+        self._by_length = _by_length(self._by_phrase)
         self.meaning = lru_cache(maxsize=_MANY)(self._meaning)
         """What a foreign name with a size, or a height alone (m; None: not told), means; None where nobody can tell."""
 
@@ -150,8 +151,7 @@ class Synonyms:
     def _misspelled(self, phrase: str, size: KindSize | float | None) -> Meaning | None:
         if len(phrase) < LEAST_GUESSED or not isinstance(size, tuple):
             return None
-        return next((found for near in get_close_matches(phrase, sorted(self._by_phrase), 1, NEARLY)
-                     if (found := self._nearest(near, size, PERHAPS))), None)  # fmt: skip
+        return next((found for near in _close_to(phrase, self._by_length) if (found := self._nearest(near, size, PERHAPS))), None)
 
     def _nearest(self, phrase: str, size: KindSize | float | None, most: float) -> Meaning | None:
         """Returns the meaning of a phrase that is nearest in size; None where all are too far, or it has none."""
@@ -164,6 +164,20 @@ class Synonyms:
         if agreeing:
             return min(agreeing, key=lambda one: one[0] or 0.0)[1]
         return next((meaning for meaning, other in known.items() if other is None), None)
+
+
+def _by_length(phrases: Iterable[str]) -> dict[int, list[str]]:
+    found: dict[int, list[str]] = {}
+    for phrase in sorted(phrases):
+        found.setdefault(len(phrase), []).append(phrase)
+    return found
+
+
+def _close_to(word: str, phrases: Mapping[int, Sequence[str]]) -> list[str]:
+    """Returns the phrase that a word is a misspelling of, if there is one; only what is about as long can be."""
+    count = len(word)
+    near = [one for length, some in phrases.items() if 2 * min(length, count) >= NEARLY * (length + count) for one in some]
+    return get_close_matches(word, near, 1, NEARLY)
 
 
 @lru_cache(maxsize=4)
@@ -223,6 +237,7 @@ class RoomNames:
             for phrase in entry.known_as if entry.means != "nothing" else ():
                 self._by_phrase.setdefault(joined(words_of(phrase)), key)
         self._endings = tuple(sorted((word for word in self._by_phrase if _may_end(word)), key=lambda word: (-len(word), word)))
+        self._endings_by_length = _by_length(self._endings)
         self._by_phrase.pop("", None)
         vague = (word for entry in catalogs.room_names.values() if entry.means == "nothing" for word in entry.known_as)
         self._vague = frozenset(joined(words_of(word)) for word in vague)
@@ -265,7 +280,7 @@ class RoomNames:
         """Returns the meaning of a word that is written together with another, or misspelled."""
         for word in told:
             ending = next((end for end in self._endings if word.endswith(end)), None)
-            near = get_close_matches(word, self._endings, 1, NEARLY) if ending is None and len(word) >= LEAST_GUESSED else []
+            near = _close_to(word, self._endings_by_length) if ending is None and len(word) >= LEAST_GUESSED else []
             if ending or near:
                 return RoomMeaning(self._by_phrase[ending or near[0]], plain=False)
         return None

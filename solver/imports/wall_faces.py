@@ -1,7 +1,7 @@
 """A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Final, Literal, NamedTuple
 
@@ -111,15 +111,21 @@ def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[D
     for one in walls:
         by_line.setdefault((one.axis, one.at), []).append(one)
     made: list[DrawnLine] = []
-    for parts in by_line.values():
+    beside = {(axis, at): _beside(openings, axis, at) for axis, at in by_line}
+    for key, parts in by_line.items():
         parts.sort(key=lambda one: (one.low, one.high))
         end = parts[0].high
         for one in parts[1:]:
             gap = DrawnLine(one.axis, one.at, end, one.low)
-            if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in openings)):
+            if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in beside[key])):
                 made.append(gap)
             end = max(end, one.high)
-    return [*walls, *made, *_reaching(walls, openings, made)]
+    return [*walls, *made, *_reaching(walls, beside, made)]
+
+
+def _beside(openings: Sequence[DrawnLine], axis: str, at: int) -> list[DrawnLine]:
+    """Returns the openings that may lie in a wall whose face runs there."""
+    return [one for one in openings if one.axis == axis and abs(one.at - at) <= BESIDE]
 
 
 class WallRows:
@@ -196,14 +202,16 @@ def free_ends(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> int:
     return sum(not rows.is_met(one, end) for one in lines for end in (one.low, one.high))
 
 
-def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], closed: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
+def _reaching(
+    walls: Sequence[DrawnLine], beside: Mapping[tuple[str, int], Sequence[DrawnLine]], closed: Sequence[DrawnLine]
+) -> Iterator[DrawnLine]:
     """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings.
 
     None from a doorpost over the opening behind it, at the end of a hallway: the gap in that one's own wall is closed.
     """
     rows = WallRows(walls)
     for one in walls:
-        beside = [opening for opening in openings if opening.axis == one.axis and abs(opening.at - one.at) <= BESIDE]
+        near = beside[one.axis, one.at]
         for end in (one.low, one.high):
             crossed = None if rows.is_met(one, end) else rows.ahead(one, end, CRACK)
             if crossed:
@@ -211,9 +219,9 @@ def _reaching(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], closed:
                 if not crossed.low <= one.at <= crossed.high:
                     far = crossed.low if one.at < crossed.low else crossed.high
                     yield DrawnLine(crossed.axis, crossed.at, *sorted((one.at, far)))
-            elif beside and (crossed := rows.ahead(one, end, None)):
+            elif near and (crossed := rows.ahead(one, end, None)):
                 gap = DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
-                if any(_fills(opening, gap) and not any(_is_behind(own, opening, gap) for own in closed) for opening in beside):
+                if any(_fills(opening, gap) and not any(_is_behind(own, opening, gap) for own in closed) for opening in near):
                     yield gap
 
 

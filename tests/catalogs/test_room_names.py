@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from pathlib import Path
+from random import Random
 
 import pytest
 
 from catalogs import CatalogError, load_catalogs
-from catalogs.synonyms import room_names_of, words_of
+from catalogs.synonyms import NEARLY, _close_to, room_names_of, synonyms_of, words_of
 from tests.every import every
 
 KNOWN = load_catalogs()
@@ -207,3 +209,19 @@ def test_a_plain_name_is_one_whose_meaning_is_plain() -> None:
     meanings = {name: NAMES.meaning(name) for name in said}
     assert {name for name in said if NAMES.is_plain(name)} == {name for name, one in meanings.items() if one and one.plain}
     assert any(one and not one.plain for one in meanings.values())
+
+
+@pytest.mark.parametrize("known", ["rooms", "pieces"])
+def test_what_is_nearly_a_word_is_what_the_whole_list_says(known: str) -> None:
+    """Words of other lengths are not looked at: none of them is ever the nearest."""
+    by_length = NAMES._endings_by_length if known == "rooms" else synonyms_of(KNOWN)._by_length
+    words, chance, told = sorted(word for some in by_length.values() for word in some), Random(known), 0
+    for _ in range(60):
+        letters = list(chance.choice(words))
+        for _ in range(chance.randrange(4)):
+            at = chance.randrange(len(letters) + 1)
+            letters[at : at + chance.randrange(2)] = chance.choice(("", "e", "zi"))
+        near = get_close_matches("".join(letters), words, 1, NEARLY)
+        assert _close_to("".join(letters), by_length) == near
+        told += bool(near)
+    assert 0 < told < 60

@@ -253,3 +253,10 @@ def test_boxes_around_names_are_none_where_something_is_called_a_room() -> None:
 
 def test_a_room_is_known_by_a_class_that_only_holds_its_name() -> None:
     assert [kind for kind, *_ in boxed(("class='Space Bath Shower'", 0, 0, 400, 300), texts="")] == ["bathroom"]
+
+
+def test_shapes_are_counted_while_they_are_read() -> None:
+    """What comes behind too many is not looked at: names cost more than anything else of a drawing."""
+    walls = "".join(f"<rect id='wall {at}' width='4' height='3'/>" for at in range(6_000))
+    with pytest.raises(FieldError, match=r"shapes: are 5,001 \(allowed: at most 5,000\)"):
+        read(f"<svg xmlns='http://www.w3.org/2000/svg'>{walls}</svg>".encode())

@@ -147,7 +147,7 @@ class _ReadBuilding:
         holder, held = self._holder(element), {element.id()}
         while holder is not None and holder.id() not in self.storeys:
             if holder.id() in held:
-                raise FieldError(_place(holder), "is drawn within itself")
+                raise FieldError(_place(holder), "is drawn within itself", "what a storey holds")
             held.add(holder.id())
             holder = self._holder(holder)
         if holder is not None:

@@ -14,7 +14,18 @@ from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
-from solver.imports.drawn import DrawnAlong, DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnRoom, OpeningKind, Spot
+from solver.imports.drawn import (
+    MOST_POINTS,
+    DrawnAlong,
+    DrawnLevel,
+    DrawnOpening,
+    DrawnPiece,
+    DrawnPlan,
+    DrawnRoom,
+    OpeningKind,
+    Spot,
+    check_count,
+)
 from solver.imports.formats.svg_elements import (
     LENGTH,
     NAMES_APART,
@@ -181,6 +192,7 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     if names is None:
         return plan_of_shapes(DrawnSheet([], [], []), told, metres)
+    called = 0
     for element in elements:
         shapes, texts, swings = sheets[names.storey_of_layer("/".join(element.names[:2]))]
         texts += [text_at(element.words, element.lines[0].points[0], names)] if element.words else []
@@ -197,6 +209,8 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
             width = _stroke(element) if sort == "wall" and (not closed or _styled(element, "fill") == "none") else 0.0
             named = "/".join(element.names[:1])
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
+            called += shapes[-1].sort is not None
+        check_count("shapes", called, MOST_POINTS)
     return plan_of_shapes(side_by_side(sheets), told, metres)
 
 
