@@ -23,15 +23,6 @@ BOXES = """() => [...document.querySelectorAll('[data-room]')].map(one => {
     const {x, y, width, height} = one.getBBox();
     return [x, y, x + width, y + height];
 })"""
-WIDE_NAMES = """() => {
-    const rooms = [...document.querySelectorAll('[data-room]')].map(one => one.getBBox());
-    return [...document.querySelectorAll('.sheet .room-name')].filter(name => {
-        const {x, y, width, height} = name.getBBox();
-        const [u, v] = [x + width / 2, y + height / 2];
-        const own = rooms.find(room => room.x <= u && u <= room.x + room.width && room.y <= v && v <= room.y + room.height);
-        return x < own.x || own.x + own.width < x + width;
-    }).map(name => name.textContent);
-}"""
 TOLD = "[...document.querySelectorAll('#stage > [id], #progress, #stage section, #notice')].map(one => one.id)"
 """What lies over the house, in the page's own order."""
 DRAW = "Draw a plan"
@@ -171,25 +162,6 @@ def test_the_tools_are_one_row_of_a_laptop_and_nothing_is_said_of_the_home_befor
     expect(page.locator("#status [data-count=rooms]")).to_be_visible()
     assert before
     page.set_viewport_size(before)
-
-
-def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Visit) -> None:
-    before = visit.page.viewport_size
-    visit.page.set_viewport_size({"width": 1440, "height": 900})
-    visit.open("")
-    board = DrawingBoard(visit).open("Change this plan")
-    assert board.page.locator(".sheet .room-name").count() == 13
-    assert board.page.evaluate(WIDE_NAMES) == []
-    visit.page.set_viewport_size({"width": 390, "height": 844})
-    assert board.page.locator(".sheet .room-name").count() == 13
-    assert board.page.evaluate(WIDE_NAMES) == []
-    assert board.page.locator(".room-name", has_text="Dining").locator("tspan").all_text_contents()[:2] == ["Dining", "room"]
-    box = board.page.locator("#drawing").bounding_box()
-    assert box == {"x": 0, "y": 0, "width": 390, "height": 844}
-    for tool in ("choose", "furnish", "close"):
-        expect(board.page.locator(f".drawing-tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
-    assert before
-    visit.page.set_viewport_size(before)
 
 
 def test_a_plan_is_drawn_with_keys_alone(visit: Visit) -> None:

@@ -6,9 +6,19 @@ import re
 
 from playwright.sync_api import ViewportSize, expect
 
+from tests.browser.test_drawing import DrawingBoard
 from tests.browser.test_editing import ONE, OTHER, Bench, crate, den
 from tests.browser.visit import SMALL, Document, Visit
 
+WIDE_NAMES = """() => {
+    const rooms = [...document.querySelectorAll('[data-room]')].map(one => one.getBBox());
+    return [...document.querySelectorAll('.sheet .room-name')].filter(name => {
+        const {x, y, width, height} = name.getBBox();
+        const [u, v] = [x + width / 2, y + height / 2];
+        const own = rooms.find(room => room.x <= u && u <= room.x + room.width && room.y <= v && v <= room.y + room.height);
+        return x < own.x || own.x + own.width < x + width;
+    }).map(name => name.textContent);
+}"""
 PHONE: ViewportSize = {"width": 390, "height": 844}
 ZOOMED: ViewportSize = {"width": 720, "height": 450}
 FRAME = 4
@@ -165,3 +175,22 @@ def test_nothing_shines_through_the_tour(visit: Visit) -> None:
     expect(visit.page.locator("#tour button:visible").last).to_be_in_viewport(ratio=1)
     visit.page.locator("#tour button:visible").first.click()
     expect(visit.page.locator("#tour")).to_be_hidden()
+
+
+def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Visit) -> None:
+    before = visit.page.viewport_size
+    visit.page.set_viewport_size({"width": 1440, "height": 900})
+    visit.open("")
+    board = DrawingBoard(visit).open("Change this plan")
+    assert board.page.locator(".sheet .room-name").count() == 13
+    assert board.page.evaluate(WIDE_NAMES) == []
+    visit.page.set_viewport_size({"width": 390, "height": 844})
+    assert board.page.locator(".sheet .room-name").count() == 13
+    assert board.page.evaluate(WIDE_NAMES) == []
+    assert board.page.locator(".room-name", has_text="Dining").locator("tspan").all_text_contents()[:2] == ["Dining", "room"]
+    box = board.page.locator("#drawing").bounding_box()
+    assert box == {"x": 0, "y": 0, "width": 390, "height": 844}
+    for tool in ("choose", "furnish", "close"):
+        expect(board.page.locator(f".drawing-tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
+    assert before
+    visit.page.set_viewport_size(before)
