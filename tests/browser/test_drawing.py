@@ -248,7 +248,11 @@ def test_a_door_where_walls_meet_joins_two_rooms(board: DrawingBoard) -> None:
     for start, end in (((0, 0), (5, 4)), ((5, 0), (8, 4)), ((0, 4), (4, 7.5)), ((4, 4), (5.5, 7.5)), ((5.5, 4), (8, 7.5))):
         board.drag((1000 * start[0], 1000 * start[1]), (1000 * end[0], 1000 * end[1]))
     board.page.keyboard.press("d")
-    for x, z in ((4700, 7500), (4700, 4000), (4000, 5500), (5500, 5500), (5000, 1500)):
+    board.click(4700, 7500)
+    board.judge()
+    expect(board.page.locator(".drawing-side .issue-warning")).to_have_count(4)  # the other rooms, each once, none as if it were wrong
+    expect(board.page.locator(".drawing-side .issue-error, .sheet .floor.wrong")).to_have_count(0)
+    for x, z in ((4700, 4000), (4000, 5500), (5500, 5500), (5000, 1500)):
         board.click(x, z)
     leading = {room["id"]: [one["connects_to"] for one in room["openings"]] for room in board.verdict()["rooms"]}
     assert leading == {

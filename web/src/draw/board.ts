@@ -23,6 +23,7 @@ const NEW_ROOM = { width: 4000, depth: 3000 } as const;
 const UNSAID_COLOR = "#cfd6de";
 const REPEATED: ReadonlySet<string> = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"]);
 const MISSING = "missing_required";
+const UNREACHABLE = "unreachable";
 
 export interface BoardCalls {
   catalog(signal: AbortSignal): Promise<Catalog>;
@@ -185,7 +186,9 @@ export class Board {
   #judged(issues: readonly Issue[]): void {
     this.#found.ariaBusy = "false";
     const isToBeFurnished = new Set(this.#plan.settled.rooms.filter(({ from }) => (from?.furniture.length ?? 0) === 0).map(({ id }) => id));
-    this.#issues = issues.filter((issue) => !(issue.rule === MISSING && isToBeFurnished.has(issue.room ?? "")));
+    const isClosed = new Set(this.scene.rooms.filter(({ openings }) => openings.every(({ kind }) => kind === "window")).map(({ id }) => id));
+    this.#issues = issues.filter((issue) => !(issue.rule === MISSING && isToBeFurnished.has(issue.room ?? "")))
+      .map((issue) => (issue.rule === UNREACHABLE && isClosed.has(issue.room ?? "") ? { ...issue, severity: "warning" } : issue)); // its door comes next
     this.#redraw();
   }
 
@@ -198,7 +201,7 @@ export class Board {
     const { scene } = this;
     const found = [
       ...this.#issues.map(({ message, room, severity }) => ({ words: tellSentence(message, scene), room, severity })),
-      ...doorlessIn(scene).map((one) => ({ ...one, severity: "warning" })),
+      ...doorlessIn(scene).filter(({ room }) => room === null || !this.#issues.some((issue) => issue.rule === UNREACHABLE && issue.room === room)).map((one) => ({ ...one, severity: "warning" })),
     ];
     const head = found.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: found.length });
     this.#found.replaceChildren(group(head, ...found.map(({ words, room, severity }) => button(words, () => this.#plan.choose({ room: room ?? null }), { className: `issue issue-${severity}` }))));
