@@ -158,6 +158,15 @@ def test_on_a_phones_side_what_fell_short_is_in_sight(visit: Visit) -> None:
     assert box["y"] + box["height"] <= 390
     assert rooms["y"] + rooms["height"] <= 390
     assert box["x"] + box["width"] <= 844
+    pieces = visit.page.evaluate("compose.scene.rooms.flatMap(room => room.furniture.map(piece => piece.id))")
+    assert any(visit.click_on(piece) for piece in pieces)
+    visit.settle()
+    house, told = visit.page.locator("#stage > canvas").bounding_box(), visit.page.locator("#gaps").bounding_box()
+    assert house and told
+    assert house["height"] > 300, "the house keeps the height that there is"
+    assert house["x"] + house["width"] <= told["x"], "what is told of a piece stands beside it"
+    assert told["x"] + told["width"] <= 844
+    assert told["y"] + told["height"] <= house["y"] + house["height"]
     assert scrolled(visit) == 0
 
 
@@ -192,5 +201,8 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     assert box == {"x": 0, "y": 0, "width": 390, "height": 844}
     for tool in ("choose", "furnish", "close"):
         expect(board.page.locator(f".drawing-tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
+    visit.page.set_viewport_size({"width": 844, "height": 390})
+    sheet = board.page.locator(".sheet").bounding_box()
+    assert sheet and sheet["height"] > 300, "on its side what is chosen stands beside the sheet"
     assert before
     visit.page.set_viewport_size(before)
