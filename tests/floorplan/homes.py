@@ -19,7 +19,7 @@ from solver.streams import Stream
 from tests.floorplan import checks, silhouettes
 
 LIMITS: Mapping[str, tuple[float, float, float, float]] = {
-    "bedroom": (9, 16, 2.7, 2.0), "kids_bedroom": (9, 16, 2.7, 2.0), "bedroom_master": (12, 20, 3.1, 2.0),
+    "bedroom": (9, 16, 2.75, 2.0), "kids_bedroom": (9, 16, 2.75, 2.0), "bedroom_master": (12, 20, 3.1, 2.0),
     "bathroom": (4, 8, 1.7, 2.0), "kitchen": (8, 16, 2.5, 2.0), "living_room": (16, 35, 3.5, 2.0), "dining_room": (9, 16, 2.8, 2.0),
     "office": (7, 12, 2.5, 2.0), "laundry": (3.5, 8, 1.7, 2.0), "foyer": (3, 8, 1.6, 2.3), "garage": (15, 20, 3.0, 2.0),
     "garage_2car": (30, 40, 5.5, 2.2), "garage_3car": (45, 60, 5.5, 2.2), "workshop": (9, 18, 2.7, 2.0),
