@@ -102,6 +102,12 @@ def test_studios_have_nightstands_a_screen_in_sight_and_floor_before_the_bed() -
     assert sum(ruler.screen_before_sofa(one)[0] for one in scenes) >= 36
 
 
+def test_bedrooms_of_homes_have_a_wardrobe() -> None:
+    for seed in range(40):
+        for floor in ruler.floors(generate(Request(seed=seed, program="family")).scene, "bedroom", "bedroom_master", "kids_bedroom"):
+            assert floor.named("wardrobe"), (seed, floor.room.id)
+
+
 def test_seats_see_what_is_before_them() -> None:
     sofa, away = body("sofa", (1, 0.08), (2, 0.9)), body("armchair", (4.5, 3.5), (0.8, 0.82))
     ahead, aside = body("tv", (1.4, 4.0), (1.2, 0.14), 180), body("tv", (4.2, 3.0), (1.2, 0.14), 180)
