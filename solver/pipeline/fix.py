@@ -148,6 +148,7 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
     if is_call_spent():
         alone, repairs = _crowds_joined(alone, repairs)
+        alone, repairs = _no_worse_than_sent(alone, repairs)
     if closed and closed <= _closed_rooms(alone.errors):  # nothing was gained in the rooms that lead there
         repairs |= {name: unchanged(problem) for name, problem in problems.items() if name in leading}
         alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
@@ -169,6 +170,22 @@ def _crowds_joined(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[C
     then = _by_room(_with_rooms(alone, {name: repair.answer for name, repair in joined.items()}).errors)
     better = {name: repair for name, repair in joined.items() if _lost(repair, then[name]) < _lost(repairs[name], before[name])}
     return _with_rooms(alone, {name: repair.answer for name, repair in better.items()}), {**repairs, **better}
+
+
+def _no_worse_than_sent(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[Checked, dict[str, RoomRepair]]:
+    """Leaves rooms that the end of the call's work left broken as they were sent, unless fewer are wrong or missing now.
+
+    No place was found for those alone that are wrong; where nobody can come in, for whom the search found none.
+    """
+    now, kept = _by_room(alone.errors), {}
+    for name, repair in repairs.items():
+        if now[name] and not repair.problem.settings.remove:
+            sent, before = replace(repair, room=repair.asked), repair.problem.errors
+            is_better = _lost(repair, now[name]) < _lost(sent, before)
+            chosen, errors = (repair, now[name]) if is_better else (sent, before)
+            wrong = {label for issue in errors for label in issue.ids or repair.unplaced}
+            kept[name] = replace(chosen, unplaced=tuple(label for label in repair.unplaced if label in wrong))
+    return _with_rooms(alone, {name: repair.answer for name, repair in kept.items()}), {**repairs, **kept}
 
 
 def _lost(repair: RoomRepair, errors: Iterable[Issue]) -> int:
