@@ -11,7 +11,7 @@ from solver.answers import Conflict, Issue
 from solver.pipeline.judged_again import judged_again
 from solver.placement import Budget
 from solver.repair import RepairSettings, all_bodies, seated_along, without
-from solver.scene import Room, Scene
+from solver.scene import EXTERIOR, Room, Scene
 from solver.scene_bodies import people_in
 from solver.validator import Checked
 
@@ -54,7 +54,8 @@ def _each_reason_once(house: Checked) -> list[Issue]:
     """Returns a house's errors; of rooms that nobody can come to for the same reason the first, with the names of all in its message."""
     told: dict[tuple[str, ...], list[Issue]] = {}
     for number, issue in enumerate(house.errors):
-        shut = issue.rule == "unreachable" and not issue.ids and not _has_no_way_in(house.scene, issue.room)
+        apart = _has_no_way_in(house.scene, issue.room) or _entry_apart_from(house.scene, issue)
+        shut = issue.rule == "unreachable" and not issue.ids and not apart
         before, _, after = issue.message.partition(f" to {issue.room}")
         told.setdefault((before, after) if shut and (after or before != issue.message) else (str(number),), []).append(issue)
     return [
@@ -75,6 +76,8 @@ class _LeftOver:
         here = self._by_room.get(issue.room or "", ())
         if not issue.ids and _has_no_way_in(self.house.scene, issue.room):
             return Conflict((), f"{issue.room} has no way in: no door or passage leads into it")
+        if not issue.ids and (entry := _entry_apart_from(self.house.scene, issue)):
+            return Conflict((), f"{issue.room} has no way in from {entry}: no doors or passages join them")
         if not issue.ids and self.conflicts and (issue.rule, issue.room) not in self._lasting:
             return None
         if self._explained.intersection(issue.ids) or (issue.ids and self._waiting.issuperset(issue.ids)):
@@ -160,6 +163,18 @@ def _has_no_way_in(scene: Scene, name: str | None) -> bool:
     """Tells whether no opening of a room, or of another into it, lets anybody in."""
     leading = {label for room in scene.rooms for one in room.openings if one.kind in WAYS_IN for label in (room.id, one.connects_to)}
     return name is not None and len(scene.rooms) > 1 and name not in leading
+
+
+def _entry_apart_from(scene: Scene, issue: Issue) -> str | None:
+    """Returns the room that one comes in by, where no openings, from room to room, join the room out of reach to any such; else None."""
+    ways = [(room.id, one) for room in scene.rooms for one in room.openings if one.kind in WAYS_IN]
+    outer = [room for room, one in ways if one.main_entrance]
+    outer = outer or [room for room, one in ways if one.connects_to == EXTERIOR]
+    joined = {(room, one.connects_to or room) for room, one in ways}
+    reached = set(outer)
+    while more := {two for a, b in joined for one, two in ((a, b), (b, a)) if one in reached and two != EXTERIOR} - reached:
+        reached |= more
+    return outer[0] if outer and issue.rule == "unreachable" and issue.room is not None and issue.room not in reached else None
 
 
 def _house_without(house: Checked, labels: Sequence[str], budget: Budget) -> Checked | None:

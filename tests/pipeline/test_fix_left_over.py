@@ -37,6 +37,22 @@ def test_a_room_without_a_door_is_said_to_be_that_first() -> None:
     assert [conflict.ids for conflict in fix(house(False, FRONT)).conflicts] == [()]
 
 
+def test_rooms_that_no_doors_join_to_the_entrance_are_said_to_be_that_and_a_door_helps() -> None:
+    """A garage with its outer door alone, and a store behind it."""
+    gate = Opening("gate", "garage_door", "south", 3.0, 4.0, connects_to="EXTERIOR")
+    inner = Opening("inner", "door", "north", 1.0, 0.9, connects_to="store_2")
+    garage = Room("garage_1", 1, "garage", 0, 6.0, 0.0, 6.0, 6.0, openings=(gate, inner))
+    store = Room("store_2", 2, "room", 0, 6.0, -3.0, 6.0, 3.0, openings=(replace(inner, wall="south", connects_to="garage_1"),))
+    hall = Room("room_0", 0, "room", 0, 0.0, 0.0, 6.0, 6.0, openings=(FRONT,))
+    told = [conflict.message for conflict in fix(Scene(rooms=(hall, garage, store))).conflicts]
+    assert told == [f"{room} has no way in from room_0: no doors or passages join them" for room in ("garage_1", "store_2")]
+    assert all(map(is_told, told))
+    door = Opening("new", "door", "east", 3.0, 0.9, connects_to="garage_1")
+    to_hall = replace(door, wall="west", connects_to="room_0")
+    joined = replace(hall, openings=(FRONT, door)), replace(garage, openings=(gate, inner, to_hall))
+    assert fix(Scene(rooms=(*joined, store))).conflicts == ()
+
+
 def test_what_keeps_all_out_of_the_house_is_said_once() -> None:
     fixed = fix(house(False, replace(FRONT, width=0.5), NEXT))
     assert [issue.room for issue in fixed.issues if issue.severity == "error"] == ["room_0", "back_1"]
