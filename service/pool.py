@@ -43,7 +43,7 @@ def spread(make: Callable[[Asked], Made], jobs: Iterable[Asked], workers: int, s
     """
     if workers <= 1:
         start()
-        with _ending_as_interrupted():
+        with ending_as_interrupted():
             yield from map(make, jobs)
         return
     left = iter(jobs)
@@ -136,7 +136,7 @@ def _interrupts_noted() -> Iterator[list[int]]:
 
 
 @contextmanager
-def _ending_as_interrupted() -> Iterator[None]:
+def ending_as_interrupted() -> Iterator[None]:
     """Has SIGTERM be what Ctrl-C is, where nobody else hears it: what is half-written is taken away."""
     is_unheard = current_thread() is main_thread() and signal.getsignal(signal.SIGTERM) is signal.SIG_DFL
     if is_unheard:

@@ -13,6 +13,7 @@ from catalogs import Catalogs
 from service.app import ComposeApp, create_app
 from service.callers import LOOPBACK
 from service.measures import log_access
+from service.pool import ending_as_interrupted
 from service.service_settings import Settings
 from service.service_store import NONE
 from solver.errors import ComposeError
@@ -37,7 +38,8 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
         shown = f"[{settings.host}]" if listener.family == socket.AF_INET6 else settings.host
         print(f"Compose answers at http://{shown}:{listener.getsockname()[1]}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
         try:
-            StoppingServer(app).run(sockets=[listener])
+            with ending_as_interrupted():  # uvicorn dies of SIGTERM in the end: what Python clears away at its exit would stay
+                StoppingServer(app).run(sockets=[listener])
         except KeyboardInterrupt:
             print("Compose has stopped.", file=sys.stderr)
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from tests.service.heavy import PATIENCE_S
 
@@ -28,7 +30,7 @@ class ServiceProcess:
 
 @contextmanager
 def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
-    """Run the service until the block ends.
+    """Run the service until the block ends; what it leaves where it keeps what is temporary, unless it was killed, fails.
 
     Args:
         port: the port to listen at; 0 for a free one.
@@ -41,14 +43,17 @@ def running(port: int = 0, *more: str) -> Iterator[ServiceProcess]:
         subprocess.run([sys.executable, str(ROOT / "scripts" / "page.py"), "build"], check=True)
     command = [sys.executable, "-m", "compose_homes", "serve", "--port", str(port), *more]
     environment = {"COMPOSE_HOMES_STORE": "temporary", "COMPOSE_HOMES_REQUEST_SECONDS": str(PATIENCE_S), **os.environ}
-    with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
-        try:
-            yield ServiceProcess(process, _said_address(process))
-            process.terminate()
-            process.wait(PATIENCE_S)
-        except BaseException:  # a service that is told to stop first answers what it has accepted, however long that takes
-            process.kill()
-            raise
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        environment["TMPDIR"] = folder
+        with subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE, text=True) as process:
+            try:
+                yield ServiceProcess(process, _said_address(process))
+                process.terminate()
+                process.wait(PATIENCE_S)
+            except BaseException:  # a service that is told to stop first answers what it has accepted, however long that takes
+                process.kill()
+                raise
+        assert process.returncode == -signal.SIGKILL or os.listdir(folder) == []
 
 
 def _said_address(process: subprocess.Popen[str]) -> str:

@@ -12,6 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from urllib.parse import urlsplit
 
 import pytest
@@ -72,7 +73,7 @@ def test_who_listens_keeps_no_stop_waiting() -> None:
             assert b"event: progress" in stream.readline()
             service.process.send_signal(signal.SIGTERM)
             assert b"event: done" not in stream.read(), "it ends as a whole answer, with nothing said that is not so"
-            service.process.wait(GUARD_S)
+            assert service.process.wait(GUARD_S) == 0
 
 
 @pytest.mark.parametrize("signals", [[signal.SIGINT, signal.SIGINT], [signal.SIGKILL]])
@@ -97,7 +98,8 @@ def test_a_call_without_an_end_ends_with_a_service_that_is_killed(tmp_path: Path
     note = tmp_path / "process"
     work = f"run(Workers(Settings()).run(endless, {str(note)!r}))"
     imports = "from asyncio import run; from service.workers import Settings, Workers; from tests.service.heavy import endless"
-    with started(sys.executable, "-c", f"{imports}; {work}") as service:
+    command = (sys.executable, "-c", f"{imports}; {work}")
+    with TemporaryDirectory() as left, started(*command, env={**os.environ, "TMPDIR": left}) as service:
         until(lambda: note.exists() and note.read_text() != "")
         service.kill()
     until(lambda: is_gone(int(note.read_text())))
