@@ -6,6 +6,7 @@ Every check returns sentences, none for a plan that is right. Lengths are taken 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cache
 
 from solver.scene import Opening, Room
 from tests.floorplan import silhouettes
@@ -17,6 +18,7 @@ JAMB = 50
 """Half a wall's thickness, mm: an opening nearer to a corner would cut into the wall that meets there."""
 
 
+@cache
 def mm(metres: float) -> int:
     value = round(metres * 1000)
     assert abs(value - metres * 1000) < 1e-6, f"{metres} m is off the millimetre lattice"
