@@ -6,6 +6,7 @@ from itertools import combinations
 from operator import itemgetter
 from typing import NamedTuple
 
+from catalogs.access_profiles import AccessProfile
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
 from solver.fields import ANY, RECTANGLE
@@ -50,10 +51,16 @@ def _walls_of(request: Request, catalogs: Catalogs) -> HouseWalls:
     outer = inner if request.outer_wall_thickness is None else request.outer_wall_thickness
     if outer < inner:
         raise RequestError("outer_wall_thickness", f"{outer} m is less than the {inner} m of inner walls", f"at least {inner}")
-    asked = to_mm(catalogs.profile.leaf(main=False)) if catalogs.profile else 0
     robot = -(-to_mm(request.robot_width) // LATTICE_MM) * LATTICE_MM
-    clear = max(CLEAR_HALLWAY_MM, to_mm(catalogs.profile.hallway) if catalogs.profile else 0)
-    return HouseWalls(to_mm(inner), to_mm(outer), max(LEAF_MM, asked, robot), clear)
+    walls = HouseWalls(to_mm(inner), to_mm(outer), max(LEAF_MM, robot))
+    return walls if catalogs.profile is None else _walls_for(catalogs.profile, catalogs, walls)
+
+
+def _walls_for(profile: AccessProfile, catalogs: Catalogs, walls: HouseWalls) -> HouseWalls:
+    """Returns walls with doors and hallways as wide as a profile asks for, and wall beside the doors' latches."""
+    leaf, latch = to_mm(profile.leaf(main=False)), to_mm(max(map(profile.latch_behind, catalogs.rooms)))
+    clear = max(CLEAR_HALLWAY_MM, to_mm(profile.hallway))
+    return walls._replace(leaf=max(walls.leaf, leaf), clear_hallway=clear, latch=latch and latch + walls.half)
 
 
 def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPlan:

@@ -131,9 +131,8 @@ def rows_of(house: OpenedHouse, joints: Sequence[tuple[Joint, int]], entrance: t
         rooms.append(_ROOM.pack(*rect, traits, cars, *kept, first, count))
         first += count
     widths = [max(walls.leaf, to_mm(profile.leaf(main))) if profile else walls.leaf for main in (False, True)]
-    latch = max(profile.latch_behind(name) for name in kinds) if profile else 0.0
-    counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), to_mm(latch) + walls.half if latch else 0
-    jamb = walls.least_jamb if latch else walls.jamb
+    counts = len(rooms), len(wishes), len(stretches), len(joints), len(cuts), walls.latch
+    jamb = walls.least_jamb if walls.latch else walls.jamb
     header = _HEADER.pack(*counts, jamb, walls.least_jamb, walls.hallway, *widths, entrance[0], WALL_NUMBERS[entrance[1]])
     outside = [_STRETCH.pack(*row[1:]) for row in stretches]
     shared = [_JOINT.pack(one.a, one.b, WALL_NUMBERS[one.wall], one.low, one.high, entered) for one, entered in joints]

@@ -30,6 +30,8 @@ class HouseWalls(NamedTuple):
     outer: int = WALL_MM
     leaf: int = LEAF_MM
     clear_hallway: int = CLEAR_HALLWAY_MM
+    latch: int = 0
+    """Wall from a door's latch to the next wall's line, 0 where none is asked for."""
 
     @property
     def more(self) -> int:
@@ -59,7 +61,7 @@ class HouseWalls(NamedTuple):
     @property
     def door_wall(self) -> int:
         """Shortest shared wall that takes a door, mm."""
-        return max(LEAF_MM + 2 * self.jamb, self.leaf + 2 * self.least_jamb)
+        return max(LEAF_MM + 2 * self.jamb, self.leaf + self.least_jamb + max(self.least_jamb, self.latch))
 
 
 USUAL_WALLS: Final = HouseWalls()
