@@ -91,6 +91,11 @@ def test_the_walk_makes_many_of_the_rooms_dearer() -> None:
     assert len(dearer) >= len(SEEDS) // 4
 
 
+def test_rooms_whose_doors_pieces_would_cover_are_proven_too() -> None:
+    covering = [seed for seed in range(320) if seed % 4 == 3]
+    assert sum(proven_cost(seed) is not None for seed in covering) >= 0.75 * len(covering)
+
+
 def test_nothing_is_searched_twice_for_the_walk() -> None:
     rooms, most = QPS
     assert most / 2 < sum(arrange(*two_doors(seed)).solves for seed in rooms) < most

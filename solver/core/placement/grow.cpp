@@ -60,6 +60,7 @@ bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f
   if (!result.found && !result.exhausted) {
     const i64 solves = result.solves;
     search(engine, limit, ceiling, walk);
+    result.exhausted &= result.turned_down == 0;
     result.solves += solves;
   }
   return pay(engine, effort);

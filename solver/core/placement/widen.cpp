@@ -166,26 +166,52 @@ static Span<u8> components_at(const WalkGrid& grid, i64& k, bool& any) {
   return within;
 }
 
-// Adds rows of which one must hold where somebody can come in by a door that blocks cover; false where they do not tell all.
-static bool uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& door) {
-  const i64 grow = grid.state->width - 1;
-  for (i64 k = 0; k < grid.state->blocks; k++) {
+// The block over a point of a door's line, on an axis, that reaches farthest; -1 where none is there.
+static i32 farthest_over(const WalkGrid& grid, const NumberedRect& door, i64 axis, i64 point) {
+  i32 found = -1;
+  for (i32 k = 0; k < grid.state->blocks; k++) {
     const NumberedRect& block = grid.blocks[k];
-    bool apart = false, whole = true;
-    for (i64 axis = 0; axis < 2; axis++) {
-      apart |= block.low[axis] > door.high[axis] || block.high[axis] < door.low[axis];
-      whole &= block.low[axis] <= door.low[axis] && block.high[axis] >= door.high[axis];
-    }
-    if (apart || block.number < 0) continue;
-    if (!whole) return false;  // it leaves an end free already, which others cover
-    const Part& part = work.parts[block.number];
-    for (i64 axis = 0; axis < 2; axis++) {
-      const i64 v = part.variable[axis], offset = part.offset[axis];
-      add_wide(work, found, {axis, ORIGIN, v, floor_div(door.low[axis] + grow + 2, 2) - offset});
-      add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - floor_div(door.high[axis] - grow - 1, 2)});
-    }
+    const bool over = block.low[1 - axis] <= door.low[1 - axis] && block.high[1 - axis] >= door.low[1 - axis];
+    if (!over || block.low[axis] > point || block.high[axis] < point) continue;
+    if (found < 0 || block.high[axis] > grid.blocks[found].high[axis]) found = k;
   }
-  return true;
+  return found;
+}
+
+// Adds rows that take a block off a stretch of a door's line.
+static void uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& block, const NumberedRect& stretch) {
+  if (block.number < 0) return;
+  const i64 grow = grid.state->width - 1;
+  const Part& part = work.parts[block.number];
+  for (i64 axis = 0; axis < 2; axis++) {
+    const i64 v = part.variable[axis], offset = part.offset[axis];
+    add_wide(work, found, {axis, ORIGIN, v, floor_div(stretch.low[axis] + grow + 2, 2) - offset});
+    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - floor_div(stretch.high[axis] - grow - 1, 2)});
+  }
+}
+
+// Adds rows of which one must hold where somebody can come in by a door that blocks cover, one behind another: one of them leaves the
+// stretch that it has of the door. False where they do not tell all.
+static bool uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& door) {
+  const i64 axis = door.low[0] == door.high[0] ? 1 : 0;
+  const Span<i64> cuts = grid.cuts.row(axis);
+  NumberedRect stretch = door;
+  const i64 end = least(door.high[axis], cuts[static_cast<i32>(grid.state->cuts[axis]) - 1]);
+  stretch.low[axis] = most(door.low[axis], cuts[0]);
+  for (i32 k = farthest_over(grid, door, axis, stretch.low[axis]); k >= 0;) {
+    const NumberedRect& block = grid.blocks[k];
+    if (block.high[axis] >= end) {
+      stretch.high[axis] = end;
+      uncover(work, found, grid, block, stretch);
+      return true;
+    }
+    k = farthest_over(grid, door, axis, block.high[axis]);
+    if (k < 0 || grid.blocks[k].high[axis] <= block.high[axis]) return false;
+    stretch.high[axis] = floor_div(most(grid.blocks[k].low[axis], stretch.low[axis]) + block.high[axis], 2);
+    uncover(work, found, grid, block, stretch);
+    stretch.low[axis] = stretch.high[axis];
+  }
+  return false;
 }
 
 // Adds what uncovers the first that is covered of what must be come to; false where nothing is, or the rows do not tell all.
@@ -223,11 +249,11 @@ static bool part_by_fewest(const WalkGrid& grid, const Links& links, Span<u8>& b
 
 Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, bool all) {
   List<i64> found;
+  if (all && grid.state->cuts[0] > 0 && uncover_first(room, work, found, grid)) return found.all();
   if (grid.state->entered == 0) {
     found.add(UNTOLD);
     return found.all();
   }
-  if (all && uncover_first(room, work, found, grid)) return found.all();
   const Links links = find_links(grid, all);
   Span<u8> within = zeroes<u8>(links.touched.columns);
   within[grid.state->entered] = 1;
