@@ -255,3 +255,17 @@ def test_who_only_just_fits_into_a_hallway_stands_in_it(robot_width: float) -> N
             plan = planned(seed=seed, program=programme, robot_width=robot_width)
             halls = [(one.width - 0.1 - robot_width, one.depth - 0.1 - robot_width) for one in plan.rooms if one.type == "hallway"]
             assert all(min(hall) > 0 and hall[0] * hall[1] > 0.25 - 1e-9 for hall in halls), seed
+
+
+@pytest.mark.parametrize("program", ["family", "large", {"bathrooms": 1}])
+def test_a_house_less_deep_than_its_hallway_is_wide_is_refused_and_what_the_refusal_says_helps(program: Any) -> None:
+    with pytest.raises(RequestError, match="a larger outline, or fewer rooms") as refused:
+        planned(program=program, width=12.0, depth=2.0, robot_width=2.0)
+    assert refused.value.field == "depth"
+    assert len(planned(program=program, width=12.0, depth=8.0, robot_width=2.0).rooms) >= 4
+    assert len(planned(program="studio", width=12.0, depth=2.0, robot_width=2.0).rooms) >= 3
+
+
+def test_the_door_of_a_wall_too_short_for_it_has_no_other_place() -> None:
+    small = generate(Request(seed=1_767_344_987_970_050, program="studio", width=2.0, depth=2.0, access="din_18040_2_r", robot_width=1.5))
+    assert [issue for issue in small.issues if issue.severity == "error"]

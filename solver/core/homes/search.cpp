@@ -78,7 +78,7 @@ class Search {
         judge_(request.rooms, taste(request.outline), request.walls.door_wall),
         good_(GOOD + GOOD_EACH * request.rooms.size) {}
 
-  // The cheapest home; of a rectangle drawn even where its strips do not come out.
+  // The cheapest home; of a rectangle drawn even where its strips do not come out, but where its extents are less than a hallway's width.
   const Seen& run() {
     Seen& best = best_of_all_;
     for (const SearchKind& kind : request_.kinds) {
@@ -89,8 +89,7 @@ class Search {
     if (!best.drawn && request_.outline == Outline::rectangle) {
       const SearchKind& kind = kind_of(best.draft);
       best.drawn = Drawer(columns_, kind.frame, request_.wished).draw(best.draft, true, best.sheet).fits;
-      if (!best.drawn) fail(Failure::bad_request);
-      best.verdict = judge_.verdict(best.sheet);
+      if (best.drawn) best.verdict = judge_.verdict(best.sheet);
     }
     return best;
   }

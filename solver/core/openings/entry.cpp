@@ -91,13 +91,14 @@ Bytes door_places(Bytes sent) {
   const Cut cut = house.cuts[house.cuts.size - 1];
   const Stretch* stretch = cut.other == NONE ? house.stretch_at(cut.room, cut.wall, cut.centre) : nullptr;
   const Joint* joint = cut.other == NONE ? nullptr : house.joint_of(cut);
-  if (stretch == nullptr && joint == nullptr) fail(Failure::bad_request);
   const Doorways doorways(house);
   List<i64> centres, found;
-  any_place(house.header, cut.width, stretch != nullptr ? stretch->over : joint->over, [&](i64 centre) {
-    centres.add(centre);
-    return false;
-  });
+  if (stretch != nullptr || joint != nullptr) {  // none has the door of a wall that is too short for it
+    any_place(house.header, cut.width, stretch != nullptr ? stretch->over : joint->over, [&](i64 centre) {
+      centres.add(centre);
+      return false;
+    });
+  }
   if (centres.size() > 0) {
     i64 low = centres[0], high = low;
     for (const i64 centre : centres) low = least(low, centre), high = most(high, centre);

@@ -247,9 +247,8 @@ class _Attempts:
         else:
             found = find_home(loose, self.plot.frame, HomeSeed(self.plot.seed), self.walls)
         if found is None:
-            raise RequestError(
-                "outline", f"has no space for {len(planned)} rooms in {self.plot.says()}", "a larger outline, or fewer rooms"
-            )
+            asked = "outline" if self.plot.tilings else "depth" if self.plot.depth else "width"
+            raise RequestError(asked, f"has no space for {len(planned)} rooms in {self.plot.says()}", "a larger outline, or fewer rooms")
         return _Attempt(found, planned, left_out, self.plot.outline if self.plot.tilings else RECTANGLE)
 
 
