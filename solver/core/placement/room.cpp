@@ -23,19 +23,24 @@ Rows<Door> doors_of(const SpaceRow& space, const Span<Doorway>& doorways) {
 // Tells whether two ways to stand differ in nothing but where they are wished and what they cost.
 static bool is_kin(const CandidateRow& a, const CandidateRow& b) {
   const i64 *one = reinterpret_cast<const i64*>(&a), *two = reinterpret_cast<const i64*>(&b);
-  const i64 wish = a.anchor - one, kin = &a.kin - one;
-  for (i64 k = 0; k < kin; k++) {
-    if (one[k] != two[k] && k != wish && k != wish + 1) return false;
-  }
-  return true;
+  const auto are_same = [&](const i64* from, const i64* to) {
+    for (i64 k = from - one; k < to - one; k++) {
+      if (one[k] != two[k]) return false;
+    }
+    return true;
+  };
+  return are_same(a.low, &a.kin) && are_same(one, a.anchor);
 }
 
 static void number_kins(const Room& room, const PieceRow& piece) {
   List<const CandidateRow*> kins;
   for (i64 way = piece.candidates[0]; way < piece.candidates[1]; way++) {
-    i32 kin = 0;
-    while (kin < kins.size() && !is_kin(*kins[kin], room.candidates[way])) kin++;
-    if (kin == kins.size()) kins.add(&room.candidates[way]);
+    i32 kin = kins.size() - 1;  // the last first: quicker (measured)
+    while (kin >= 0 && !is_kin(*kins[kin], room.candidates[way])) kin--;
+    if (kin < 0) {
+      kin = kins.size();
+      kins.add(&room.candidates[way]);
+    }
     room.candidates[way].kin = kin;
   }
 }
