@@ -60,7 +60,8 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
         goal = RepairGoal(bare, asked, budget, _is_shut_by_itself(bare, repair.problem.room, budget))
         told = _with_repairs(goal, verdicts) or told
         if len(asked) > 1 and not all(one.repairs for one in told):
-            told = _with_repairs(replace(goal, problems=asked[:1], budget=Budget(settings.explaining_work / SHARE)), verdicts) or told
+            answered = replace(goal, problems=asked[:1], budget=Budget(settings.explaining_work / SHARE))
+            told = min(told, _with_repairs(answered, verdicts) or told, key=lambda some: sum(not one.repairs for one in some))
     return tuple(one for k, one in enumerate(told) if one not in told[:k])  # of two pieces the reason may be the same
 
 
