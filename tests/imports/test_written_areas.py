@@ -27,7 +27,7 @@ def dxf(per_metre: float, insunits: int, written: dict[str, float]) -> bytes:
     for name, (x0, y0, x1, y1) in ROOMS.items():
         corners = [(x * per_metre, y * per_metre) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
         space.add_lwpolyline(corners, close=True, dxfattribs={"layer": "ROOMS"})
-        words = f"{name}\\P{written[name]:.2f} m²".replace(".", ",")
+        words = f"{name}\\P{written[name]:.2f} m²".replace(".", ",") if name in written else name
         space.add_mtext(words, dxfattribs={"insert": ((x0 + x1) / 2 * per_metre, (y0 + y1) / 2 * per_metre)})
     space.add_line((5.05 * per_metre, 1.0 * per_metre), (5.05 * per_metre, 1.8 * per_metre), dxfattribs={"layer": "DOORS"})
     text = StringIO()
@@ -62,6 +62,13 @@ def test_a_file_that_says_inches_and_is_drawn_in_centimetres_is_told_by_its_area
     answer = read(dxf(100.0, 1, areas()))
     assert (sizes(answer), units(answer)) == (DRAWN, ["cm"])
     assert [room.name for room in answer.scene.rooms] == list(ROOMS)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_two_areas_tell_and_one_does_not(count: int) -> None:
+    answer = read(dxf(100.0, 1, dict([*areas().items()][:count])))
+    assert (units(answer) == ["cm"]) == (count == 2)
+    assert (sizes(answer) == DRAWN) == (count == 2)
 
 
 def test_pixels_are_as_long_as_areas_say_where_doors_are_no_ninety_centimetres_wide() -> None:
