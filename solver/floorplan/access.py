@@ -69,7 +69,7 @@ def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Join
     parent: list[int | None] = [None] * len(rooms)
     seen, inner = {root}, [root]
     edge = _open(root, parent, seen, by_room)
-    while len(seen) < len(rooms):
+    while edge and len(seen) < len(rooms):
         fresh = {i: sum(j.other(i) not in seen for j in by_room[i]) for i in edge}
         chosen = max(edge, key=lambda i: (fresh[i] > 0, i != spared, fresh[i], rooms[i].area_m2, -i))
         if fresh[chosen] == 0:

@@ -269,3 +269,9 @@ def test_a_house_less_deep_than_its_hallway_is_wide_is_refused_and_what_the_refu
 def test_the_door_of_a_wall_too_short_for_it_has_no_other_place() -> None:
     small = generate(Request(seed=1_767_344_987_970_050, program="studio", width=2.0, depth=2.0, access="din_18040_2_r", robot_width=1.5))
     assert [issue for issue in small.issues if issue.severity == "error"]
+
+
+def test_rooms_that_share_no_wall_long_enough_for_a_door_are_drawn_apart() -> None:
+    apart = generate(Request(seed=5_529_166_670_701_969, width=16.0, depth=2.0, min_room_size=2.0, robot_width=2.0))
+    assert len(apart.scene.rooms) > 1
+    assert "unreachable" in {issue.rule for issue in apart.issues}
