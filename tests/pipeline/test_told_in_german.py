@@ -78,14 +78,15 @@ def test_every_sentence_is_in_a_form(asked: dict[str, object], seed: int) -> Non
 
 def test_a_search_that_ended_at_its_limit_says_what_was_sought_and_what_may_help() -> None:
     """A bed is dragged into a kitchen where it can stand, but shuts ways."""
-    home = generate(Request(seed=3, program="studio")).scene
+    home = generate(Request(seed=2, program="studio")).scene
     bed = next(piece for room in home.rooms for piece in room.furniture if piece.name == "bed")
     dropped = replace(bed, x=0.9, z=1.0, rotation=0, wall=None)
     rooms = []
     for room in home.rooms:
         others = tuple(piece for piece in room.furniture if piece is not bed)
         rooms.append(replace(room, furniture=(*others, dropped) if room.type == "kitchen" else others))
-    first = fix(replace(home, rooms=tuple(rooms)), moved=[bed.id]).conflicts[0]
+    conflicts = fix(replace(home, rooms=tuple(rooms)), moved=[bed.id]).conflicts
+    first = next(one for one in conflicts if one.ids == (bed.id,))
     kitchen = next(room.id for room in home.rooms if room.type == "kitchen")
     name = f"bed {bed.width:.2f} x {bed.depth:.2f} m"
     assert first.message.startswith(f"not found: ways in {kitchen} by which somebody can get to {name}: it can stand there, but ")
