@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Request, Route, expect
 
-from tests.browser.visit import Document, Visit, intercept, told_sentence
+from tests.browser.visit import ANSWER_MS, Document, Visit, intercept, told_sentence
 
 ONE, OTHER = "den/one", "den/other"
 
@@ -61,7 +61,7 @@ class Bench:
 
     def ask(self, call: str, body: Document) -> Any:
         """What the service answers to the test's own question."""
-        return self.page.request.post(self.visit.address + call, data=body).json()
+        return self.page.request.post(self.visit.address + call, data=body, timeout=ANSWER_MS).json()
 
     def scene(self) -> Document:
         shown: Document = self.page.evaluate("compose.scene")

@@ -40,6 +40,9 @@ describe("history", () => {
     home.show(shown(1, ["desk_1"]), "step"); // the room anew
     home.undo();
     expect(home.chosen).toEqual([]);
+    home.show({ ...shown(1), scene: scene([room("drawn_1", [0, 0, 4, 4])]) }, "step"); // another plan, in which nothing stands
+    home.undo();
+    expect(home.chosen).toEqual([]);
     home.undo();
     home.select("lamp_1");
     home.redo();

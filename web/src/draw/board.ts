@@ -154,8 +154,8 @@ export class Board {
     this.#pencil.tool = tool;
     for (const name of ["choose", "room", "add", "cut", "door", "window", "passage", "garage_door"] as const) this.#toolbar.press(name, name === tool);
     this.#sheet.svg.dataset.tool = tool;
-    const isHeld = isOpening(tool) && !matchMedia("(pointer: coarse)").matches; // fingers have no keys, and less of the sheet
-    this.#say(isHeld ? say("Click a wall. Or choose a room: an arrow key puts it into the wall on that side.") : "");
+    const isTold = isOpening(tool) && !matchMedia("(pointer: coarse)").matches; // fingers have no keys, and less of the sheet
+    this.#say(isTold ? say("Click a wall. Or choose a room: an arrow key puts it into the wall on that side.") : "");
   }
 
   #say(words: string): void {

@@ -248,7 +248,10 @@ export class Palette {
     const isOffered = new Set(found.length > 0 ? found : this.#entries.filter((entry) => isOf(entry) && entry.known.some((word) => word.startsWith(plain(wanted)))));
     for (const entry of this.#entries) entry.item.hidden = !isOffered.has(entry);
     // what is called just so comes first, then what begins so: Enter takes the first
-    const off = ({ key }: Entry): number => (words(key).toLowerCase() === wanted ? 0 : words(key).toLowerCase().startsWith(wanted) ? 1 : 2);
+    const off = ({ key, known }: Entry): number => {
+      const called = found.length > 0 ? [words(key).toLowerCase()] : known;
+      return called.includes(wanted) || called.includes(plain(wanted)) ? 0 : called.some((word) => word.startsWith(wanted)) ? 1 : 2;
+    };
     this.#ranked = [...this.#entries].sort((one, other) => off(one) - off(other));
     this.#list.append(...this.#ranked.map(({ item }) => item));
     for (const chip of this.#categories.querySelectorAll<HTMLElement>("button")) chip.setAttribute("aria-pressed", String(chip.dataset.category === this.#category));

@@ -126,6 +126,10 @@ export class Home {
     this.#tell("beyond", null);
   }
 
+  #roomIds(): string {
+    return (this.scene?.rooms ?? []).map(({ id }) => id).join("\n");
+  }
+
   get canUndo(): boolean {
     return this.#past.length > 0 || this.#beyond().back !== null;
   }
@@ -141,14 +145,15 @@ export class Home {
       return;
     }
     this.#future.push(this.#settled);
-    const left = this.#bodyIds();
+    const [left, rooms] = [this.#bodyIds(), this.#roomIds()];
     this.#goTo(before);
-    if (this.#selected === null) this.choose(this.#broughtBack(left));
+    if (this.#selected === null && this.#roomIds() === rooms) this.choose(this.#broughtBack(left));
   }
 
   /** What a deletion that is undone brings back: furniture, not what lies on it; else decorations. Nothing where something else went for it. */
   #broughtBack(left: ReadonlySet<string>): readonly string[] {
-    const isAll = [...left].every((id) => this.#bodyIds().has(id));
+    const now = this.#bodyIds();
+    const isAll = [...left].every((id) => now.has(id));
     const back = (kind: "furniture" | "decorations"): string[] => (this.scene?.rooms ?? []).flatMap((room) => room[kind].map(({ id }) => id)).filter((id) => !left.has(id));
     return !isAll ? [] : back("furniture").length > 0 ? back("furniture") : back("decorations");
   }
