@@ -110,7 +110,13 @@ def test_what_is_told_of_a_piece_and_what_may_be_added_stand_beneath_the_house(v
     bench.page.get_by_role("button", name="Add a piece").click()
     expect(visit.page.locator("#palette li button").first).to_be_visible()
     beneath(visit, "#palette")
-    slides = "one => (one.querySelector('.palette-head label').textContent = 'what others call it', one.scrollWidth > one.clientWidth)"
+    slides = """one => {
+        const label = one.querySelector('.palette-head label'), said = label.textContent;
+        label.textContent = 'what others call it';
+        const isWide = one.scrollWidth > one.clientWidth;
+        label.textContent = said;  // the page is handed on
+        return isWide;
+    }"""
     assert not visit.page.locator(".beneath").evaluate(slides)
     expect(visit.page.locator("#gaps")).to_be_hidden()
     assert scrolled(visit) == 0
