@@ -6,19 +6,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from ipaddress import IPv6Address, ip_address
 from math import ceil
-from pathlib import Path
 from typing import Any, Final
-from urllib.parse import parse_qsl, urlencode, urlsplit
+from urllib.parse import parse_qsl, urlencode
 
 from starlette.datastructures import Headers
 from starlette.requests import cookie_parser
 from starlette.responses import RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from service.keys import KeyRing, listed_keys, read_keys
+from service.keys import KeyRing
 from service.problems import problem
-from service.service_settings import Settings
-from solver.errors import FieldError
 
 KNOWN: Final = 10_000
 """How many callers are remembered; who has asked least recently is forgotten. Our choice: some megabytes."""
@@ -121,37 +118,6 @@ class Admitted:
     origins: tuple[str, ...] = ()
     clock: Callable[[], float] = time.monotonic
     date: Callable[[], float] = time.time
-
-
-def admitted_of(settings: Settings) -> Admitted:
-    """Returns who is let in.
-
-    Raises:
-        FieldError: a key, or an origin, cannot be one.
-        SyntaxFault: the file of keys is no YAML.
-        OSError: it cannot be read.
-    """
-    for origin in settings.allow_origin:
-        place = urlsplit(origin)
-        if place.scheme not in ("http", "https") or not place.netloc or place.path or place.query:
-            raise FieldError("allow_origin", f"{origin!r:.80} is no place", "scheme, host and port, such as https://homes.example")
-    return Admitted(
-        _keys(settings),
-        Allowance(settings.key_calls, settings.key_work),
-        Allowance(settings.address_calls, settings.address_work),
-        settings.allow_origin,
-    )
-
-
-def _keys(settings: Settings) -> KeyRing:
-    """Reads the keys; a file that is named but holds none opens the service to nobody by mistake."""
-    pairs = listed_keys(settings.keys)
-    if settings.keys_file is not None:
-        in_file = read_keys(Path(settings.keys_file).read_bytes())
-        if not in_file:
-            raise FieldError("keys_file", f"{settings.keys_file} holds no key", "at least one, or no file")
-        pairs = [*pairs, *in_file]
-    return KeyRing(pairs)
 
 
 def owner_of(scope: Scope) -> str:

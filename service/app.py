@@ -22,7 +22,8 @@ from starlette.responses import JSONResponse, Response
 
 from catalogs import Catalogs, load_catalogs
 from service import calls, page, problems
-from service.admission import FOR_OTHER_PAGES, Admission, Admitted, admitted_of
+from service.admission import FOR_OTHER_PAGES, Admission, Admitted
+from service.admitting import admitted_of
 from service.callers import ANY, Callers
 from service.connections import Connections
 from service.docs import docs

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
-from service.admission import COOKIE, KNOWN, Admitted, Allowance, Quotas, Rates, admitted_of
+from service.admission import COOKIE, KNOWN, Admitted, Allowance, Quotas, Rates
+from service.admitting import admitted_of
 from service.app import create_app
 from service.keys import KeyRing, listed_keys, read_keys
 from service.service_settings import Settings, settings_of
