@@ -15,7 +15,7 @@ from solver.pieces import Candidate
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
-from solver.placement.layout import BEST, CLOSED, DEEPEST, DOUBTED, Engine, Floats, Ints
+from solver.placement.layout import BEST, CLOSED, DEEPEST, Engine, Floats, Ints
 from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Positions, Problem, ProblemBox, Solution, Term
 
 
@@ -61,7 +61,7 @@ class Core:
         closed = bool(tree.counters[CLOSED])
         if not found:
             complete = tree.counters[DEEPEST] >= 0 and self._deepest() == count
-            return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed and not tree.counters[DOUBTED])
+            return (tree.decisions[tree.counters[DEEPEST]].copy(), False) if complete else (None, closed)
         return tree.decisions[tree.counters[BEST]].copy(), closed
 
     def joined(self, first: int, limits: Limits, budget: Budget) -> Ints | None:
@@ -84,7 +84,7 @@ class Core:
         """Finds the cheapest way for the pieces from number `first` on to join decisions; what it found is left in `tree`."""
         call = self.engine.call
         call.decisions[:], call.group[:] = start, (first, len(start))
-        call.limits[:] = limits.required, limits.required_qps, layout.MANY
+        call.limits[:] = limits.required, limits.required_qps, layout.MANY, 0
         return self._searched(budget, "best_first", walk)
 
     def _searched(self, budget: Budget, search: str, *given: float) -> bool:

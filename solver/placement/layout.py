@@ -31,7 +31,7 @@ VAR_X, OFF_X, EXT_X = 2, 4, 6
 # Nodes.result
 FOUND, EXHAUSTED, SOLVES, FORCES = 0, 1, 2, 5
 # Tree.counters
-CLOSED, BEST, DEEPEST, DOUBTED = 4, 6, 7, 9
+CLOSED, BEST, DEEPEST = 4, 6, 7
 # what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
 PLACED, NO_WAY, COVERED, SPENT = range(4)
 # verdicts of a proof

@@ -218,7 +218,6 @@ struct Counters {
   i64 diving;
   i64 best, deepest;  // numbers of states, or -1
   i64 refused;
-  i64 doubted;  // whether a placement was turned down for the walk alone
   i64 incumbent, lapsed, solved_qps, moves_left;
   u64 refused_bits;  // one for each refused fingerprint: by its upper bits
   i64 begun;         // whether it began with decisions whose optimum is known
@@ -237,9 +236,10 @@ struct Group {
   i64 first, last;
 };
 
-// Evaluations before the dive, QPs of each, and evaluations that may end at that limit before the search gives up.
+// Evaluations before the dive, QPs of each, and evaluations that may end at that limit before the search gives up. `every_gap`: whether a
+// way for which the walk turned a placement down is evaluated again in all ways to open the walk.
 struct SearchLimits {
-  i64 evaluations, qps, lapses;
+  i64 evaluations, qps, lapses, every_gap;
 };
 
 // What a QP of a search costs, and what reading its choices does, in QPs of a small room.
@@ -308,6 +308,6 @@ template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 va
   return positions.at(axis, variable < 0 ? positions.columns - 1 : variable);
 }
 
-static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 16 * 8 && sizeof(GridState) == 8 * 8);
+static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 15 * 8 && sizeof(GridState) == 8 * 8);
 
 }  // namespace placement

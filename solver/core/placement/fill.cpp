@@ -55,7 +55,7 @@ static Fate add_group(
   if (cover > 0 && may_cover(room, row) && covered(room, decisions) >= cover) return COVERED;
   costs.ceiling = costs.all + skip;
   const i64 size = group.last - group.first;
-  const SearchLimits own = {limits.optional * size, limits.optional_qps, limits.optional_lapses * size};
+  const SearchLimits own = {limits.optional * size, limits.optional_qps, limits.optional_lapses * size, 0};
   if (join(engine, decisions, costs, group, own, walk)) return PLACED;
   if (skip < WORTH_A_MOVE || tree.counters->moves_left <= 0) return NO_WAY;
   return join_by_move(engine, decisions, costs, group, walk) ? PLACED : NO_WAY;
@@ -93,13 +93,13 @@ RoomReport arrange_room(
   counters.solved_qps = 0;
   begin_empty(engine.tree);
   Costs costs = NOTHING_SPENT;
-  const SearchLimits own = {limits.required, limits.required_qps, MANY};
+  const SearchLimits own = {limits.required, limits.required_qps, MANY, 1};
   if (required > 0 && !join(engine, decisions, costs, {0, required}, own, walk)) {
-    return {0, counters.closed * (1 - counters.doubted), 0, counters.solved_qps};
+    return {0, counters.closed, 0, counters.solved_qps};
   }
   const i64 closed = required > 0 ? counters.closed : 1;
   if (!fill(engine, decisions, costs, fates, limits, walk)) return {1, 0, 0, counters.solved_qps};
-  evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + 1e-6, walk);
+  evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + NO_DEARER, walk);
   return {1, closed, engine.nodes.result->exhausted, counters.solved_qps};
 }
 

@@ -63,6 +63,7 @@ bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f
     result.exhausted &= result.turned_down == 0;
     result.solves += solves;
   }
+  if (result.exhausted) result.turned_down = 0;
   return pay(engine, effort);
 }
 
@@ -158,7 +159,7 @@ static void note_failure(const Engine& engine, u64 number, const SearchLimits& l
   const SearchResult& result = *engine.nodes.result.data;
   const bool impossible = result.turned_down == 0 && result.exhausted == 1;
   if (!result.dear && (limits.lapses < MANY || impossible)) refused(engine.tree, number, true);
-  if (result.turned_down > 0) counters.doubted = 1;
+  if (result.turned_down > 0) counters.closed = 0;
   counters.lapsed += result.exhausted == 0;
 }
 
@@ -179,7 +180,10 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
   const f64 ceiling = (incumbent >= 0 ? tree.costs[incumbent] : start.ceiling) - chosen - rest;
   bool closed = false;
-  const bool found = weigh(engine, trial, state, limits.qps, ceiling, walk, closed);
+  bool found = weigh(engine, trial, state, limits.qps, ceiling, walk, closed);
+  if (limits.every_gap && engine.nodes.result->turned_down > 0) {
+    found = evaluate_all(engine, trial, limits.qps, found ? engine.nodes.best_cost[0] + NO_DEARER : ceiling, walk);
+  }
   if (engine.nodes.result->exhausted == 0) counters.closed = 0;  // what was found may cost less
   if (!found) {
     note_failure(engine, number, limits);

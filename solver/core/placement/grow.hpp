@@ -15,14 +15,15 @@ bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 c
 // The same, and all ways to open the walk are tried; the likely ones alone where all are too many for the limit.
 bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk);
 
+constexpr f64 NO_DEARER = 1e-6;  // what is found again may cost more by this
+
 // How many QPs of so much effort the budget holds.
 i64 affordable_qps(const Engine& engine, const Effort& effort);
 
 // Finds the cheapest way for the pieces of a group to join the decisions `start`.
 //
 //   engine: the answer's number is left in counters.best (-1: none), the deepest prefix in `deepest` (-1: none); `closed` tells
-//     whether the answer is exact within the search, `doubted` whether a placement was turned down for the walk alone, so that
-//     "none" is strong evidence, not proof.
+//     whether the answer, or that there is none, is exact within the search.
 //   start, start_cost: decisions so far and their cost.
 //   limits: where lapses are limited, a way that failed also speaks for those that differ from it only in their anchor.
 //   walk: whether doors and use sides must be joined.

@@ -96,7 +96,7 @@ bool join_by_move(const Engine& engine, const Decisions& decisions, Costs& costs
     copy(decisions, tree.shifted);
     tree.shifted[tree.moves[k].piece] = tree.moves[k].decision;
     Costs shifted = {terms + tree.move_cost[k], tree.move_cost[k], costs.ceiling};
-    const SearchLimits own = {size * least(counters.moves_left, EVALUATIONS_OF_A_MOVE), QPS_OF_A_MOVE, size};
+    const SearchLimits own = {size * least(counters.moves_left, EVALUATIONS_OF_A_MOVE), QPS_OF_A_MOVE, size, 0};
     const bool joined = join(engine, tree.shifted, shifted, group, own, walk);
     counters.moves_left -= most<i64>(floor_div(counters.evaluated, size), 1);
     if (joined) {

@@ -178,15 +178,24 @@ static i32 farthest_over(const WalkGrid& grid, const NumberedRect& door, i64 axi
   return found;
 }
 
-// Adds rows that take a block off a stretch of a door's line.
-static void uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& block, const NumberedRect& stretch) {
+// Adds a row that takes a block off what is before, or behind, a place on an axis.
+static void leave(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& block, i64 axis, i64 place, bool before) {
   if (block.number < 0) return;
   const i64 grow = grid.state->width - 1;
   const Part& part = work.parts[block.number];
+  const i64 v = part.variable[axis], offset = part.offset[axis];
+  if (before) {
+    add_wide(work, found, {axis, ORIGIN, v, floor_div(place + grow + 2, 2) - offset});
+  } else {
+    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - floor_div(place - grow - 1, 2)});
+  }
+}
+
+// Adds rows that take a block off a stretch of a door's line.
+static void uncover(const Work& work, List<i64>& found, const WalkGrid& grid, const NumberedRect& block, const NumberedRect& stretch) {
   for (i64 axis = 0; axis < 2; axis++) {
-    const i64 v = part.variable[axis], offset = part.offset[axis];
-    add_wide(work, found, {axis, ORIGIN, v, floor_div(stretch.low[axis] + grow + 2, 2) - offset});
-    add_wide(work, found, {axis, v, ORIGIN, part.extent[axis] + offset - floor_div(stretch.high[axis] - grow - 1, 2)});
+    leave(work, found, grid, block, axis, stretch.low[axis], true);
+    leave(work, found, grid, block, axis, stretch.high[axis], false);
   }
 }
 
@@ -229,6 +238,23 @@ static bool uncover_first(const Room& room, const Work& work, List<i64>& found, 
   return false;
 }
 
+// Adds what frees an end of a door's line that a block covers, where one comes in by the rest to one side of what is parted alone.
+static void uncover_ends(const Room& room, const Work& work, List<i64>& found, const WalkGrid& grid, const Span<u8>& within) {
+  for (i64 k = 0; k < room.doors.size; k++) {
+    const NumberedRect& door = grid.targets[k];
+    const i64 axis = door.low[0] == door.high[0] ? 1 : 0;
+    bool inside = false, outside = false;
+    any_met(grid, cells_of(grid, door), [&](i32 component) {
+      (within[component] ? inside : outside) = true;
+      return false;
+    });
+    if (inside == outside) continue;
+    const i32 low = farthest_over(grid, door, axis, door.low[axis]), high = farthest_over(grid, door, axis, door.high[axis]);
+    if (low >= 0) leave(work, found, grid, grid.blocks[low], axis, door.low[axis], true);
+    if (high >= 0) leave(work, found, grid, grid.blocks[high], axis, door.high[axis], false);
+  }
+}
+
 // Finds the components that are parted from the others by the fewest links: `best`, or those at something that is not reached. False where
 // no link tells what is wrong: all is reached, and too little floor is free.
 static bool part_by_fewest(const WalkGrid& grid, const Links& links, Span<u8>& best) {
@@ -258,6 +284,7 @@ Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, b
   Span<u8> within = zeroes<u8>(links.touched.columns);
   within[grid.state->entered] = 1;
   if (all && !part_by_fewest(grid, links, within)) found.add(UNTOLD);
+  if (all) uncover_ends(room, work, found, grid, within);
   for (i32 k = 0; k < links.all.size(); k++) {
     if (!parts(links, k, within)) continue;
     if (links.all[k].other < 0) {
