@@ -20,6 +20,7 @@ WASM = CORE / "core.wasm"
 STAMP = CORE / "core.wasm.built-from"
 COMPILER = "ziglang==0.17.1"
 COMPILER_FOLDER = ROOT / ".tools" / "zig"
+CACHE = ROOT / ".tools" / "zig-cache"
 # No fused multiplication and no reassociation: a sum is added in the order it is written in, on every machine.
 NUMBERS = ("-ffp-contract=off", "-fno-fast-math")
 LANGUAGE = ("-std=c++20", "-fno-exceptions", "-fno-rtti", "-Wall", "-Wextra", "-Werror")
@@ -30,12 +31,19 @@ LOOPS = ("-mllvm", "-disable-lsr")
 # What a call may use: 1 MB of stack (below all data: an overflow traps) and 1 GB of memory.
 LINK = ("-Wl,--no-entry", "-Wl,-z,stack-size=1048576", "-Wl,--max-memory=1073741824", "-s")
 FLAGS = (*TARGET, *LOOPS, *LANGUAGE, *NUMBERS, *LINK)
-CHECKS = ("-DCORE_CHECKED", "-g", "-O0", "-fsanitize=undefined", "-fsanitize-trap=undefined", "-Wno-unknown-attributes", "-nostdlib++")
+# The core calls no library of C++ and no helpers of the compiler's, which would be built first and take as long as the core.
+ALONE = ("-nostdlib++", "-rtlib=none")
+CHECKS = ("-DCORE_CHECKED", "-g", "-O0", "-fsanitize=undefined", "-fsanitize-trap=undefined", "-Wno-unknown-attributes", *ALONE)
 
 
 def sources() -> list[Path]:
     """Return the core's C++ files, headers too, sorted."""
     return sorted(path for path in CORE.rglob("*") if path.suffix in (".cpp", ".hpp"))
+
+
+def units() -> list[Path]:
+    """Return the files that are compiled each, sorted."""
+    return [path for path in sources() if path.suffix == ".cpp"]
 
 
 def fingerprint() -> str:
@@ -74,17 +82,27 @@ def fetch_compiler() -> Path:
     return found
 
 
-def compile_to(target: Path, flags: tuple[str, ...], *more: str) -> None:
-    """Compile all sources, and some more, to one file.
+def compile_to(target: Path, flags: tuple[str, ...], files: list[Path]) -> None:
+    """Compile files to one.
 
     Raises:
         SystemExit: the compiler refused them; it has said why.
     """
-    caches = {name: str(ROOT / ".tools" / "zig-cache") for name in ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")}
-    files = [str(path.relative_to(ROOT)) for path in sources() if path.suffix == ".cpp"]
-    command = [str(packaged_compiler() or fetch_compiler()), "c++", *flags, "-I", "solver/core", "-o", str(target), *files, *more]
+    caches = {name: str(CACHE) for name in ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")}
+    named = [os.path.relpath(path, ROOT) for path in files]
+    command = [str(packaged_compiler() or fetch_compiler()), "c++", *flags, "-I", "solver/core", "-o", str(target), *named]
     if subprocess.run(command, cwd=ROOT, env={**os.environ, **caches}, check=False).returncode:
         raise SystemExit("the core was not compiled")
+
+
+def joined(folder: Path) -> Path:
+    """Return a file that includes all units of a folder; it is written only where its text is new, as the compiler looks when."""
+    file = CACHE / "folders" / f"{'_'.join(folder.relative_to(ROOT).parts)}.cpp"
+    text = "".join(f'#include "{path.relative_to(CORE).as_posix()}"\n' for path in units() if path.parent == folder)
+    if not file.exists() or file.read_text() != text:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return file
 
 
 def build() -> None:
@@ -93,7 +111,7 @@ def build() -> None:
         return
     fresh = WASM.with_name(f"core.{os.getpid()}.wasm")
     try:
-        compile_to(fresh, FLAGS)
+        compile_to(fresh, FLAGS, units())
         os.replace(fresh, WASM)
     finally:
         fresh.unlink(missing_ok=True)
@@ -101,8 +119,12 @@ def build() -> None:
 
 
 def check(main: str, program: str) -> None:
-    """Build a program for this machine that checks what it does, from the core and a file with its `main`."""
-    compile_to(Path(program).resolve(), (*LANGUAGE, *NUMBERS, *CHECKS), str(Path(main).resolve()))
+    """Build a program for this machine that checks what it does, from the core and a file with its `main`.
+
+    Folder by folder: starting the compiler for every file would cost more than what it compiles.
+    """
+    folders = sorted({path.parent for path in units()})
+    compile_to(Path(program).resolve(), (*LANGUAGE, *NUMBERS, *CHECKS), [*map(joined, folders), Path(main).resolve()])
 
 
 if __name__ == "__main__":

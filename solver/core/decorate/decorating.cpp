@@ -2,10 +2,6 @@
 
 namespace decorate {
 
-static void check(bool right) {
-  if (!right) fail(Failure::bad_request);
-}
-
 static void check_row(const Decorating& known, const Row& row) {
   part_of(known.choices, row.choices);
   part_of(known.words, row.rooms);

@@ -11,6 +11,10 @@ namespace decorate {
 constexpr i32 ITSELF = -1;
 constexpr i64 NO_LIMIT = -1;
 
+inline void check(bool right) {
+  if (!right) fail(Failure::bad_request);
+}
+
 // A surface that carries things: above the underside, in from the footprint's edges; the free height above it, or NO_LIMIT.
 struct Surface {
   i64 height;

@@ -15,7 +15,7 @@ constexpr i64 LONGEST_SEAT_MM = 1000;
 
 // A place wished for: on which carrier's surface, where on it (share of the room's x and z), how turned; with `middle`, its middle along
 // x or z is wished there instead.
-struct Spot {
+struct SurfaceSpot {
   i64 carrier;
   Surface surface;
   Share share;
@@ -40,7 +40,7 @@ static bool sits_at(const DecoratedRoom& room, const Carrier& chair, const Carri
 }
 
 // Adds a place at the edge before every chair that faces a table.
-static void add_seats(const DecoratedRoom& room, i64 table, const Surface& surface, List<Spot>& spots) {
+static void add_seats(const DecoratedRoom& room, i64 table, const Surface& surface, List<SurfaceSpot>& spots) {
   for (i32 k = 0; k < room.pieces.size; k++) {
     const Carrier& chair = room.carriers[k];
     if (!room.is_sat_under(k, table) && !sits_at(room, chair, room.carriers[table])) continue;
@@ -78,7 +78,7 @@ static bool means(const DecoratedRoom& room, const Lies& row, const Carrier& car
 }
 
 // Adds a row's places on a surface, as its carrier is turned.
-static void add_places(const DecoratedRoom& room, i64 carrier, const Surface& surface, const Lies& row, List<Spot>& spots) {
+static void add_places(const DecoratedRoom& room, i64 carrier, const Surface& surface, const Lies& row, List<SurfaceSpot>& spots) {
   const i64 rotation = room.carriers[carrier].rotation;
   const Point ahead = facing(rotation);
   const f64 dx = static_cast<f64>(ahead.x), dz = static_cast<f64>(ahead.z);
@@ -90,8 +90,8 @@ static void add_places(const DecoratedRoom& room, i64 carrier, const Surface& su
 }
 
 // The places of a row on a carrier, and on what is already on it.
-static Span<Spot> spots_of(const DecoratedRoom& room, i64 carrier, const Lies& row) {
-  List<Spot> spots;
+static Span<SurfaceSpot> spots_of(const DecoratedRoom& room, i64 carrier, const Lies& row) {
+  List<SurfaceSpot> spots;
   for (const i64 below : carriers_below(room, carrier, row)) {
     const Carrier& on = room.carriers[below];
     for (i32 k = 0; k < on.surfaces.size; k++) {
@@ -106,7 +106,7 @@ static Span<Spot> spots_of(const DecoratedRoom& room, i64 carrier, const Lies& r
   return spots.all();
 }
 
-static Rect wish_of(const Rect& area, const Spot& spot, Extent extent) {
+static Rect wish_of(const Rect& area, const SurfaceSpot& spot, Extent extent) {
   const i64 x0 = spot.has_x ? spot.middle.x - floor_div(extent.x, 2)
                             : area.x0 + rounded(static_cast<f64>(area.width() - extent.x) * spot.share.across);
   const i64 z0 = spot.has_z ? spot.middle.z - floor_div(extent.z, 2)
@@ -115,7 +115,7 @@ static Rect wish_of(const Rect& area, const Spot& spot, Extent extent) {
 }
 
 // The extents that fill the wished share of a surface; a thing's own where the share is 0.
-static Size filled(const Rect& area, const Spot& spot, const Share& fill, const Size& own) {
+static Size filled(const Rect& area, const SurfaceSpot& spot, const Share& fill, const Size& own) {
   const bool lengthwise = spot.rotation % 180 == 0;
   const f64 wide = static_cast<f64>(lengthwise ? area.width() : area.depth());
   const f64 deep = static_cast<f64>(lengthwise ? area.depth() : area.width());
@@ -124,7 +124,7 @@ static Size filled(const Rect& area, const Spot& spot, const Share& fill, const 
 }
 
 // Puts a thing at a spot or as near as it can; tells whether it found a place.
-static bool put(DecoratedRoom& room, const Spot& spot, const Lies& row, const Choice& choice) {
+static bool put(DecoratedRoom& room, const SurfaceSpot& spot, const Lies& row, const Choice& choice) {
   const Carrier& carrier = room.carriers[spot.carrier];
   const Rect area = carrier.area_of(spot.surface);
   const i64 low = carrier.low + spot.surface.height;
@@ -160,11 +160,11 @@ void lay(DecoratedRoom& room, Span<i64> carriers) {
   for (const Lies& row : part_of(room.known.lies, entry->lies)) {
     const Turns turns = room.wanted(row.row);
     if (turns.choices.size == 0) continue;
-    List<Span<Spot>> every;
+    List<Span<SurfaceSpot>> every;
     i32 longest = 0;
     for (const i64 carrier : carriers) longest = most(longest, every.add(spots_of(room, carrier, row)).size);
     for (i32 k = 0; k < longest; k++) {
-      for (const Span<Spot>& spots : every) {
+      for (const Span<SurfaceSpot>& spots : every) {
         if (k < spots.size && put(room, spots[k], row, turns.at(k))) break;
       }
     }
@@ -183,7 +183,7 @@ void fill(DecoratedRoom& room, i64 piece) {
   const Span<Surface> insides = room.known.surfaces_of(room.pieces[static_cast<i32>(piece)].insides);
   if (entry == nullptr || insides.size == 0) return;
   for (const Lies& row : part_of(room.known.lies, entry->holds)) {
-    List<Spot> spots;
+    List<SurfaceSpot> spots;
     for (const Surface& surface : insides) {
       if (is_asked_for(room, row, surface)) add_places(room, piece, surface, row, spots);
     }

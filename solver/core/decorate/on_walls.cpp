@@ -14,7 +14,7 @@ constexpr i64 VIEW_MM = 300;
 constexpr i64 CORNER_MM = 50, CEILING_MM = 100, APART_MM = 120;
 
 // A place wished for: over an interval of a wall, at a share of it, the underside's height, over which carrier.
-struct Spot {
+struct WallSpot {
   Wall wall;
   Interval span;
   f64 share;
@@ -54,7 +54,7 @@ static List<Rect> blocks_at(const DecoratedRoom& room, Wall wall, i64 depth, Int
 }
 
 // Hangs a thing at a spot or as near as it can with its middle over the span; tells whether it found a place.
-static bool hang_at(DecoratedRoom& room, const Spot& spot, const Hangs& row, const Choice& choice) {
+static bool hang_at(DecoratedRoom& room, const WallSpot& spot, const Hangs& row, const Choice& choice) {
   const Rect& clear = room.room.clear;
   const Interval whole_wall = clear.along(spot.wall);
   for (const Size& size : room.known.sizes_of(choice)) {

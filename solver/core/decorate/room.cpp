@@ -11,10 +11,6 @@ constexpr i64 AT_WALL_MM = 150;
 // How far askew a thing may lie, degrees.
 constexpr i32 JITTER = 15;
 
-static void check(bool right) {
-  if (!right) fail(Failure::bad_request);
-}
-
 DecoratedRoom::DecoratedRoom(const Decorating& decorating, Bytes rows) : known(decorating), stream(0) {
   Reader reader(rows.data, rows.size);
   room = reader.take<RoomHeader>(1)[0];

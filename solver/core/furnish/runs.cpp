@@ -12,7 +12,7 @@ constexpr f64 MISSED_COST = 6.0, MISSED_CHANCE = 0.3;
 // How often a run goes round a corner it could, and how often another one goes on at the opposite wall.
 constexpr f64 CORNER_CHANCE = 0.6, OPPOSITE_CHANCE = 0.5;
 // Pull of a piece to its place in the run, m^-2.
-constexpr f64 FIRM = 20.0;
+constexpr f64 RUN_PULL = 20.0;
 // Of a leg: it begins at the end of its wall, whatever stretches that has.
 constexpr f64 AT_END = -1.0;
 // Least floor between two opposite rows (guideline 6: work aisle of 42 inches for one cook).
@@ -288,7 +288,7 @@ void RunPlanner::place(const Drawn& drawn, Span<Candidate> places) const {
   for (const Laid& laid : drawn.items) {
     const Item& item = *laid.item;
     places[item.word] = at_wall(scope_, type_, item.kind, laid.wall, laid.low + floor_div(item.width, 2), item.cost);
-    places[item.word].weight = FIRM;
+    places[item.word].weight = RUN_PULL;
   }
 }
 

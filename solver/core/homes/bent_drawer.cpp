@@ -7,7 +7,6 @@ namespace {
 
 // Depth of a garage at the end of a wing: a car with space to walk around it.
 constexpr i64 GARAGE_MM = 5700;
-constexpr i32 CHOICES = 4;
 
 OffsetList offsets_of(const Draft& draft, Outline outline, i64 hallway) {
   Wing wings[MOST_WINGS];

@@ -6,8 +6,6 @@ namespace {
 
 // A strip is never made slimmer than this for the other's sake.
 constexpr i64 SLIM_MM = 1600;
-// How often depths are drawn until a ranch's two pairs of strips go together.
-constexpr i32 CHOICES = 4;
 constexpr i64 UNBOUNDED_MM = 1 << 30;
 
 }  // namespace

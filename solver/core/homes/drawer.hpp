@@ -6,6 +6,9 @@
 
 namespace homes {
 
+// How often depths are drawn until those of strips side by side go together.
+constexpr i32 CHOICES = 4;
+
 // Two strips of one length: the spans of their columns, and the lengths both may have, mm.
 struct StripPair {
   WidthRange spans[2][MOST_ROOMS];

@@ -6,7 +6,7 @@
 
 namespace placement {
 
-constexpr i64 ROUNDS = 4;  // passes over what a piece adds, at most; fewer only leave more to the search
+constexpr i64 DROP_ROUNDS = 4;  // passes over what a piece adds, at most; fewer only leave more to the search
 
 // Tells whether two parts must not share space.
 static bool must_part(const Room& room, const Work& work, const Part& a, const Part& b) {
@@ -92,7 +92,7 @@ static void add_choices(const Room& room, const Work& work, i64 first) {
       if (must_part(room, work, other, part) && keep_apart(work, choice, other, part)) add({{a, b}});
     }
   }
-  for (i64 round = 0; round < ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
+  for (i64 round = 0; round < DROP_ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
 }
 
 bool bounds_hold(const Work& work) {

@@ -21,7 +21,7 @@ struct Parts {
 };
 
 // Takes tables of numbers that lie one behind the other.
-struct Numbers {
+struct TableReader {
   const i64* at;
 
   template <class T> Span<const T> take(i64 count) {
@@ -36,7 +36,7 @@ struct Numbers {
 static const FinalProblem& problem_at(i64 address) { return *reinterpret_cast<const FinalProblem*>(static_cast<unsigned long>(address)); }
 
 static Parts parts_of(const FinalProblem& problem) {
-  Numbers from = {reinterpret_cast<const i64*>(&problem + 1)};
+  TableReader from = {reinterpret_cast<const i64*>(&problem + 1)};
   Parts own;
   own.linear = from.take<f64>(problem.columns);
   own.start = from.take<f64>(problem.columns);

@@ -63,7 +63,7 @@ void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceili
   memo.table[at] = number;
 }
 
-static bool is_equal(const Span<i64>& a, const Decisions& b) {
+static bool is_noted(const Span<i64>& a, const Decisions& b) {
   for (i32 k = 0; k < b.size; k++) {
     if (a[k] != b[k]) return false;
   }
@@ -80,7 +80,7 @@ const Effort* recall(const Engine& engine, const Decisions& decisions, i64 limit
   for (i32 at = place_in_table(decisions); memo.table[at] >= 0; at = (at + 1) & (TABLE - 1)) {
     const i32 number = memo.table[at];
     const Noted& noted = memo.noted[number];
-    if (noted.ceiling != ceiling || !is_equal(memo.decisions.row(number), decisions)) continue;
+    if (noted.ceiling != ceiling || !is_noted(memo.decisions.row(number), decisions)) continue;
     if (!is_within(noted, least(limit, affordable_qps(engine, noted.effort)))) return nullptr;
     *engine.nodes.result.data = noted.result;
     engine.nodes.best_cost[0] = noted.cost;

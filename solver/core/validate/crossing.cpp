@@ -5,7 +5,7 @@
 namespace validate {
 
 constexpr i64 TOUCHING = PER_METRE / 500;  // parts that are no deeper in each other only touch
-constexpr f64 FLAT_METRES = 0.02;
+constexpr f64 CROSSED_METRES = 0.02;
 constexpr f64 SLIGHT = 0.0009;  // a little less than half of TOUCHING, m: so much is looked away from at every side
 
 namespace {
@@ -34,7 +34,7 @@ static List<Bounds> bounds_of_all(const Room& room) {
   List<Bounds> found;
   for (i32 i = 0; i < room.bodies.size; i++) {
     const BodyRow& row = *room.bodies[i].row;
-    if (!(row.height > FLAT_METRES || row.y > 0)) continue;
+    if (!(row.height > CROSSED_METRES || row.y > 0)) continue;
     f64 width = row.width / 2, depth = row.depth / 2;
     if (row.turn == Turn::crosswise) swap(width, depth);
     if (row.turn == Turn::between) width = depth = width + depth;

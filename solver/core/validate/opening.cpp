@@ -22,17 +22,17 @@ constexpr i64 FRONT_LOOKS = 70;           // what a front counts for each body o
 
 namespace {
 
-struct Point {
+struct Point3 {
   f64 x, y, z;
 };
 struct SolidBox {
-  Point at, half;
-  Point along[3];  // where its own axes point
+  Point3 at, half;
+  Point3 along[3];  // where its own axes point
   i32 body;
   Fills fills;
 };
 struct Span3 {
-  Point low, high;
+  Point3 low, high;
 };
 struct Obstacle {
   SolidBox box;
@@ -41,18 +41,18 @@ struct Obstacle {
 // A piece of furniture's frame in the room.
 struct Frame {
   f64 x, y, z, cosine, sine;
-  Point turned(f64 east, f64 up, f64 south) const { return {east * cosine - south * sine, up, east * sine + south * cosine}; }
-  Point point(f64 east, f64 up, f64 south) const { return turned(east - x, up - y, south - z); }
+  Point3 turned(f64 east, f64 up, f64 south) const { return {east * cosine - south * sine, up, east * sine + south * cosine}; }
+  Point3 point(f64 east, f64 up, f64 south) const { return turned(east - x, up - y, south - z); }
 };
 
 }  // namespace
 
-static f64 dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static Point cross(const Point& a, const Point& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-static Point minus(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+static f64 dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static Point3 cross(const Point3& a, const Point3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+static Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 // How far a solid reaches from its middle along an axis.
-static f64 reach(const SolidBox& box, const Point& axis) {
+static f64 reach(const SolidBox& box, const Point3& axis) {
   const f64 x = box.half.x * dot(box.along[0], axis), y = box.half.y * dot(box.along[1], axis), z = box.half.z * dot(box.along[2], axis);
   switch (box.fills) {
     case Fills::along_x: return absolute(x) + __builtin_sqrt(y * y + z * z);
@@ -63,15 +63,15 @@ static f64 reach(const SolidBox& box, const Point& axis) {
   }
 }
 
-static bool part_along(const SolidBox& a, const SolidBox& b, const Point& way, const Point& axis) {
+static bool part_along(const SolidBox& a, const SolidBox& b, const Point3& way, const Point3& axis) {
   return absolute(dot(way, axis)) > reach(a, axis) + reach(b, axis);
 }
 
 // From the nearest point of a solid's box to another's middle.
-static Point away_from(const SolidBox& box, const Point& middle) {
-  const Point way = minus(middle, box.at);
+static Point3 away_from(const SolidBox& box, const Point3& middle) {
+  const Point3 way = minus(middle, box.at);
   const f64 halves[3] = {box.half.x, box.half.y, box.half.z};
-  Point left = way;
+  Point3 left = way;
   for (i32 i = 0; i < 3; i++) {
     const f64 by = most(-halves[i], least(halves[i], dot(way, box.along[i])));
     left = minus(left, {box.along[i].x * by, box.along[i].y * by, box.along[i].z * by});
@@ -80,9 +80,9 @@ static Point away_from(const SolidBox& box, const Point& middle) {
 }
 
 // Where the surface of a ball looks at which a way from its middle meets it, however stretched it is.
-static Point normal_of(const SolidBox& ball, const Point& way) {
+static Point3 normal_of(const SolidBox& ball, const Point3& way) {
   const f64 halves[3] = {ball.half.x, ball.half.y, ball.half.z};
-  Point found{0, 0, 0};
+  Point3 found{0, 0, 0};
   for (i32 i = 0; i < 3; i++) {
     const f64 by = dot(way, ball.along[i]) / most(halves[i] * halves[i], 1e-9);
     found = {found.x + ball.along[i].x * by, found.y + ball.along[i].y * by, found.z + ball.along[i].z * by};
@@ -94,11 +94,11 @@ static Point normal_of(const SolidBox& ball, const Point& way) {
 // ball, also along that way as it looks at its surface.
 static bool apart_as_round(const SolidBox& round, const SolidBox& other) {
   if (round.fills == Fills::box) return false;
-  const Point way = minus(other.at, round.at), shortest = away_from(other, round.at);
+  const Point3 way = minus(other.at, round.at), shortest = away_from(other, round.at);
   if (dot(shortest, shortest) > 1e-9 && part_along(round, other, way, shortest)) return true;
   if (round.fills == Fills::ball) return dot(shortest, shortest) > 1e-9 && part_along(round, other, way, normal_of(round, shortest));
   const i32 axis = static_cast<i32>(round.fills) - 1;
-  const Point &u = round.along[(axis + 1) % 3], &v = round.along[(axis + 2) % 3];
+  const Point3 &u = round.along[(axis + 1) % 3], &v = round.along[(axis + 2) % 3];
   f64 cosine = 1, sine = 0;
   for (i32 k = 0; k < DIRECTIONS; k++) {
     if (part_along(round, other, way, {u.x * cosine + v.x * sine, u.y * cosine + v.y * sine, u.z * cosine + v.z * sine})) return true;
@@ -109,13 +109,13 @@ static bool apart_as_round(const SolidBox& round, const SolidBox& other) {
 }
 
 static bool meet_each_other(const SolidBox& a, const SolidBox& b) {
-  const Point way = minus(b.at, a.at);
+  const Point3 way = minus(b.at, a.at);
   for (i32 i = 0; i < 3; i++) {
     if (part_along(a, b, way, a.along[i]) || part_along(a, b, way, b.along[i])) return false;
   }
   for (i32 i = 0; i < 3; i++) {
     for (i32 k = 0; k < 3; k++) {
-      const Point axis = cross(a.along[i], b.along[k]);
+      const Point3 axis = cross(a.along[i], b.along[k]);
       if (dot(axis, axis) > 1e-9 && part_along(a, b, way, axis)) return false;
     }
   }
@@ -123,7 +123,7 @@ static bool meet_each_other(const SolidBox& a, const SolidBox& b) {
 }
 
 static Span3 span_of(const SolidBox& box) {
-  const Point half{reach(box, {1, 0, 0}), reach(box, {0, 1, 0}), reach(box, {0, 0, 1})};
+  const Point3 half{reach(box, {1, 0, 0}), reach(box, {0, 1, 0}), reach(box, {0, 0, 1})};
   return {minus(box.at, half), {box.at.x + half.x, box.at.y + half.y, box.at.z + half.z}};
 }
 
@@ -138,30 +138,30 @@ static bool share(const Span3& a, const Span3& b) { return apart(a, b) < 0; }
 // A box of a body, as seen from the furniture; shares of the body's own box.
 static SolidBox box_of(const BodyRow& row, const UnitBox& part, const Frame& frame, i32 body) {
   const f64 across = ((part.x0 + part.x1) / 2 - 0.5) * row.width, along = ((part.z0 + part.z1) / 2 - 0.5) * row.depth;
-  const Point at = frame.point(row.x + across * row.cosine + along * row.sine, row.y + (part.y0 + part.y1) / 2 * row.height,
+  const Point3 at = frame.point(row.x + across * row.cosine + along * row.sine, row.y + (part.y0 + part.y1) / 2 * row.height,
                                row.z + along * row.cosine - across * row.sine);
-  const Point half{(part.x1 - part.x0) / 2 * row.width, (part.y1 - part.y0) / 2 * row.height, (part.z1 - part.z0) / 2 * row.depth};
+  const Point3 half{(part.x1 - part.x0) / 2 * row.width, (part.y1 - part.y0) / 2 * row.height, (part.z1 - part.z0) / 2 * row.depth};
   return {at, half, {frame.turned(row.cosine, 0, -row.sine), {0, 1, 0}, frame.turned(row.sine, 0, row.cosine)}, body, part.fills};
 }
 
 static SolidBox wall_of(const ShellBox& box, const Frame& frame) {
-  const Point half{(box.x1 - box.x0) / 2, (box.y1 - box.y0) / 2, (box.z1 - box.z0) / 2};
-  const Point at = frame.point((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, (box.z0 + box.z1) / 2);
+  const Point3 half{(box.x1 - box.x0) / 2, (box.y1 - box.y0) / 2, (box.z1 - box.z0) / 2};
+  const Point3 at = frame.point((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, (box.z0 + box.z1) / 2);
   return {at, half, {frame.turned(1, 0, 0), {0, 1, 0}, frame.turned(0, 0, 1)}, WALL, Fills::box};
 }
 
-static Point moved_point(const Front& front, const Point& hinge, f64 cosine, f64 sine, f64 way, const Point& p) {
+static Point3 moved_point(const Front& front, const Point3& hinge, f64 cosine, f64 sine, f64 way, const Point3& p) {
   if (front.slides) return {p.x, p.y, p.z + way};
-  const Point d = minus(p, hinge);
+  const Point3 d = minus(p, hinge);
   if (front.axis == 1) return {hinge.x + d.x * cosine + d.z * sine, p.y, hinge.z + d.z * cosine - d.x * sine};
   return {p.x, hinge.y + d.y * cosine - d.z * sine, hinge.z + d.y * sine + d.z * cosine};
 }
 
-static SolidBox moved_box(const Front& front, const Point& hinge, f64 cosine, f64 sine, f64 way, const SolidBox& box) {
+static SolidBox moved_box(const Front& front, const Point3& hinge, f64 cosine, f64 sine, f64 way, const SolidBox& box) {
   SolidBox now = box;
   now.at = moved_point(front, hinge, cosine, sine, way, box.at);
   if (front.slides) return now;
-  for (Point& axis : now.along) axis = moved_point(front, {0, 0, 0}, cosine, sine, 0, axis);
+  for (Point3& axis : now.along) axis = moved_point(front, {0, 0, 0}, cosine, sine, 0, axis);
   return now;
 }
 
@@ -181,7 +181,7 @@ struct Reach {
 };
 
 // All that a front comes to at most.
-static Span3 swept(const Front& front, const Point& hinge, const List<SolidBox>& parts, f64 length) {
+static Span3 swept(const Front& front, const Point3& hinge, const List<SolidBox>& parts, f64 length) {
   const bool upright = front.axis == 1;
   const f64 sign = upright == (front.end < 0) ? -1 : 1;
   f64 far = 0;
@@ -221,8 +221,8 @@ static Span3 span_of(const BodyRow& row) {
 static Span3 in_the_room(const Span3& box, const Frame& frame) {
   const f64 x = (box.low.x + box.high.x) / 2, z = (box.low.z + box.high.z) / 2, wide = box.high.x - x, deep = box.high.z - z;
   const f64 cosine = absolute(frame.cosine), sine = absolute(frame.sine);
-  const Point at{frame.x + x * frame.cosine + z * frame.sine, frame.y, frame.z + z * frame.cosine - x * frame.sine};
-  const Point half{wide * cosine + deep * sine + CLEAR_METRES, CLEAR_METRES, wide * sine + deep * cosine + CLEAR_METRES};
+  const Point3 at{frame.x + x * frame.cosine + z * frame.sine, frame.y, frame.z + z * frame.cosine - x * frame.sine};
+  const Point3 half{wide * cosine + deep * sine + CLEAR_METRES, CLEAR_METRES, wide * sine + deep * cosine + CLEAR_METRES};
   return {{at.x - half.x, at.y + box.low.y - half.y, at.z - half.z}, {at.x + half.x, at.y + box.high.y + half.y, at.z + half.z}};
 }
 
@@ -232,11 +232,11 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
                                 const Span3& within) {
   constexpr UnitBox whole{0, 1, 0, 1, 0, 1, Fills::box};
   List<Obstacle> found;
-  const Point wider{CLEAR_METRES, CLEAR_METRES, CLEAR_METRES};
+  const Point3 wider{CLEAR_METRES, CLEAR_METRES, CLEAR_METRES};
   const Span3 there = in_the_room(within, frame);
   const auto take = [&](const SolidBox& box) {
     const Span3 span = span_of(box);
-    const Point& high = span.high;
+    const Point3& high = span.high;
     if (share(span, within)) found.add({box, {minus(span.low, wider), {high.x + wider.x, high.y + wider.y, high.z + wider.z}}});
   };
   for (i32 i = 0; i < room.bodies.size; i++) {
@@ -258,9 +258,9 @@ static List<Obstacle> obstacles(const Room& room, Span<ShellBox> shell, const Li
 }
 
 // How far a point of a part moves at most in a step.
-static f64 farthest_step(const Front& front, const Point& hinge, const SolidBox& part) {
+static f64 farthest_step(const Front& front, const Point3& hinge, const SolidBox& part) {
   if (front.slides) return STEP_METRES;
-  const Point away = minus(part.at, hinge);
+  const Point3 away = minus(part.at, hinge);
   return STEP_SHARE * (__builtin_sqrt(dot(away, away)) + __builtin_sqrt(dot(part.half, part.half)));
 }
 
@@ -276,13 +276,13 @@ static Opened opened(const Room& room, Span<ShellBox> shell, const List<bool>& c
   const BodyRow& row = *room.bodies[moving.body].row;
   const Frame frame{row.x, row.y, row.z, row.cosine, row.sine};
   const Span<UnitBox> all = room.parts_of(room.bodies[moving.body]);
-  const Point hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
+  const Point3 hinge{front.x * row.width, front.y * row.height, front.z * row.depth};
   List<SolidBox> parts;
   List<i64> clear_until;  // by part: the first step in which it may meet anything
   List<f64> farthest;     // how far a point of it moves at most in a step
   for (const i64 part : moving.parts) {
     SolidBox box = box_of(row, all[part], frame, moving.body);
-    const Point half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
+    const Point3 half = minus(box.half, {TOUCHING_METRES, TOUCHING_METRES, TOUCHING_METRES});
     box.half = {most(half.x, 0.0), most(half.y, 0.0), most(half.z, 0.0)};
     parts.add(box);
     clear_until.add(0);
