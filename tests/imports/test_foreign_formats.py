@@ -16,10 +16,9 @@ from solver import export
 from solver.errors import FieldError
 from solver.exports import describe
 from solver.imported import PlanImport
-from solver.imports.drawn import DrawnOpening, PlanNotes
-from solver.imports.joining import PlacedDrawing, joined
+from solver.imports.drawn import DrawnOpening
+from solver.imports.joining import PlacedDrawing
 from solver.imports.missing_walls import without_niches
-from solver.imports.rectilinear import edges_of_corners
 from solver.scene import Flooring, Room
 from tests.imports.plans import box as room_box
 from tests.imports.plans import collection, opening, read
@@ -148,17 +147,6 @@ def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, doo
     openings = [PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)] if door else []
     bare = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)]
     assert without_niches(corners, openings) == ((corners, 0) if is_left else (bare, depth))
-
-
-@pytest.mark.parametrize(("gap", "joins"), [(600, True), (0, True), (-10, True), (-11, False)])
-def test_a_door_joins_rooms_whose_lines_nearly_meet(gap: int, joins: bool) -> None:
-    """A room with a stub of wall keeps its own lines, which may lie beyond those of its neighbour."""
-    south = 4000 + gap
-    rooms = [[(0, 0), (4000, 0), (4000, 4000), (0, 4000)], [(0, south), (4000, south), (4000, 8000), (0, 8000)]]
-    edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
-    ends = (1000.0, 4000.0 + gap / 2), (1900.0, 4000.0 + gap / 2)
-    (door,) = joined([PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)], edges, [0, 0], 50, PlanNotes())
-    assert [edge.room for edge in door.edges] == ([0, 1] if joins else [0])
 
 
 def test_storeys_are_told_apart() -> None:
