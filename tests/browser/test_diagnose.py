@@ -177,6 +177,8 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
     answer = spoiled(visit)
     removed = {"id": furniture_of(answer)[0], "reason": "there is no floor for it"}
     name = removed["id"].partition("/")[2].removesuffix("_1").replace("_", " ")
+    no_door: Document = {"ids": [], "message": "no door joins them", "repairs": []}
+    of_the_plan = {**answer, "moves": [], "removed": [], "conflicts": [no_door]}
 
     def refuse(route: Route) -> None:
         kept = {
@@ -188,8 +190,20 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
         gone = {**kept, "removed": [removed], "issues": [], "conflicts": []}
         route.fulfill(json=kept if sent_by(route.request)["on_conflict"] == "report" else gone)
 
+    intercept(visit.page, "**/fix", lambda route: route.fulfill(json=of_the_plan))
+    opened(visit)
+    visit.page.get_by_role("button", name="Fix", exact=True).click()
+    change = visit.page.locator("#diagnose_plan")
+    expect(change).to_be_visible()
+    expect(visit.page.get_by_role("button", name="Fix, leaving out what cannot stand")).to_be_hidden()
+    change.click()
+    expect(visit.page.locator("#drawing")).to_be_visible()
+    visit.page.locator("#drawing [data-tool=close]").click()
+    visit.page.unroute("**/fix")
+
     intercept(visit.page, "**/fix", refuse)
     opened(visit)
+    expect(change).to_be_hidden()
     leaving = visit.page.get_by_role("button", name="Fix, leaving out what cannot stand")
     expect(leaving).to_be_hidden()
     visit.page.get_by_role("button", name="Fix", exact=True).click()

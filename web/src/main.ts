@@ -96,7 +96,7 @@ class Page {
     this.#reading.onChoose = (id, adds) => this.#chooseInText(id, adds);
     this.#reading.onFlag = (id) => this.#home.toggleFlag(id);
     this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
-    this.#issues.onChooseRoom = (id) => this.#home.selectRoom(id);
+    this.#issues.onChooseRoom = this.#diagnose.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onFailure = this.#failed;
     const { canvas } = this.#stage.viewport;

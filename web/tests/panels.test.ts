@@ -3,6 +3,7 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { drawing } from "./random_requests";
 import { opening, piece, room, scene } from "./rooms";
+import { showFindings } from "../src/panel/found";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
 import { ImportReport } from "../src/panel/imported";
 import { Legend, roomColors } from "../src/panel/legend";
@@ -285,4 +286,14 @@ describe("what is proven", () => {
     expect(both?.short).toBe("proven optimal in 1 of 1 rooms");
     expect(both?.full).toContain("for every room. Left as they were: Attic.");
   });
+});
+
+it("leads from each finding of the diagnosis to what it is about, a room where it names no body", () => {
+  const host = document.createElement("div");
+  const found = (ids: string[], of: string | null): never => ({ rule: "unreachable", severity: "error", room: of, ids, amount: 0, message: "no way" }) as never;
+  const issues = [found([], "den"), found(["den/sofa_1"], "den"), found([], null)];
+  const chosen: unknown[] = [];
+  showFindings(host, issues, scene([room("den", [0, 0, 4, 3])]), (issue) => chosen.push(issue));
+  for (const one of host.querySelectorAll("button")) one.click();
+  expect(chosen).toEqual(issues.slice(0, 2));
 });

@@ -48,9 +48,9 @@ test("a repair is told with what moved, what went and what is left", () => {
     ...nothing,
     moves: [move, move],
     removed: [{ id: "b", reason: "no floor" }],
-    conflicts: [{ ids: ["c", "d"], message: "0.2 m are missing", repairs: [] }],
+    conflicts: [{ ids: ["c", "d"], message: "0.2 m are missing", repairs: [] }, { ids: [], message: "no door joins them", repairs: [] }],
   });
-  expect(told).toEqual(["Moved: 2 pieces; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing"]);
+  expect(told).toEqual(["Moved: 2 pieces; no error is left.", "Left out b: no floor", "Cannot stand together: c, d. 0.2 m are missing", "No door joins them"]);
 });
 
 test("decorations that a repair moved are no pieces of furniture", () => {

@@ -21,7 +21,7 @@ describe("a room with a name of its own", () => {
   const home = { rooms: [...HOME.rooms, { id: "bedroom_5", type: "bedroom", name: "Aunt May's bedroom" }, { id: "r0", type: "hallway" }, { id: "r10", type: "office", name: "Den" }, { id: "m2", type: "attic", name: "Loft" }] };
   it.each([
     ["en", "no place for a bed in bedroom_5, beside kitchen_2", "no place for a bed in Aunt May's bedroom, beside the kitchen"],
-    ["en", "r0 has no door or passage; it shares 4.00 m of its north wall with r10, 15.2 m2 of 106 m2", "the hallway has no door or passage; it shares 4.00 m of its north wall with Den, 15.2 m2 of 106 m2"],
+    ["en", "r0 has no door or passage; it shares 4.00 m of its north wall with r10, 15.2 m2 of 106 m2", "the hallway has no door or passage; it shares 4.00 m of its north wall with Den, 15.2 m² of 106 m²"],
     ["de", "r0 has no door or passage; it shares 4.00 m of its north wall with r10", "Keine Tür und kein Durchgang: Flur; 4,00 m der Wand im Norden grenzen an: Den"],
     ["de", "bedroom_5 has 9.6 m2, more than 8", "Aunt May's bedroom hat 9,6 m², mehr als 8"],
   ])("is called so in %s", async (language, said, told) => {

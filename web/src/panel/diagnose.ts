@@ -11,12 +11,15 @@ import { refusalWords } from "./field_words";
 import { element } from "../element";
 
 export class Diagnose {
-  /** Called with the id of the body whose line was chosen; the dialog has made way. */
+  /** Called with the id of the body whose line was chosen, and with the room of an issue; the dialog has made way. */
   onChoose: (id: string) => void = () => undefined;
+  onChooseRoom: (id: string) => void = () => undefined;
   readonly #dialog = element<HTMLDialogElement>("diagnose_dialog");
   readonly #said = element("diagnose_said");
   readonly #fix = element<HTMLButtonElement>("diagnose_fix");
   readonly #remove = element<HTMLButtonElement>("diagnose_remove");
+  /** The next step where it is the plan that no furniture could mend. */
+  readonly #plan = element("diagnose_plan");
   readonly #whole = element<HTMLDetailsElement>("report_whole");
   readonly #list: LineList;
   #text = "";
@@ -29,6 +32,7 @@ export class Diagnose {
     element("diagnose").addEventListener("click", () => this.open());
     element("diagnose_copy").addEventListener("click", () => void this.#copy());
     element("diagnose_close").addEventListener("click", () => this.#dialog.close());
+    this.#plan.addEventListener("click", () => this.#dialog.close());
     this.#fix.addEventListener("click", () => void this.#mend("report"));
     this.#remove.addEventListener("click", () => void this.#mend("remove"));
     // Told late: by then the dialog may have been opened again.
@@ -43,7 +47,7 @@ export class Diagnose {
     if (this.#dialog.open || !this.home.scene) return;
     this.#withdraw();
     this.#say([]);
-    this.#remove.hidden = true;
+    this.#remove.hidden = this.#plan.hidden = true;
     this.#offerFix(this.home.issues); // before the dialog opens, which gives the first of its buttons the focus
     this.#dialog.showModal();
     void this.#diagnose();
@@ -59,7 +63,7 @@ export class Diagnose {
     try {
       const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
       this.#text = told.text;
-      showFindings(element("diagnose_found"), issues, scene, (id) => this.#choose(id));
+      showFindings(element("diagnose_found"), issues, scene, ({ ids: [id], room }) => this.#choose(id, room));
       this.#list.show(reportLines(told).map(({ text, kind, id }) => ({ text, id, className: `report-line report-${kind}` })));
       this.#offerFix(issues);
       this.#dialog.setAttribute("aria-busy", "false");
@@ -88,7 +92,8 @@ export class Diagnose {
         if (answer.moves.length + answer.removed.length > 0) this.home.show({ scene: answer.scene, issues, conflicts, timing }, "step");
         else void this.#diagnose();
         this.#say(fixWords(answer));
-        this.#remove.hidden = onConflict === "remove" || !issues.some(({ severity }) => severity === "error");
+        this.#remove.hidden = onConflict === "remove" || conflicts.every(({ ids }) => ids.length === 0);
+        this.#plan.hidden = conflicts.every(({ ids }) => ids.length > 0);
       });
     } catch (reason) {
       this.#explain(reason);
@@ -96,9 +101,10 @@ export class Diagnose {
     }
   }
 
-  #choose(id: string): void {
+  #choose(id: string | undefined, room: string | null = null): void {
     this.#dialog.close();
-    this.onChoose(id);
+    if (id !== undefined) this.onChoose(id);
+    if (room !== null) this.onChooseRoom(room);
   }
 
   #withdraw(): void {

@@ -1,4 +1,4 @@
-/** What a diagnosis found, room by room, in plain words; choosing one leads to the body it names. */
+/** What a diagnosis found, room by room, in plain words; choosing one leads to the body it names, or to its room. */
 import type { Issue, Scene } from "../contract";
 import { say } from "../words/language";
 import { tellSentence } from "../words/telling";
@@ -28,21 +28,20 @@ function advice(issues: readonly Issue[]): string {
   return say("Warnings: the home works, less well. Choose one to go to it; move or delete the piece, take the step back, or take one of the room's other arrangements.");
 }
 
-function finding(issue: Issue, scene: Scene, choose: (id: string) => void): HTMLElement {
+function finding(issue: Issue, scene: Scene, choose: (issue: Issue) => void): HTMLElement {
   const item = document.createElement("li");
   const button = document.createElement("button");
   button.type = "button";
   button.className = `issue issue-${issue.severity === "error" ? "error" : "warning"}`;
   button.textContent = tellSentence(issue.message, scene);
-  const [id] = issue.ids;
-  button.disabled = id === undefined;
-  if (id !== undefined) button.addEventListener("click", () => choose(id));
+  button.disabled = issue.ids.length === 0 && !issue.room;
+  button.addEventListener("click", () => choose(issue));
   item.append(button);
   return item;
 }
 
 /** Shows what was found in place of what was shown. */
-export function showFindings(host: HTMLElement, issues: readonly Issue[], scene: Scene, choose: (id: string) => void): void {
+export function showFindings(host: HTMLElement, issues: readonly Issue[], scene: Scene, choose: (issue: Issue) => void): void {
   const names = roomNames(scene);
   const words = document.createElement("p");
   words.textContent = advice(issues);

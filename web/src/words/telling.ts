@@ -24,6 +24,8 @@ const NUMBERED = / \d+$/;
 const SENTENCE = 12;
 const FAR = 1000;
 const SUM = " + ";
+/** As the service writes them, in ASCII. */
+const SQUARE_METRES = /(?<=\d )m2\b/g;
 /** An id or a name of the catalogs, alone; and those within words: parts that are joined, or letters and a number, as files of others call rooms. */
 const ID = /^(?:[\p{L}\d_]+\/)?[\p{L}_][\p{L}\d_]*$/u;
 const IDS = /(?<![\p{L}\d_/'"])(?:(?:[\p{L}\d_]+\/)?[\p{L}\d]+(?:_[\p{L}\d]+)+|(?<!\d )\p{L}+\d+)(?![\p{L}\d_/])/gu;
@@ -123,9 +125,9 @@ export function tell(said: string, { rooms }: { readonly rooms: Rooms } = { room
   const told = formed(said, (id) => roomWords(id, rooms) ?? (ID.test(id) ? idWords(id) : null), 0);
   if (told !== null) return told;
   const untyped = said.replace(TYPE_BEHIND, (whole, id, type) => (rooms.some((one) => one.id === id && one.type === type) ? id : whole) as string);
-  return untyped.replace(KIND_BEFORE, "").replace(IDS, (id) => {
+  return untyped.replace(KIND_BEFORE, "").replace(SQUARE_METRES, "m²").replace(IDS, (id) => {
     const words = roomWords(id, rooms);
-    if (words === null && !id.includes("_")) return id; // m2 is no id
+    if (words === null && !id.includes("_")) return id; // a letter and a number that no room is called
     return words === null && !OF_A_HOME.test(id) ? idWords(id) : withThe(words ?? idWords(id), rooms.some((one) => one.id === id && one.name));
   });
 }
