@@ -103,7 +103,7 @@ def generate(
     timing.lap("floorplan")
     setting, arrangements = _furnished_rooms(plan.rooms, setting)
     plan, arrangements = _shifted(plan, arrangements, setting)
-    scene = _scene(plan, arrangements, asked, setting)
+    scene = replace(_scene(plan, arrangements, asked, setting), generator=generator(known))
     timing.lap("furniture")
     spaces = {room.id: _space(room, setting) for room in plan.rooms}
     scene = decorated(scene, {room.id for room in scene.rooms}, known, seed, lambda room: spaces[room.id])
@@ -280,7 +280,6 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     return Scene(
         seed=setting.seed,
         request=write_request(_with_extents(request)),
-        generator=generator(setting.catalogs),
         size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
         levels=(Level(0, 0.0, STOREY_HEIGHT),),

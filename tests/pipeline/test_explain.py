@@ -162,6 +162,14 @@ def test_another_catalog_made_it(home: Scene) -> None:
     assert has_form(note)
 
 
+def test_a_home_made_for_access_is_explained_too() -> None:
+    made = generate(Request(seed=5, program="studio", access="din_18040_2")).scene
+    room = next(room for room in made.rooms if room.type == "living_room")
+    answers = [explain(made, piece.id) for piece in room.furniture]
+    assert any(answer.wished for answer in answers)
+    assert not any("made with" in note or note == CHANGED for answer in answers for note in answer.notes)
+
+
 def test_the_whole_message_names_bodies_by_the_ids_of_the_scene() -> None:
     """Kitchens have counters by several labels of the search; in the scene they are counted together."""
     floors = 0
