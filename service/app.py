@@ -26,21 +26,22 @@ from service.admission import FOR_OTHER_PAGES, Admission, Admitted
 from service.admitting import admitted_of
 from service.callers import ANY, Callers
 from service.connections import Connections
+from service.contract import USUAL_READING, ImportQuery
 from service.docs import docs
 from service.effort import Terms
 from service.guard import Guard
 from service.homes import homes
 from service.jobs import Runner, jobs
 from service.measures import Measures, Observed, metrics
-from service.openapi import Answering, DescribedCalls, completed, refusals
+from service.openapi import Answering, DescribedCalls, completed, query_of, query_types, refusals
 from service.packed_catalogs import mark_of, packed, warm
 from service.problems import Busy, NoSuchFormat
 from service.service_settings import Settings
 from service.service_store import NONE, TEMPORARY, ServiceStore, store_limiter
-from service.wire import NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, written
+from service.wire import FILE, NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, written
 from service.work import Failure, Job, UnknownCatalogs, do_alone
 from service.workers import Workers, unless_left
-from solver.exchange import dump_plain
+from solver.exchange import dump_plain, read
 from solver.version import VERSION
 
 DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
@@ -59,8 +60,9 @@ def _in_worker(name: str) -> Answering:
             raise NoSuchFormat("format", f"unknown format {format!r:.60}", ", ".join(calls.EXPORT_FORMATS))
         app: ComposeApp = request.app
         sent = format_sent(request, takes_files=name == "import")
+        reading = read(ImportQuery, query_of(request, "level")) if sent == FILE else USUAL_READING
         body = await body_of(request, app.settings.body_seconds)
-        return await unless_left(request.receive, app.make(name, body, sent, format or format_wanted(request)))
+        return await unless_left(request.receive, app.make(name, body, sent, format or format_wanted(request), reading))
 
     return answer
 
@@ -87,6 +89,8 @@ def _in_workers() -> DescribedCalls:
         takes, answers = call.types
         body = {"body": (takes, None) if name in calls.MAY_BE_EMPTY else takes}
         path: dict[str, Any] = {"path": f"/{name}", "takes": body}
+        if name == "import":
+            path["takes"] |= query_types(ImportQuery)
         if name == "export":
             path = {"path": "/export/{format}", "takes": {"format": FormatName, **body}, "responses": refusals(404)}
         posts.call("POST", answers=answers, name=name, description=call.work.__doc__, **path)(_in_worker(name))
@@ -136,8 +140,8 @@ class ComposeApp(Starlette):
         self._document: dict[str, Any] | None = None
         self._told: dict[tuple[str, str], tuple[bytes, str]] = {}
 
-    async def make(self, call: str, body: bytes, sent: str, wanted: str) -> Response:
-        """Makes one of `calls.CALLS` in a worker; `sent` is the format of its body, `wanted` that of the answer.
+    async def make(self, call: str, body: bytes, sent: str, wanted: str, reading: ImportQuery = USUAL_READING) -> Response:
+        """Makes one of `calls.CALLS` in a worker; `sent` is the format of its body, `wanted` that of the answer; `reading`: how a file is.
 
         Raises:
             Busy: too many calls wait.
@@ -145,7 +149,7 @@ class ComposeApp(Starlette):
             RuntimeError: a fault of ours.
         """
         is_light = call in calls.LIGHT and len(body) <= self.settings.light_bytes
-        job = Job(call, body, sent, wanted, self.mark, self.terms)
+        job = Job(call, body, sent, wanted, self.mark, self.terms, reading)
         done = await self.workers.run(do_alone, job, is_light=is_light)
         if isinstance(done, UnknownCatalogs):  # a process that was started since
             done = await self.workers.run(do_alone, replace(job, catalogs=self.packed_catalogs), is_light=is_light)

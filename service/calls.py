@@ -195,8 +195,7 @@ def import_file(body: contract.ImportBody, catalogs: Catalogs) -> PlanImport:
         content = b64decode(body.file or "", validate=True)
     except ValueError:
         raise FieldError("file", "is not base64", "a file in base64") from None
-    settings = ImportSettings(body.level, body.unit, body.furniture == "keep")
-    return import_plan(content if body.document is None else dict(body.document), body.name, settings, catalogs=catalogs)
+    return import_plan(content if body.document is None else dict(body.document), body.name, body.settings, catalogs=catalogs)
 
 
 @_call("floor")

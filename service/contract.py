@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any, ClassVar, Final
 
 from annotated_types import Ge, Le, MaxLen, MinLen
 
@@ -12,7 +12,7 @@ from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, PositiveMetres, Record, Says, Text, Whole, counted
 from solver.guessed import KEEPS
-from solver.imported import ALLOWED_UNITS
+from solver.imported import ALLOWED_UNITS, ImportSettings
 from solver.request import MAX_COUNT, Seed
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
 from solver.scene import ROBOT_WIDTH, RobotWidth, Scene, WallThickness
@@ -113,19 +113,29 @@ class DragAnswer(Record):
 
 
 @dataclass(frozen=True)
-class ImportBody(Record):
-    """A foreign floor plan: `file` holds a file's bytes in base64, or `document` what a JSON file says; one of the two.
-
-    Args:
-        level: the storey to take; by default the lowest with rooms.
-    """
+class ImportQuery(Record):
+    """How a foreign floor plan is read; with a file that is sent as it is, it stands in the query."""
 
     name: Annotated[Text, Says("the file's name, where it has one")] = ""
-    file: Annotated[Text | None, Says("the file in base64")] = None
-    document: Annotated[Free | None, Says("the document that a JSON file holds")] = None
-    level: Whole | None = None
+    level: Annotated[Whole | None, Says("the storey to take; by default the lowest with rooms")] = None
     unit: Annotated[Text | None, Says(f"of the file: {ALLOWED_UNITS}")] = None
     furniture: Annotated[str, OneOf("keep", "none"), Says("whether the file's furniture comes along")] = "keep"
+
+    @property
+    def settings(self) -> ImportSettings:
+        """The same as the reader of plans takes it."""
+        return ImportSettings(self.level, self.unit, self.furniture == "keep")
+
+
+USUAL_READING: Final = ImportQuery()
+
+
+@dataclass(frozen=True)
+class ImportBody(ImportQuery):
+    """A foreign floor plan: `file` holds a file's bytes in base64, or `document` what a JSON file says; one of the two."""
+
+    file: Annotated[Text | None, Says("the file in base64")] = None
+    document: Annotated[Free | None, Says("the document that a JSON file holds")] = None
 
 
 @dataclass(frozen=True)

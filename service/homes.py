@@ -10,10 +10,9 @@ from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.admission import PARAMETER
 from service.home_texts import HomeSent, home_text, read_sent_home
 from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
-from service.openapi import DescribedCalls, query_types, refusals
+from service.openapi import DescribedCalls, query_of, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.store.database import moment
@@ -86,11 +85,7 @@ async def save_home(request: Request) -> Response:
 @homes.call("GET", "", HomeList, takes=query_types(HomeQuery))
 async def list_homes(request: Request) -> Response:
     """Lists homes, the last changed first."""
-    given = request.query_params
-    asked: dict[str, object] = {name: value for name, value in given.items() if name != PARAMETER}
-    if "limit" in given:
-        asked["limit"] = int(given["limit"]) if re.fullmatch(r"\d{1,9}", given["limit"]) else given["limit"]
-    query = read(HomeQuery, {**asked, "tag": given.getlist("tag")})
+    query = read(HomeQuery, {**query_of(request, "limit"), "tag": request.query_params.getlist("tag")})
     found = await _asked(request, SavedHomes.list, query)
     document = {"homes": [write(one) for one in found.homes], "total": found.total, "after": found.after}
     return written(document, format_wanted(request))

@@ -3,6 +3,7 @@
 And calls that it describes and does not make: it reads their types, for seconds, when the document is asked for.
 """
 
+import re
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import fields
 from functools import lru_cache
@@ -18,6 +19,7 @@ from starlette.routing import Route
 
 from catalogs import Catalogs
 from catalogs.entries import Entry
+from service.admission import PARAMETER
 from service.contract import ProblemDocument
 from service.problems import MEDIA_TYPE, STATUS, STORE_STATUS
 from service.wire import FILE_TYPES, MEDIA_TYPES
@@ -150,6 +152,13 @@ def query_types(record: type[Any]) -> dict[str, tuple[Any, Any]]:
     """Returns what a call takes that is asked in its query by the fields of a record; each has a default."""
     types = get_type_hints(record, include_extras=True)
     return {part.name: (_query_type(types[part.name]), part.default) for part in fields(record)}
+
+
+def query_of(request: Request, whole: str) -> dict[str, object]:
+    """Returns what a query asks, that of one name as a whole number where it is one."""
+    asked: dict[str, object] = {name: value for name, value in request.query_params.items() if name != PARAMETER}
+    number = request.query_params.get(whole, "")
+    return {**asked, whole: int(number)} if re.fullmatch(r"-?\d{1,9}", number) else asked
 
 
 def _query_type(of: Any) -> Any:

@@ -10,6 +10,7 @@ from starlette.responses import Response
 
 from catalogs import Catalogs, yaml_reading  # noqa: F401 - loaded before processes are forked
 from service import calls, problems
+from service.contract import USUAL_READING, ImportQuery
 from service.effort import USUAL, Terms, on_terms
 from service.measures import ISSUES_HEADER, RETRIED_HEADER, WORK_HEADER
 from service.packed_catalogs import KNOWN, unpacked
@@ -35,6 +36,7 @@ class Job:
         body: the request's body.
         sent: the body's format.
         wanted: the answer's format.
+        reading: how a foreign file is read.
         catalogs: the catalogs, packed by `packed`; or their mark (`mark_of`), where the process may know them.
         terms: how much work it may do.
     """
@@ -45,6 +47,7 @@ class Job:
     wanted: str
     catalogs: bytes | str
     terms: Terms = USUAL
+    reading: ImportQuery = USUAL_READING
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,7 @@ def _answered(job: Job, catalogs: Catalogs) -> Response:
 
 def _asked(job: Job, catalogs: Catalogs) -> Response:
     if job.sent in (FILE, GLB) and job.call == "import":
-        return written(calls.import_content(job.body, catalogs), job.wanted)
+        return written(calls.import_content(job.body, catalogs, job.reading.settings, job.reading.name), job.wanted)
     document = load_text(job.body, job.sent) if job.body.strip() or job.call not in calls.MAY_BE_EMPTY else {}
     if job.sent == GLB:
         document = {"scene": document}

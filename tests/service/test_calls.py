@@ -276,3 +276,21 @@ def test_an_answer_that_holds_a_scene_is_exported_as_that_scene(client: TestClie
 def test_healthz_answers(client: TestClient) -> None:
     answer = client.get("/healthz")
     assert (answer.status_code, answer.json()) == (200, {"status": "ok"})
+
+
+def test_a_file_sent_as_it_is_is_read_as_the_query_asks(client: TestClient) -> None:
+    square = [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]
+    features = [{"properties": {"name": f"Attic {n}", "level": n}, "geometry": {"type": "Polygon", "coordinates": [square]}} for n in (0, -1)]
+    plan = {"type": "FeatureCollection", "features": features}
+
+    def sent(**query: str) -> dict[str, Any]:
+        headers = {"content-type": "application/octet-stream"}
+        answer: dict[str, Any] = client.post("/import", content=json.dumps(plan), headers=headers, params=query).json()
+        return answer
+
+    for level in (0, -1):
+        wanted = client.post("/import", json={"document": plan, "level": level, "unit": "ft"}).json()
+        assert sent(level=str(level), unit="ft") == wanted
+        assert [room["name"] for room in wanted["scene"]["rooms"]] == [f"Attic {level}"]
+    refused = [sent(**query)["errors"][0]["field"] for query in ({"level": "1.5"}, {"level": "9"}, {"unit": "yards"}, {"storey": "1"})]
+    assert refused == ["level", "level", "unit", "storey"]

@@ -201,6 +201,8 @@ def test_the_body_of_import_is_described_in_every_media_type_that_is_taken(clien
     plan = b"<svg xmlns='http://www.w3.org/2000/svg'/>"
     taken = [client.post("/import", content=plan, headers={"content-type": kind}).status_code for kind in content]
     assert 415 not in taken
+    asked = {one["name"]: one for one in document["paths"]["/import"]["post"]["parameters"]}
+    assert set(asked) == {"name", "level", "unit", "furniture"} and not any(one["required"] for one in asked.values())
     assert all("image/svg+xml" not in document["paths"][path]["post"]["requestBody"]["content"] for path in ("/fix", "/validate"))
 
 

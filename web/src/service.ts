@@ -192,21 +192,10 @@ export interface GivenFile {
   readonly level?: number;
 }
 
-/** A file's content as JSON holds it. */
-function inBase64(content: GivenFile["content"]): Promise<string> {
-  return new Promise((done, fail) => {
-    const reader = new FileReader();
-    reader.onload = () => done((reader.result as string).replace(/^[^,]*,?/, ""));
-    reader.onerror = () => fail(reader.error as DOMException);
-    reader.readAsDataURL(new Blob([content]));
-  });
-}
-
 /** What a file holds, as the service reads it; what is wrong with the file is said with its name. */
 export async function readFile({ name, content, level }: GivenFile, signal: AbortSignal): Promise<ImportAnswer> {
   try {
-    if (level !== undefined) return await post("import", { file: await inBase64(content), name, level }, signal);
-    return await ask("import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
+    return await ask(level === undefined ? "import" : `import?level=${level}`, { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
     throw new ServiceProblem(say("{name} cannot be read", { name }), reason.detail, reason);
