@@ -280,7 +280,8 @@ def test_healthz_answers(client: TestClient) -> None:
 
 def test_a_file_sent_as_it_is_is_read_as_the_query_asks(client: TestClient) -> None:
     square = [[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]
-    features = [{"properties": {"name": f"Attic {n}", "level": n}, "geometry": {"type": "Polygon", "coordinates": [square]}} for n in (0, -1)]
+    floor = {"type": "Polygon", "coordinates": [square]}
+    features = [{"properties": {"name": f"Attic {level}", "level": level}, "geometry": floor} for level in (0, -1)]
     plan = {"type": "FeatureCollection", "features": features}
 
     def sent(**query: str) -> dict[str, Any]:
