@@ -34,6 +34,10 @@ MOST_CELLS: Final = 250_000
 """Cells that the drawing may be cut into."""
 
 
+_Part = tuple[NDArray[np.bool_], NDArray[np.int64], NDArray[np.int64]]
+"""Which cells of a box are covered, by column and row, and between which x and z they lie."""
+
+
 class DrawnLine(NamedTuple):
     """A line along an axis: its coordinate across it, and from where to where it goes, mm."""
 
@@ -91,8 +95,8 @@ def faces_between(
     free = _free(lines, xs, zs)
     for slant in slants:
         _cover(free, slant, xs, zs)
-    cells = [one for one in _parts(free, xs, zs) if _is_room(one, xs, zs)]
-    found = [WallFace(outline_of_cells(one, xs, zs), list(_holes(one, xs, zs))) for one in cells]
+    parts = [one for one in _parts(free, xs, zs) if _is_room(*one)]
+    found = [WallFace(outline_of_cells(*one), list(_holes(*one))) for one in parts]
     return sorted((one for one in found if one.corners), key=lambda one: (one.corners[0][1], one.corners[0][0]))
 
 
@@ -274,21 +278,19 @@ def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int6
     return free
 
 
-def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[NDArray[np.bool_]]:
-    """Yields the connected parts that do not reach the ring and are wide enough for a room: which cells each covers."""
+def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[_Part]:
+    """Yields the connected parts that do not reach the ring and are wide enough for a room."""
     for spots in islice(connected(free), 1, None):
-        (west, north), (east, south) = (spots.min(axis=0) - 2) // 2, (spots.max(axis=0) - 1) // 2
-        if min(xs[min(east + 1, len(xs) - 1)] - xs[max(west, 0)], zs[min(south + 1, len(zs) - 1)] - zs[max(north, 0)]) < NARROWEST:
-            continue
-        part = np.zeros_like(free)
-        part[tuple(spots.T)] = True
-        yield part[2:-1:2, 2:-1:2]
+        (west, north), (east, south) = spots.min(axis=0) // 2 - 1, spots.max(axis=0) // 2 + 1
+        columns, rows = xs[west:east], zs[north:south]
+        if min(np.ptp(columns), np.ptp(rows)) >= NARROWEST:
+            part = np.zeros((2 * len(columns) + 1, 2 * len(rows) + 1), dtype=np.bool_)
+            part[tuple((spots - (2 * west, 2 * north)).T)] = True
+            yield part[2:-1:2, 2:-1:2], columns, rows
 
 
 def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[FloorCorners]:
     """Yields the outlines of what cells lie around, if a room fits into it: other rooms with their walls, or a shaft."""
-    (west, east), (north, south) = (np.flatnonzero(cells.any(axis=across))[[0, -1]] for across in (1, 0))
-    cells, xs, zs = cells[west : east + 1, north : south + 1], xs[west : east + 2], zs[north : south + 2]
     for spots in islice(connected(~np.pad(cells, 1)), 1, None):
         hole = np.zeros_like(cells)
         hole[tuple((spots - 1).T)] = True

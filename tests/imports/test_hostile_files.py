@@ -15,11 +15,12 @@ from io import BytesIO
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile
 
+import ezdxf.filemanagement
 import pytest
 
 from catalogs import load_catalogs
-from solver.errors import ComposeError, FieldError
-from solver.imports.formats import ifc_reading
+from solver.errors import ComposeError, FieldError, SyntaxFault
+from solver.imports.formats import dxf_reading, ifc_reading
 from tests.imports.hostile_buildings import (
     dxf_block,
     dxf_insert,
@@ -40,6 +41,7 @@ from tests.told_answers import untold_in_import, untold_in_refusal
 MOST_CALLS = 5_000_000
 MOST_MEMORY = 200 << 20
 NAN, HUGE = float("nan"), 1e300
+MANY_POINTS = "  0\nLWPOLYLINE\n  8\nroom\n" + " 10\n1\n 20\n1\n" * 100_001
 KITCHEN = box("Kitchen", 0, 0, 4, 3)
 
 
@@ -270,6 +272,13 @@ def test_a_long_name_is_told_in_quotes_that_end() -> None:
     answer = read(spoilt(lambda plan: plan["features"][0]["properties"].update(name=name, type=None)))
     told = [guess["message"] for guess in answer.guesses if guess["what"] == "type"]
     assert told == [f"it is called '{name[:57]}…'"]
+
+
+@pytest.mark.parametrize(("drawn", "words"), [(dxf_line(0, 0, 1, 1) * 50_001, "50,000 entities"), (MANY_POINTS, "100,000 points")])
+def test_what_is_drawn_is_counted_before_the_drawing_is_built(drawn: str, words: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ezdxf.filemanagement, "read", None)
+    with pytest.raises(SyntaxFault, match=words):
+        dxf_reading.read_dxf(dxf_of(drawn))
 
 
 def test_a_room_within_itself_is_named() -> None:

@@ -10,7 +10,7 @@ import ifcopenshell
 import pytest
 
 from solver.imported import PlanImport
-from tests.imports.plans import read
+from tests.imports.plans import floor_area, read
 
 Point = tuple[float, float]
 OUTER = [(0, 0), (8000, 0), (8000, 5000), (0, 5000)]
@@ -81,6 +81,17 @@ class Building:
                 found.append(self.create("IfcFace", [self.create("IfcFaceOuterBound", loop, True)]))
         return self.create("IfcFacetedBrep", self.create("IfcClosedShell", found))
 
+    def triangles(self, points: Sequence[Point], cut: Sequence[tuple[int, int, int]], height: float) -> Any:
+        """One shape of triangles: of its foot, of its head, two of each side; each says its own corners, as some programmes write them."""
+        foot, head = [(*at, 0.0) for at in points], [(*at, height) for at in points]
+        faces = [[foot[at] for at in reversed(three)] for three in cut] + [[head[at] for at in three] for three in cut]
+        for a in range(len(points)):
+            b = (a + 1) % len(points)
+            faces += [[foot[a], foot[b], head[b]], [foot[a], head[b], head[a]]]
+        corners = self.create("IfcCartesianPointList3D", [tuple(map(float, at)) for face in faces for at in face])
+        index = [(at, at + 1, at + 2) for at in range(1, 3 * len(faces), 3)]
+        return self.create("IfcTriangulatedFaceSet", corners, None, True, index)
+
     def read(self) -> PlanImport:
         return read(self.file.to_string().encode(), "plan.ifc")
 
@@ -132,3 +143,12 @@ def test_walls_that_are_one_shape_enclose_rooms_where_they_are_cut_a_metre_above
         made.OverallWidth, made.OverallHeight = outline[2][1] - y0, height
     building.add("IfcWall", building.faces(parts), "all")
     assert seen(building.read()) == WANTED
+
+
+def test_a_space_whose_floor_is_many_triangles_is_the_room_that_they_make() -> None:
+    building = Building()
+    outline = [(0.0, 0.0), (5000.0, 0.0), (5000.0, 2500.0), (2500.0, 2500.0), (2500.0, 4000.0), (0.0, 4000.0)]
+    cut = [(0, 1, 3), (1, 2, 3), (3, 4, 0), (4, 5, 0)]
+    building.add("IfcSpace", building.triangles(outline, cut, 2500), "Wohnen")
+    (room,) = building.read().scene.rooms
+    assert (room.width, room.depth, floor_area(room.outline or ())) == (5.0, 4.0, 5.0 * 2.5 + 2.5 * 1.5)

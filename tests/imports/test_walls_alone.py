@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 from io import BytesIO, StringIO
 from typing import Any, Literal
 from xml.etree import ElementTree
@@ -275,3 +276,17 @@ def test_slanted_walls_enclose_rooms_that_reach_to_the_steps_before_them(turn: i
     side, area = 6.0 * math.tan(math.radians(22.5)), 8 * math.tan(math.radians(22.5)) * 9.0
     reached = floor_area(room.outline) - half * (4 * side + 2 * (6.0 - side) * 2)
     assert area - 4 * side * 0.15 <= reached <= area + 0.3 * is_open
+
+
+def test_many_rooms_between_walls_take_memory_for_each_of_them_alone() -> None:
+    """1,600 rooms of 1 m2: where each takes as much as the whole drawing, that is 24 MB."""
+    lines = [DrawnLine(axis, 1000 * at, 0, 40_000) for axis in AXES for at in range(41)]
+    wall_faces.faces_between(lines[:4], [])
+    tracemalloc.start()
+    try:
+        found = wall_faces.faces_between(lines, [])
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert len(found or ()) == 1_600
+    assert peak < 4 << 20

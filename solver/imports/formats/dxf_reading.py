@@ -48,12 +48,17 @@ UNREAD: Final = frozenset({"CLASSES", "OBJECTS", "ACDSDATA", "THUMBNAILIMAGE"})
 SPACES: Final = frozenset({"*model_space", "$model_space"})
 """Blocks that are the drawing itself."""
 MANY: Final = f"of more than {MOST_PARTS:,} entities, vertices and entries"
+MANY_ENTITIES: Final = f"of more than {MOST_ENTITIES:,} entities"
+MOST_DXF_POINTS: Final = 100_000
+"""Points of all that is drawn: a polyline's are no entities."""
 DEEPEST: Final = 8
 """Blocks within blocks."""
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
 """Areas: of walls they are taken as outlines."""
+PARTS: Final = frozenset({"SECTION", "ENDSEC", "VERTEX", "ATTRIB", "SEQEND"})
+"""What is no entity of its own."""
 MULTI: Final = "MLINE"
 """Several lines beside one another, as walls are drawn."""
 CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
@@ -96,7 +101,7 @@ def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | N
         drawing = _drawing(content, names)
         space = drawing.modelspace()
         if len(space) > MOST_ENTITIES:
-            raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
+            raise SyntaxFault(MANY_ENTITIES)
         unit = METRES.get(drawing.header.get("$INSUNITS", 0))
         bodies: list[_Entity] = []
         plan = _plan(space, lambda found: told_by_doors(found, unit), metres, names, bodies)
@@ -133,7 +138,7 @@ def _looked_at(lines: list[str], names: DrawnNames) -> list[str]:
         raise SyntaxFault(MANY)
     parts = [(start, end, lines[start + 1]) for start, end in pairwise((*starts, len(lines))) if start + 1 < end]
     opened = _blocks_to_open((lines[start:end] for start, end, kind in parts if kind == "INSERT"), names)
-    section, block, kept = "", "", lines[: starts[0] if starts else None]
+    section, block, kept, drawn = "", "", lines[: starts[0] if starts else None], 0
     for start, end, kind in parts:
         if kind in ("SECTION", "EOF"):
             section, block = _said(2, lines[start:end]), ""
@@ -142,8 +147,13 @@ def _looked_at(lines: list[str], names: DrawnNames) -> list[str]:
         hidden = kind == "ATTDEF" or (kind == "ATTRIB" and not _is_read(lines[start:end])) or (block and block not in opened)
         if section not in UNREAD and not hidden:
             kept += lines[start:end]
+            drawn += section == "ENTITIES" and kind not in PARTS
         if kind == "BLOCK":
             block = _said(2, lines[start:end]).lower()
+    if drawn > MOST_ENTITIES:
+        raise SyntaxFault(MANY_ENTITIES)
+    if sum(kept[::2].count(code) for code in set(kept[::2]) if code.strip() == "10") > MOST_DXF_POINTS:
+        raise SyntaxFault(f"of more than {MOST_DXF_POINTS:,} points")
     return kept
 
 
@@ -226,7 +236,7 @@ def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
             parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
             made += len(parts)
             if made > MOST_ENTITIES:
-                raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities, each as often as its block is inserted")
+                raise SyntaxFault(f"{MANY_ENTITIES}, each as often as its block is inserted")
             for part in reversed(parts):
                 own = () if part.dxf.layer == "0" else (part.dxf.layer,)
                 ahead.append((part, (*inner, *own), number, depth + 1))
@@ -234,7 +244,7 @@ def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
             parts = list(islice(one.virtual_entities(), MOST_ENTITIES))
             made += len(parts)
             if made > MOST_ENTITIES:
-                raise SyntaxFault(f"of more than {MOST_ENTITIES:,} entities")
+                raise SyntaxFault(MANY_ENTITIES)
             ahead += [(part, names, number, depth) for part in reversed(parts)]
         else:
             sort = sort_within(tuple(name.lower().replace("hatch", "") for name in names) if kind in FILLED else names)

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.errors import FieldError
-from solver.imports.drawn import Tally
+from solver.geometry import doubled_area, edges_round
+from solver.imports.drawn import Spot, Tally
 
 Matrix = NDArray[np.float64]
 DEEPEST: Final = 8
@@ -258,13 +259,36 @@ def _box_around(parts: Sequence[Matrix]) -> Matrix:
 
 
 def _faced(faces: Sequence[Matrix], frame: Matrix) -> Iterator[_Part]:
-    """Yields the lowest flat face of a shape made of faces, None where none lies flat, all its points, and its faces."""
+    """Yields the outline of the lowest flat faces of a shape made of faces, None where none lies flat, all its points, and its faces."""
     moved = [_moved(face, frame) for face in faces if len(face) > 2]
     if moved:
         points = np.vstack(moved)
         tall = float(np.ptp(points[:, 2])) or 1.0
         flat = [face for face in moved if np.ptp(face[:, 2]) < 1e-3 * tall]
-        yield min(flat, key=lambda face: (round(float(face[0, 2]) / tall, 3), -len(face)), default=None), points, moved
+        heights = [round(float(face[0, 2]) / tall, 3) for face in flat]
+        yield _around([face for face, height in zip(flat, heights, strict=True) if height == min(heights)]), points, moved
+
+
+def _around(faces: Sequence[Matrix]) -> Matrix | None:
+    """Returns the outline of flat faces that meet at sides, as the triangles of one floor do: the largest ring of all other sides."""
+    spots = {(round(float(x), 3), round(float(y), 3)): (x, y, z) for face in faces for x, y, z in face.tolist()}
+    sides: dict[tuple[Spot, Spot], None] = {}
+    for face in faces:
+        ring = [(round(float(x), 3), round(float(y), 3)) for x, y, _ in face]
+        for a, b in edges_round(ring if doubled_area(ring) > 0 else ring[::-1]):
+            if (b, a) in sides:
+                del sides[b, a]
+            else:
+                sides[a, b] = None
+    after = dict(iter(sides))
+    rings = []
+    while after:
+        ring = [next(iter(after))]
+        while (spot := after.pop(ring[-1], None)) is not None and spot != ring[0]:
+            ring.append(spot)
+        rings.append(ring)
+    largest = max(rings, key=lambda ring: doubled_area(ring) if len(ring) > 2 else 0.0, default=None)
+    return None if largest is None else np.asarray([spots[spot] for spot in largest])
 
 
 def _moved(points: Matrix, frame: Matrix) -> Matrix:
