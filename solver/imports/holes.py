@@ -20,7 +20,7 @@ LEVEL: Final = 0.02
 def cut_open(room: DrawnRoom, openings: Sequence[DrawnOpening], notes: PlanNotes) -> DrawnRoom:
     """Returns a room in mm without holes, cut where no opening is, if it can be; notes what was done about each."""
     points, holes = room.points, list(room.holes)
-    doors = [(one.start, one.end) for one in openings if one.level == room.level]
+    doors = [(one.start, one.end) for one in openings]
     while holes:
         cuts = [
             (_is_at(cut, doors), math.dist(*cut), at, cut, made)

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Final
+from typing import Any, Final
 
 from solver.errors import FieldError
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPiece, DrawnPlan, DrawnWall, PlanNotes, Spot
@@ -18,6 +18,8 @@ HEIGHT: Final = 2.8
 """Of a storey, m, where the file does not say."""
 MOST_NAMED: Final = 8
 """Layers that are named, those with most on them."""
+OF_A_LEVEL: Final = ("rooms", "openings", "walls", "solid", "pieces")
+"""What of a plan is on one of its levels."""
 Turn = Callable[[Spot], Spot]
 
 
@@ -41,14 +43,8 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     for number in sorted(counts.keys() - {chosen}):
         name = f" ({names[number]})" if names.get(number) else ""
         notes.leave(f"level {number}{name}", f"{counts[number]} rooms: level {chosen} is taken, `level` takes another")
-    return replace(
-        plan,
-        rooms=tuple(one for one in plan.rooms if one.level == chosen),
-        openings=tuple(one for one in plan.openings if one.level == chosen),
-        walls=tuple(one for one in plan.walls if one.level == chosen),
-        pieces=tuple(one for one in plan.pieces if one.level == chosen),
-        levels=tuple(one for one in plan.levels if one.number == chosen),
-    )
+    own: dict[str, Any] = {name: tuple(one for one in getattr(plan, name) if one.level == chosen) for name in OF_A_LEVEL}
+    return replace(plan, **own, levels=tuple(one for one in plan.levels if one.number == chosen))
 
 
 def _without_rooms(plan: DrawnPlan) -> FieldError:

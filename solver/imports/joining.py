@@ -5,8 +5,7 @@ has no wall is left out, and said.
 """
 
 import math
-from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -53,17 +52,12 @@ class Joined:
     towards: int | None
 
 
-def joined(
-    openings: Sequence[PlacedDrawing], edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], half: int, notes: PlanNotes
-) -> list[Joined]:
-    """Returns openings in the walls of rooms, whose edges and levels are given; `half` is half the usual wall, mm.
+def joined(openings: Sequence[PlacedDrawing], edges: Sequence[Sequence[PlanEdge]], half: int, notes: PlanNotes) -> list[Joined]:
+    """Returns openings in the walls of rooms, whose edges are given; `half` is half the usual wall, mm.
 
     What was shifted, shortened and left out is noted.
     """
-    by_axis: dict[tuple[int, str], list[PlanEdge]] = defaultdict(list)
-    for room, level in zip(edges, levels, strict=True):
-        for edge in room:
-            by_axis[level, edge.axis].append(edge)
+    by_axis = {axis: [edge for room in edges for edge in room if edge.axis == axis] for axis in ("x", "z")}
     found = []
     for opening in openings:
         kind, width = opening.drawn.kind.replace("_", " "), math.dist(opening.start, opening.end)
@@ -79,14 +73,14 @@ def joined(
     return found
 
 
-def _joined(opening: PlacedDrawing, by_axis: dict[tuple[int, str], list[PlanEdge]], half: int) -> Joined | str:
+def _joined(opening: PlacedDrawing, by_axis: Mapping[str, Sequence[PlanEdge]], half: int) -> Joined | str:
     """Returns an opening in its walls, or why it has none."""
     (x0, z0), (x1, z1) = opening.start, opening.end
     axis = "x" if abs(x1 - x0) >= abs(z1 - z0) else "z"
     along = 0 if axis == "x" else 1
     line = (opening.start[1 - along] + opening.end[1 - along]) / 2
     low, high = sorted((round(opening.start[along]), round(opening.end[along])))
-    here = [edge for edge in by_axis[opening.drawn.level, axis] if not opening.rooms or edge.room in opening.rooms]
+    here = [edge for edge in by_axis[axis] if not opening.rooms or edge.room in opening.rooms]
     here = [edge for edge in here if _common(edge, low, high) >= min(high - low, NARROWEST[opening.drawn.kind]) / 2]
     if not here:
         return "no room has a wall along it"

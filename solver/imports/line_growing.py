@@ -34,37 +34,27 @@ class Grown:
     moved: list[list[int]]
 
 
-def grown(rooms: Sequence[Sequence[PlanEdge]], levels: Sequence[int], thickness: int | None) -> Grown:
-    """Returns rooms, edges along inner faces, clockwise, grown to the lines of their walls.
+def grown(edges: Sequence[Sequence[PlanEdge]], thickness: int | None) -> Grown:
+    """Returns rooms, given by their edges along inner faces, clockwise, grown to the lines of their walls.
 
     `thickness` is that of the walls, mm, where the file says it.
     """
-    edges = rooms
-    pairs = _facing_pairs(edges, levels)
+    pairs = _pairs(edges)
     gaps = [one for one in _gaps(pairs) if one[0] >= THINNEST]
     usual = int(weighted_median(one for one in gaps if one[0] <= gaps[0][0] + ALIKE)) if gaps else thickness or 0
     lines = _lines([pair for pair in pairs if pair[1].at - pair[0].at <= usual + NEAR_LINES])
     for room in edges:
         for edge in room:
             lines.setdefault((edge.room, edge.side), edge.at + edge.out * (usual // 2))
-    _gather(edges, levels, lines)
+    _gather(edges, lines)
     moved = [[(lines[edge.room, edge.side] - edge.at) * edge.out for edge in room] for room in edges]
     corners = [_rebuilt(room, [lines[edge.room, edge.side] for edge in room], usual) for room in edges]
     return Grown(corners, usual, moved)
 
 
-def usual_gap(rooms: Sequence[FloorCorners], levels: Sequence[int]) -> int:
+def usual_gap(rooms: Sequence[FloorCorners]) -> int:
     """Returns how far apart rooms that are neighbours lie, mm: 0 where they are drawn along lines, or where there are none."""
-    edges = [edges_of_corners(number, corners) for number, corners in enumerate(rooms)]
-    return int(weighted_median(_gaps(_facing_pairs(edges, levels))))
-
-
-def _facing_pairs(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> list[tuple[PlanEdge, PlanEdge, int]]:
-    return [
-        pair
-        for level in sorted(set(levels))
-        for pair in _pairs([one for room, own in zip(edges, levels, strict=True) if own == level for one in room])
-    ]
+    return int(weighted_median(_gaps(_pairs([edges_of_corners(number, corners) for number, corners in enumerate(rooms)]))))
 
 
 def _gaps(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> list[tuple[int, int]]:
@@ -72,9 +62,9 @@ def _gaps(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> list[tuple[int, in
     return sorted((b.at - a.at, overlap) for a, b, overlap in pairs)
 
 
-def _pairs(edges: Sequence[PlanEdge]) -> list[tuple[PlanEdge, PlanEdge, int]]:
+def _pairs(rooms: Sequence[Sequence[PlanEdge]]) -> list[tuple[PlanEdge, PlanEdge, int]]:
     """Returns the edges that see each other across a wall, the nearer first, and over how much of their length."""
-    found = []
+    found, edges = [], [edge for room in rooms for edge in room]
     for axis in ("x", "z"):
         facing = sorted((one for one in edges if one.axis == axis and one.out < 0), key=lambda one: one.at)
         starts = [one.at for one in facing]
@@ -125,14 +115,10 @@ def _lines(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> dict[tuple[int, i
     return lines
 
 
-def _gather(edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], lines: dict[tuple[int, int], int]) -> None:
+def _gather(edges: Sequence[Sequence[PlanEdge]], lines: dict[tuple[int, int], int]) -> None:
     """Gives wall lines that nearly meet one coordinate."""
-    groups: dict[tuple[int, str], list[PlanEdge]] = defaultdict(list)
-    for room, level in zip(edges, levels, strict=True):
-        for edge in room:
-            groups[level, edge.axis].append(edge)
-    for group in groups.values():
-        ordered = sorted(group, key=lambda edge: lines[edge.room, edge.side])
+    for axis in ("x", "z"):
+        ordered = sorted((edge for room in edges for edge in room if edge.axis == axis), key=lambda edge: lines[edge.room, edge.side])
         values = [lines[edge.room, edge.side] for edge in ordered]
         start = 0
         for at in range(1, len(ordered) + 1):

@@ -112,9 +112,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     rooms = _without_niches(plan, rooms, notes)
     rooms, thickness = _along_lines(plan, rooms, notes)
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    levels = [room.drawn.level for room in rooms]
     placed = [_placed(one, rooms) for one in plan.openings]
-    openings = told_apart(joined(placed, edges, levels, thickness // 2, notes), rooms, catalogs, notes)
+    openings = told_apart(joined(placed, edges, thickness // 2, notes), rooms, catalogs, notes)
     openings = with_glass(openings, rooms, notes)
     entered = {edge.room for one in openings if one.drawn.kind != "window" for edge in one.edges}
     gardens = {number for number, room in enumerate(rooms) if room.drawn.outdoor and number in entered}
@@ -132,7 +131,7 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
 def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> list[NamedRoom]:
     plan = replace(plan, rooms=tuple(cut_open(room, plan.openings, notes) for room in plan.rooms))
     apart = plan.wall_thickness * WALL if plan.drawn == "inner" and plan.wall_thickness else NEAR
-    made = straightened([room.points for room in plan.rooms], [room.level for room in plan.rooms], apart)
+    made = straightened([room.points for room in plan.rooms], apart)
     kept: list[tuple[DrawnRoom, str, FloorCorners]] = []
     straight = []
     for room, one in zip(plan.rooms, made, strict=True):
@@ -165,19 +164,18 @@ def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -
 def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> tuple[list[NamedRoom], int]:
     """Returns rooms along wall lines, and the scene's thickness of walls, mm; outer walls of another say so."""
     faces = ((one.start, one.end) for one in plan.walls if not one.thickness)
-    levels, depths = [room.drawn.level for room in rooms], WallDepths((*plan.walls, *plan.solid), (*plan.faces, *faces))
+    depths = WallDepths((*plan.walls, *plan.solid), (*plan.faces, *faces))
     made, thickness = _lines_of(plan, rooms, depths, notes)
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
-    own = outer_thicknesses(depths, edges, levels, thickness)
+    own = outer_thicknesses(depths, edges, thickness)
     return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness
 
 
 def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes: PlanNotes) -> tuple[list[NamedRoom], int]:
     said = None if plan.wall_thickness is None else round(plan.wall_thickness)
-    levels = [room.drawn.level for room in rooms]
-    apart = usual_gap([room.corners for room in rooms], levels) if plan.drawn == "unsaid" else 0
+    apart = usual_gap([room.corners for room in rooms]) if plan.drawn == "unsaid" else 0
     faces = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    thickness, found = faces_behind(faces, levels, depths, min(1000, USUAL_THICKNESS if said is None else said))
+    thickness, found = faces_behind(faces, depths, min(1000, USUAL_THICKNESS if said is None else said))
     within_walls = bool(depths) and thickness > LINES_APART
     if plan.drawn == "lines" or (plan.drawn == "unsaid" and (apart <= LINES_APART or within_walls)):
         if found is None:
@@ -185,7 +183,7 @@ def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes
                 notes.guess("plan", "wall_thickness", str(to_m(USUAL_THICKNESS)), "the file does not say how thick walls are")
             return rooms, thickness
         faces = found
-    made = grown(faces, levels, said)
+    made = grown(faces, said)
     half = made.thickness // 2
     for room, moved in zip(rooms, made.moved, strict=True):
         worst = max((by - half for by in moved), key=abs, default=0)

@@ -119,19 +119,19 @@ def turned_by(spot: Spot, degrees: float) -> Spot:
     return spot[0] * c + spot[1] * s, spot[1] * c - spot[0] * s
 
 
-def straightened(polygons: Sequence[Sequence[Spot]], levels: Sequence[int], apart: float = NEAR) -> list[StraightRoom]:
-    """Returns rooms with straight walls; `levels` says which rooms share lines.
+def straightened(polygons: Sequence[Sequence[Spot]], apart: float = NEAR) -> list[StraightRoom]:
+    """Returns rooms of one storey with straight walls.
 
     What lies no farther apart than `apart`, mm, and before each other is one wall line and not the two faces of a wall.
     """
     stretches = [_stretches(polygon) for polygon in polygons]
-    runs: dict[tuple[int, str], list[StraightRun]] = {}
-    for room, polygon, level in zip(stretches, polygons, levels, strict=True):
+    runs: dict[str, list[StraightRun]] = {}
+    for room, polygon in zip(stretches, polygons, strict=True):
         clockwise = doubled_area(polygon)
         for run in room:
             if isinstance(run, StraightRun):
                 run.looks = clockwise * (run.points[-1][run.axis == "z"] - run.points[0][run.axis == "z"])
-                runs.setdefault((level, run.axis), []).append(run)
+                runs.setdefault(run.axis, []).append(run)
     for together in runs.values():
         _gather(together, min(apart, NEAR))
     return [_straight(room, len(polygons)) for room in stretches]

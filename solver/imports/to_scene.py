@@ -97,8 +97,8 @@ def scene_rooms(rooms: Sequence[NamedRoom], openings: Sequence[Joined], origin: 
         for place, edge in enumerate(one.edges):
             listed[edge.room].append(_opening(one, name, place, rooms))
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    facing = FacingEdges(edges, [room.drawn.level for room in rooms])
-    outer = [_outer_sides(room.drawn.level, own, facing) for room, own in zip(rooms, edges, strict=True)]
+    facing = FacingEdges(edges)
+    outer = [_outer_sides(own, facing) for own in edges]
     return [_room(number, room, listed[number], outer[number], origin) for number, room in enumerate(rooms)]
 
 
@@ -143,12 +143,12 @@ def _opening(one: Joined, name: str, place: int, rooms: Sequence[NamedRoom]) -> 
     )
 
 
-def _outer_sides(level: int, own: Sequence[PlanEdge], facing: FacingEdges) -> Sides:
+def _outer_sides(own: Sequence[PlanEdge], facing: FacingEdges) -> Sides:
     """Tells which sides of a room look outside: a part of an outermost edge there that no other room shares."""
     found = {}
     for side, axis, out in (("north", "x", -1), ("south", "x", 1), ("east", "z", 1), ("west", "z", -1)):
         edge = max((one for one in own if (one.axis, one.out) == (axis, out)), key=lambda one: one.at * out)
-        found[side] = facing.shared(edge, level) < edge.length
+        found[side] = facing.shared(edge) < edge.length
     return Sides(**found)
 
 
@@ -156,10 +156,8 @@ def adjacency_of(rooms: Sequence[NamedRoom]) -> tuple[tuple[int, int], ...]:
     """Returns the pairs of rooms that share a wall long enough for a door."""
     shared: Counter[tuple[int, int]] = Counter()
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    levels = [room.drawn.level for room in rooms]
-    facing = FacingEdges(edges, levels)
-    for room, level in zip(edges, levels, strict=True):
-        for edge in (one for one in room if one.out > 0):
-            for other, common in facing.across(edge, level):
-                shared[min(edge.room, other.room), max(edge.room, other.room)] += common
+    facing = FacingEdges(edges)
+    for edge in (one for room in edges for one in room if one.out > 0):
+        for other, common in facing.across(edge):
+            shared[min(edge.room, other.room), max(edge.room, other.room)] += common
     return tuple(sorted(pair for pair, length in shared.items() if length >= DOORWAY))

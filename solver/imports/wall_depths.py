@@ -41,13 +41,13 @@ class WallDepths:
     """
 
     def __init__(self, walls: Sequence[DrawnWall], faces: Sequence[tuple[Spot, Spot]] = ()) -> None:
-        bands: dict[tuple[int, str], dict[tuple[float, float, float, float], None]] = defaultdict(dict)  # drawn twice it covers no more
+        bands: dict[str, dict[tuple[float, float, float, float], None]] = defaultdict(dict)  # drawn twice it covers no more
         for wall in walls:
             run = abs(wall.end[0] - wall.start[0]), abs(wall.end[1] - wall.start[1])
             along = 0 if run[0] >= run[1] else 1
             if THINNEST <= wall.thickness <= THICKEST and run[along] > 0 and run[1 - along] <= STRAIGHT * run[along]:
                 low, high = sorted((wall.start[along], wall.end[along]))
-                bands[wall.level, "xz"[along]][low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness] = None
+                bands["xz"[along]][low, high, (wall.start[1 - along] + wall.end[1 - along]) / 2, wall.thickness] = None
         self._bands = {key: np.array(list(found)).T for key, found in bands.items()}
         self._alike = {key: np.unique(np.rint(found[2:]), axis=1, return_inverse=True)[1].ravel() for key, found in self._bands.items()}
         """Which pieces lie in one line and are as thick."""
@@ -57,9 +57,9 @@ class WallDepths:
     def __bool__(self) -> bool:
         return bool(self._bands)
 
-    def behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
+    def behind(self, edge: PlanEdge, at: float) -> WallBand | None:
         """Returns the wall that lies at a coordinate across an edge, its pieces over most of its length; None where there is none."""
-        return self._drawn_behind(edge, level, at) or self._between_faces(edge, at)
+        return self._drawn_behind(edge, at) or self._between_faces(edge, at)
 
     def _between_faces(self, edge: PlanEdge, at: float) -> WallBand | None:
         """Returns what lies between the two faces nearest to a coordinate across an edge that are drawn along most of it."""
@@ -77,13 +77,13 @@ class WallDepths:
             return None
         return WallBand(float(places[first] + places[last]) / 2, thickness, float(min(covered[first], covered[last])))
 
-    def _drawn_behind(self, edge: PlanEdge, level: int, at: float) -> WallBand | None:
-        if (level, edge.axis) not in self._bands:
+    def _drawn_behind(self, edge: PlanEdge, at: float) -> WallBand | None:
+        if edge.axis not in self._bands:
             return None
-        low, high, line, thickness = self._bands[level, edge.axis]
+        low, high, line, thickness = self._bands[edge.axis]
         common = np.minimum(high, edge.high) - np.maximum(low, edge.low)
         common[np.abs(line - at) > thickness / 2 + BESIDE] = 0.0
-        alike = self._alike[level, edge.axis]
+        alike = self._alike[edge.axis]
         covered = np.bincount(alike, np.maximum(common, 0.0))
         most = int(covered.argmax())
         first = int((alike == most).argmax())
@@ -91,21 +91,19 @@ class WallDepths:
             return None
         return WallBand(float(line[first]), float(thickness[first]), float(covered[most]))
 
-    def face(self, edge: PlanEdge, level: int) -> int | None:
+    def face(self, edge: PlanEdge) -> int | None:
         """Returns where the inner face is of the wall that an edge is drawn in; None where it is drawn in none."""
-        band = self.behind(edge, level, edge.at)
+        band = self.behind(edge, edge.at)
         return None if band is None else round(band.at - edge.out * band.thickness / 2)
 
 
-def faces_behind(
-    edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], depths: WallDepths, usual: int
-) -> tuple[int, list[list[PlanEdge]] | None]:
+def faces_behind(edges: Sequence[Sequence[PlanEdge]], depths: WallDepths, usual: int) -> tuple[int, list[list[PlanEdge]] | None]:
     """Returns how thick walls are, mm, and where rooms that are drawn along their lines have their faces.
 
     None in place of the faces where all lie half that thickness inside of the lines: the rooms may stay as they are drawn. `usual` counts
     where the file draws no wall, mm.
     """
-    found = [[depths.face(edge, level) for edge in room] for room, level in zip(edges, levels, strict=True)]
+    found = [[depths.face(edge) for edge in room] for room in edges]
     inside = [
         (2 * (edge.at - face) * edge.out, edge.length)
         for room, own in zip(edges, found, strict=True) for edge, face in zip(room, own, strict=True) if face is not None
@@ -122,30 +120,28 @@ def faces_behind(
     ]
 
 
-def outer_thicknesses(
-    depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int], usual: int
-) -> list[tuple[float | None, ...] | None]:
+def outer_thicknesses(depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], usual: int) -> list[tuple[float | None, ...] | None]:
     """Returns for each room how thick its outer walls are where they are not as the usual, m, by its edges; None where all are.
 
     Edges lie along the lines of walls; `usual` is the scene's thickness, mm.
     """
-    facing = FacingEdges(edges, levels)
+    facing = FacingEdges(edges)
     found = []
-    for room, level in zip(edges, levels, strict=True):
-        outer = [max(facing.alone(edge, level), key=lambda one: one[1] - one[0], default=None) for edge in room]
+    for room in edges:
+        outer = [max(facing.alone(edge), key=lambda one: one[1] - one[0], default=None) for edge in room]
         said = tuple(
-            None if one is None else _own(depths, edge._replace(low=one[0], high=one[1]), level, usual)
+            None if one is None else _own(depths, edge._replace(low=one[0], high=one[1]), usual)
             for edge, one in zip(room, outer, strict=True)
         )
         found.append(said if any(one is not None for one in said) else None)
     return found
 
 
-def _own(depths: WallDepths, edge: PlanEdge, level: int, usual: int) -> float | None:
+def _own(depths: WallDepths, edge: PlanEdge, usual: int) -> float | None:
     face = edge.at - edge.out * usual / 2
-    band = depths.behind(edge, level, face + edge.out * BESIDE)
+    band = depths.behind(edge, face + edge.out * BESIDE)
     if band is None or abs(band.thickness - usual) <= ALIKE:
-        band = _hiding(depths, edge, level)
+        band = _hiding(depths, edge)
     elif abs(band.at - edge.out * band.thickness / 2 - face) > ALIKE or band.covered < min(band.thickness, edge.length / 2):
         return None  # another wall, or the end of the one around the corner
     if band is None or abs(band.thickness - usual) <= ALIKE:
@@ -153,29 +149,28 @@ def _own(depths: WallDepths, edge: PlanEdge, level: int, usual: int) -> float | 
     return to_m(min(1000, round(band.thickness)))
 
 
-def _hiding(depths: WallDepths, edge: PlanEdge, level: int) -> WallBand | None:
+def _hiding(depths: WallDepths, edge: PlanEdge) -> WallBand | None:
     """Returns the wall around a corner between whose faces an edge lies whole: of the edge's own wall nothing is seen there."""
     low, high = sorted((edge.at, edge.at + edge.out * THICKEST_JOINED))
     middle = (edge.low + edge.high) / 2
-    band = depths.behind(edge._replace(axis="z" if edge.axis == "x" else "x", low=low, high=high), level, middle)
+    band = depths.behind(edge._replace(axis="z" if edge.axis == "x" else "x", low=low, high=high), middle)
     return band if band and edge.length / 2 + abs(band.at - middle) <= band.thickness / 2 else None
 
 
 class FacingEdges:
     """Edges of rooms, along the lines of their walls, by what they look at across a wall."""
 
-    def __init__(self, edges: Sequence[Sequence[PlanEdge]], levels: Sequence[int]) -> None:
-        self._edges: dict[tuple[int, str, int], list[PlanEdge]] = defaultdict(list)
-        for room, level in zip(edges, levels, strict=True):
-            for edge in room:
-                self._edges[level, edge.axis, edge.out].append(edge)
+    def __init__(self, edges: Sequence[Sequence[PlanEdge]]) -> None:
+        self._edges: dict[tuple[str, int], list[PlanEdge]] = defaultdict(list)
+        for edge in (edge for room in edges for edge in room):
+            self._edges[edge.axis, edge.out].append(edge)
         for found in self._edges.values():
             found.sort(key=lambda edge: edge.at)
         self._places = {key: [edge.at for edge in found] for key, found in self._edges.items()}
 
-    def across(self, edge: PlanEdge, level: int) -> Iterator[tuple[PlanEdge, int]]:
+    def across(self, edge: PlanEdge) -> Iterator[tuple[PlanEdge, int]]:
         """Yields the edges of other rooms on the other side of an edge's wall, and how much of it they share, mm."""
-        key = level, edge.axis, -edge.out
+        key = edge.axis, -edge.out
         low, high = sorted((edge.at, edge.at + edge.out * THICKEST_JOINED))
         places = self._places.get(key, [])
         for one in self._edges.get(key, [])[bisect_left(places, low) : bisect_right(places, high)]:
@@ -183,15 +178,15 @@ class FacingEdges:
             if one.room != edge.room and common > 0:
                 yield one, common
 
-    def alone(self, edge: PlanEdge, level: int) -> list[tuple[int, int]]:
+    def alone(self, edge: PlanEdge) -> list[tuple[int, int]]:
         """Returns the stretches of an edge that have no other room on the other side of their wall, nor the end of a wall between two."""
         found, at = [], edge.low
-        for low, high in sorted((one.low, one.high) for one, _ in self.across(edge, level)):
+        for low, high in sorted((one.low, one.high) for one, _ in self.across(edge)):
             if low - at > (THICKEST_JOINED if at > edge.low else 0):
                 found.append((at, low))
             at = max(at, high)
         return [*found, (at, edge.high)] if edge.high > at else found
 
-    def shared(self, edge: PlanEdge, level: int) -> int:
+    def shared(self, edge: PlanEdge) -> int:
         """Returns how much of an edge has other rooms on the other side of its wall, mm, the walls between those included."""
-        return edge.length - sum(high - low for low, high in self.alone(edge, level))
+        return edge.length - sum(high - low for low, high in self.alone(edge))

@@ -27,7 +27,7 @@ def placed(ends: tuple[float, float], line: float, kind: OpeningKind = "door", *
     """Returns an opening along the south wall of the first, in its walls, with what is told of it; or why it is left out."""
     (start, end), notes = [(at, line) for at in ends], PlanNotes()
     drawn = PlacedDrawing(DrawnOpening(kind, start, end, "here"), start, end, None)
-    found = joined([drawn], rooms(**more), [0, 0], HALF, notes)
+    found = joined([drawn], rooms(**more), HALF, notes)
     return (found[0], [one.message for one in notes.changes]) if found else notes.unread[0].reason
 
 

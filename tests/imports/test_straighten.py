@@ -28,12 +28,12 @@ def test_faces_that_look_opposite_ways_are_one_line_only_where_they_lie_before_e
 ) -> None:
     """Of two rooms that lie corner to corner, faces on either side of two lines may lie 2 cm apart by chance."""
     outlines = [rectangle(0, 0, 4000, 4000), rectangle(x0, 4020, x1, 8000)]
-    one, other = straightened([outline[::-1] if turned else outline for outline in outlines], [0, 0])
+    one, other = straightened([outline[::-1] if turned else outline for outline in outlines])
     assert len({max(z for _, z in one.corners), min(z for _, z in other.corners)}) == lines
 
 
 def test_faces_that_look_the_same_way_are_one_line_wherever_they_lie() -> None:
-    one, other = straightened([rectangle(0, 0, 4000, 4000), rectangle(4100, 500, 8000, 4020)], [0, 0])
+    one, other = straightened([rectangle(0, 0, 4000, 4000), rectangle(4100, 500, 8000, 4020)])
     assert max(z for _, z in one.corners) == max(z for _, z in other.corners)
 
 
@@ -55,7 +55,7 @@ def test_no_wall_is_moved_by_more_than_the_documents_say() -> None:
     shifts = []
     for room in (*map(jagged, range(400)), WORST):
         end = max(x for x, _ in room)
-        shifts.append(straightened([room, rectangle(end + 1000, -24, end + 45_000, 3000)], [0, 0])[0].shift)
+        shifts.append(straightened([room, rectangle(end + 1000, -24, end + 45_000, 3000)])[0].shift)
     assert 60 < max(shifts) <= 75
 
 
@@ -72,6 +72,6 @@ def test_slanted_rooms_share_the_cells_they_are_cut_into(monkeypatch: pytest.Mon
     slanted = [(0.0, 0.0), (30_000.0, 4_000.0), (17_000.0, 30_000.0), (4_000.0, 21_000.0)]
     for count in (1, 25, 400):
         cells.clear()
-        assert all(room.is_stepped for room in straightened([slanted] * count, [0] * count))
+        assert all(room.is_stepped for room in straightened([slanted] * count))
         assert len(cells) == count
         assert sum(cells) <= ALL_CELLS

@@ -234,4 +234,4 @@ def test_a_stub_of_a_thin_wall_within_a_room_keeps_its_other_walls_where_they_ar
 def test_what_is_drawn_more_than_once_covers_no_more_of_an_edge(times: int) -> None:
     jamb = [DrawnWall((14300.0, 8300.0), (14400.0, 8300.0), 100.0)] * times
     edge = PlanEdge(room=0, side=2, axis="x", at=8350, low=14350, high=19350, out=1)
-    assert WallDepths(jamb).face(edge, 0) is None
+    assert WallDepths(jamb).face(edge) is None
