@@ -179,17 +179,13 @@ const Piece* Floor::first_named(const Stands& row) const {
 }
 
 bool Floor::is_named(const Stands& row, const Piece& piece) const {
-  for (const i32 word : part_of(room_.known.words, row.of)) {
-    if (piece.word == word) return true;
-  }
-  return false;
+  return has(part_of(room_.known.words, row.of), piece.word);
 }
 
 // Cuts off a rug what would lie under furniture at the walls that is not named, or under a door's leaf, at the side that leaves most of it;
 // never what lies under its own piece.
 Rect Floor::cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const {
-  const Rect& under = holder.rect;
-  const Rect own{most(under.x0, place.x0), most(under.z0, place.z0), least(under.x1, place.x1), least(under.z1, place.z1)};
+  const Rect own = holder.rect.common(place);
   for (const Rect& off : not_under(&row)) {
     if (!place.overlaps(off)) continue;
     const Rect left[] = {{off.x1, place.z0, place.x1, place.z1}, {place.x0, place.z0, off.x0, place.z1},
@@ -222,7 +218,7 @@ void Floor::lay_under(const Stands& row, const Choice& choice) {
   const Rect inner = clear_.shrunk(RUG_OFF_WALL_MM);
   for (i64 part = RUG_PARTS; part > 0; part--) {
     const Rect grown = rug_under(row, *piece, floor_div(row.reach * part, RUG_PARTS));
-    Rect place{most(grown.x0, inner.x0), most(grown.z0, inner.z0), least(grown.x1, inner.x1), least(grown.z1, inner.z1)};
+    Rect place = grown.common(inner);
     if (place.x1 <= place.x0 || place.z1 <= place.z0) continue;
     place = cut_at_furniture(row, *piece, place);
     place.x1 -= floor_mod(place.width(), 10);

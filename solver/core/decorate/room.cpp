@@ -59,13 +59,6 @@ void DecoratedRoom::open_fronts(const Piece& piece) {
   }
 }
 
-static bool holds(Span<i32> words, i64 word) {
-  for (const i32 one : words) {
-    if (one == word) return true;
-  }
-  return false;
-}
-
 Rect Carrier::area_of(const Surface& surface) const {
   const i64 left = surface.left, right = surface.right, back = surface.back, front = surface.front;
   const Point ahead = facing(rotation);
@@ -78,8 +71,9 @@ Rect Carrier::area_of(const Surface& surface) const {
 Turns DecoratedRoom::wanted(const Row& row) {
   const Span<Choice> choices = part_of(known.choices, row.choices);
   const Span<i32> rooms = part_of(known.words, row.rooms);
+  const i32 word = static_cast<i32>(room.word);
   const bool drawn = row.always || stream.chance(row.chance);
-  const bool in_room = !holds(part_of(known.words, row.not_in), room.word) && (rooms.size == 0 || holds(rooms, room.word));
+  const bool in_room = !has(part_of(known.words, row.not_in), word) && (rooms.size == 0 || has(rooms, word));
   if (choices.size == 0 || !drawn || !row.in_style || !in_room) return {{nullptr, 0}, 0};
   return {choices, choices.size > 1 ? stream.below(choices.size) : 0};
 }

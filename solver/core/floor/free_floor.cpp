@@ -10,20 +10,6 @@ constexpr i32 FREE = 0, TAKEN = -1;
 
 constexpr Rect scaled(const Rect& rect) { return {PER_MM * rect.x0, PER_MM * rect.z0, PER_MM * rect.x1, PER_MM * rect.z1}; }
 
-// How many of sorted values are less than one; with `or_equal`, or equal to it.
-i32 count_below(Span<i64> values, i64 value, bool or_equal) {
-  i32 low = 0, high = values.size;
-  while (low < high) {
-    const i32 middle = (low + high) / 2;
-    if (values[middle] < value || (or_equal && values[middle] == value)) {
-      low = middle + 1;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
-
 // Cells from `first` to before `last` along an axis.
 struct CellRange {
   i32 first;
@@ -31,7 +17,9 @@ struct CellRange {
 };
 
 CellRange cells_between(Span<i64> cuts, i64 low, i64 high) {
-  return {most(count_below(cuts, low, true) - 1, 0), least(count_below(cuts, high, false), cuts.size - 1)};
+  const i32 after_low = count_before(cuts, [&](i64 cut) { return cut <= low; });
+  const i32 at_high = count_before(cuts, [&](i64 cut) { return cut < high; });
+  return {most(after_low - 1, 0), least(at_high, cuts.size - 1)};
 }
 
 // The cuts of an axis: its ends and what lies between, sorted, without repeats.
@@ -44,11 +32,7 @@ Span<i64> cuts_between(i64 low, i64 high, Span<Interval> edges) {
     if (low < one.high && one.high < high) cuts.add(one.high);
   }
   stable_sort(cuts.all(), [](i64 a, i64 b) { return a < b; });
-  i32 count = 1;
-  for (i32 k = 1; k < cuts.size(); k++) {
-    if (cuts[k] != cuts[count - 1]) cuts[count++] = cuts[k];
-  }
-  cuts.cut(count);
+  keep_once(cuts);
   return cuts.all();
 }
 

@@ -16,13 +16,6 @@ Candidate at_wall(const Scope& scope, const RoomType& type, i32 kind, Wall wall,
   return made;
 }
 
-static void add_new(List<i64>& centres, i64 centre) {
-  for (i64 other : centres) {
-    if (other == centre) return;
-  }
-  centres.add(centre);
-}
-
 // Adds the centres to try in one clear stretch of a wall: what the relations propose, its ends and its middle.
 static void add_in_stretch(const Scope& scope, const Position& of, Interval stretch, i64 width, Span<Effect> effects, List<i64>& found) {
   const Interval clear = scope.clear.along(of.wall);

@@ -59,7 +59,7 @@ class Comforted {
     visit(false, [&](const Comfortable& one, bool with_next) {
       added.add(one);
       const bool in_run = is_in_run(pieces_[one.piece]);
-      if (in_run && has_word(type_.worktop, type_.pieces[pieces_[one.piece].spec].word)) run_.add(one);
+      if (in_run && has(type_.worktop, type_.pieces[pieces_[one.piece].spec].word)) run_.add(one);
       else add_opened(one, false);
       if (in_run && --coming == 0) add_opened_of_run();
       if (!with_next) add_weighed();
@@ -110,7 +110,7 @@ class Comforted {
     return kinds;
   }
 
-  bool is_in_run(const PieceRow& piece) const { return has_word(type_.words, type_.pieces[piece.spec].word); }
+  bool is_in_run(const PieceRow& piece) const { return has(type_.words, type_.pieces[piece.spec].word); }
 
   // Adds the floor that the fronts of a run open over, where there is any: its pieces stand without, too.
   void add_opened_of_run() {
@@ -278,13 +278,6 @@ class Comforted {
     made.weight = WEIGHT;
     made.floor = floor;
     if (comfort.opens == ALONG_SIDE) made.within = opened_within(scope_, type_.kinds[kind].height);
-  }
-
-  template <class T> static void add_new(List<T>& values, T value) {
-    for (T one : values) {
-      if (one == value) return;
-    }
-    values.add(value);
   }
 
   const Scope& scope_;

@@ -30,7 +30,7 @@ static void add_pieces(Furnisher& furnisher, const RoomType& type, const List<Co
   for (const CountedPiece& one : counted) {
     const i32 word = type.pieces[one.spec].word;
     const bool planned = run.size > 0 && run[word].kind >= 0;
-    if (!planned && run.size > 0 && !type.pieces[one.spec].required && has_word(type.words, word)) continue;  // the run has no room for it
+    if (!planned && run.size > 0 && !type.pieces[one.spec].required && has(type.words, word)) continue;  // the run has no room for it
     for (i32 number = 1; number <= one.copies; number++) {
       const Preferences preferences(stream);
       if (!furnisher.add(one, number, preferences, planned ? &run[word] : nullptr)) break;

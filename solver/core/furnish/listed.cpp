@@ -22,7 +22,6 @@ Rect centres_in(const Rect& at, Extent extent) {
   return {at.x0 + half_x, at.z0 + half_z, at.x1 - half_x, at.z1 - half_z};
 }
 
-Rect around_both(const Rect& a, const Rect& b) { return {least(a.x0, b.x0), least(a.z0, b.z0), most(a.x1, b.x1), most(a.z1, b.z1)}; }
 
 class Lister {
  public:
@@ -176,7 +175,7 @@ class Lister {
       const Extent extent = turned(in_.type.kind(one.kind).size(), stance.rotation);
       if (extent.x > at.width() || extent.z > at.depth()) continue;
       const Rect centres = centres_in(at, extent), &all = way->reach;
-      way->reach = all == ANY_PLACE ? centres : around_both(all, centres);
+      way->reach = all == ANY_PLACE ? centres : all.with(centres);
     }
     in_.ways.add(ways);
   }

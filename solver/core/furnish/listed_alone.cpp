@@ -17,7 +17,7 @@ Candidate Seeker::way(Stance stance, f64 cost, f64 weight) const {
 }
 
 bool fits_both(const Rect& a, const Rect& b, Extent extent, Rect& shared) {
-  shared = {most(a.x0, b.x0), most(a.z0, b.z0), least(a.x1, b.x1), least(a.z1, b.z1)};
+  shared = a.common(b);
   return shared.width() >= extent.x && shared.depth() >= extent.z;
 }
 

@@ -212,20 +212,13 @@ class Frames {
 
 }  // namespace
 
-static bool has(const List<i32>& numbers, i32 number) {
-  for (i32 one : numbers) {
-    if (one == number) return true;
-  }
-  return false;
-}
-
 // Adds the ways attached to one other piece.
 static void add_attached_to(Seeker& seeker, i32 other, Span<Foothold> every, f64 dearest, List<Candidate>& found) {
   List<Bond> mine;
   f64 others = 0.0;
   bool rests = false;
   for (const Bond& pair : seeker.pairs) {
-    if (!has(pair.earlier, other)) {
+    if (!has(pair.earlier.all(), other)) {
       others += pair.rule->cost * (pair.relation().gives_place ? 1.0 : UNSURE);
       continue;
     }
@@ -241,7 +234,7 @@ void add_attached(Seeker& seeker, Span<Foothold> every, f64 dearest, List<Candid
   List<i32> met;
   for (const Bond& pair : seeker.pairs) {
     for (i32 other : pair.earlier) {
-      if (has(met, other)) continue;
+      if (has(met.all(), other)) continue;
       met.add(other);
       add_attached_to(seeker, other, every, dearest, found);
     }

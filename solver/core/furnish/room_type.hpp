@@ -184,13 +184,6 @@ struct RoomType {
   Span<Comfort> comforts_of(const Kind& kind) const { return part_of(comforts, kind.comforts); }
 };
 
-inline bool has_word(Span<i32> words, i32 word) {
-  for (i32 one : words) {
-    if (one == word) return true;
-  }
-  return false;
-}
-
 RoomType read_room_type(u8* data, i64 size);
 
 }  // namespace furnish

@@ -89,13 +89,6 @@ RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const Roo
   }
 }
 
-static bool holds(const Span<i32>& words, i32 word) {
-  for (i32 one : words) {
-    if (one == word) return true;
-  }
-  return false;
-}
-
 // Adds what a run may hold of a word: of all its variants those that suit come first, with the one that stands for them in a corner.
 void RunPlanner::add_member(i32 word) {
   add_effects(word);
@@ -104,7 +97,7 @@ void RunPlanner::add_member(i32 word) {
   own.optional = !type_.pieces[own.piece->spec].required;
   own.items = {reserved<Item>(suited.size + all.size).data, suited.size};
   const Span<Item> items = {own.items.data, suited.size + all.size};
-  const bool worktop = holds(type_.worktop, word), landing = holds(type_.landing, word), end = holds(type_.ends, word);
+  const bool worktop = has(type_.worktop, word), landing = has(type_.landing, word), end = has(type_.ends, word);
   for (i32 k = 0; k < items.size; k++) {
     const Variant& variant = k < suited.size ? suited[k] : all[k - suited.size];
     const Kind& kind = type_.kinds[variant.kind];

@@ -28,9 +28,7 @@ i32 first_flush(const Draft& draft) { return draft.bend == Bend::north_out ? 3 :
 // Moves rooms so that the least rectangle around them begins at nought.
 void settle(Sheet& sheet) {
   Rect bounds = sheet.boxes[0];
-  for (const Rect& box : sheet.all()) {
-    bounds = {least(bounds.x0, box.x0), least(bounds.z0, box.z0), most(bounds.x1, box.x1), most(bounds.z1, box.z1)};
-  }
+  for (const Rect& box : sheet.all()) bounds = bounds.with(box);
   for (i32 i = 0; i < sheet.rooms + sheet.hallways; i++) sheet.boxes[i] = sheet.boxes[i].moved(-bounds.x0, -bounds.z0);
   sheet.width = bounds.width();
   sheet.depth = bounds.depth();

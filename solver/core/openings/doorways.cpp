@@ -25,17 +25,9 @@ void Doorways::add(const Cut& cut) {
   each_room(cut, [&](i64 room) { by_room_[room].add(side(cut, room)); });
 }
 
-template <class T, class Matches> static void take_out(List<T>& list, Matches matches) {
-  i32 kept = 0;
-  for (const T& one : list) {
-    if (!matches(one)) list[kept++] = one;
-  }
-  list.cut(kept);
-}
-
 void Doorways::remove(const Cut& cut) {
-  take_out(cuts_, [&](const Cut& one) { return one == cut; });
-  each_room(cut, [&](i64 room) { take_out(by_room_[room], [&](const OpeningSide& side) { return side.cut == cut; }); });
+  keep_where(cuts_, [&](const Cut& one) { return one != cut; });
+  each_room(cut, [&](i64 room) { keep_where(by_room_[room], [&](const OpeningSide& side) { return side.cut != cut; }); });
 }
 
 void Doorways::replace(const Cut& cut, const Cut& by) {
@@ -50,25 +42,16 @@ void Doorways::replace(const Cut& cut, const Cut& by) {
   });
 }
 
-bool Doorways::holds(const Cut& cut) const {
-  for (const Cut& one : cuts_) {
-    if (one == cut) return true;
-  }
-  return false;
-}
-
 void Doorways::restore(Span<Cut> before) {
   for (i32 i = 0; i < cuts_.size();) {
-    bool was_there = false;
-    for (const Cut& cut : before) was_there = was_there || cut == cuts_[i];
-    if (was_there) {
+    if (has(before, cuts_[i])) {
       i++;
     } else {
       remove(Cut(cuts_[i]));
     }
   }
   for (const Cut& cut : before) {
-    if (!holds(cut)) add(cut);
+    if (!has(cuts_.all(), cut)) add(cut);
   }
 }
 

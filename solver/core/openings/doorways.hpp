@@ -50,7 +50,6 @@ class Doorways {
  private:
   bool is_cornered(const Cut& cut) const;
   f64 meeting(const OpeningSide& side, const OpeningSide& other, i64 room) const;
-  bool holds(const Cut& cut) const;
 
   List<Cut> cuts_;
   Span<List<OpeningSide>> by_room_;

@@ -81,11 +81,12 @@ static void add_attached(const Room& room, const Work& work, i64 piece, i64 cand
   const Part& parent = work.parts[work.body_part[own.parent]];
   const i64 turn = work.rotation[own.parent];
   const i64 rotation = floor_mod(turn + own.turn, 360);
+  const Point first = rotated({own.across[0], own.along[0]}, static_cast<i32>(turn));
+  const Point last = rotated({own.across[1], own.along[1]}, static_cast<i32>(turn));
   Part& body = add_body(room, work, piece, own);
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 extent = extent_along(own, axis, rotation);
-    const auto turned = axis == 0 ? turned_x : turned_z;
-    const i64 one = turned(own.across[0], own.along[0], turn), two = turned(own.across[1], own.along[1], turn);
+    const i64 one = axis == 0 ? first.x : first.z, two = axis == 0 ? last.x : last.z;
     const i64 nearest = least(one, two), farthest = most(one, two);
     const i64 low = own.low[axis], high = own.high[axis] - extent;
     const i64 u = parent.variable[axis];

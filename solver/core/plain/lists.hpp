@@ -47,6 +47,47 @@ template <class T> class List {
   i32 room_ = 0;
 };
 
+// Keeps, in their order, the values that are wanted.
+template <class T, class Wanted> void keep_where(List<T>& values, Wanted is_wanted) {
+  i32 kept = 0;
+  for (const T& one : values) {
+    if (is_wanted(one)) values[kept++] = one;
+  }
+  values.cut(kept);
+}
+
+// Keeps of equal values side by side the first.
+template <class T> void keep_once(List<T>& values) {
+  const T* last = nullptr;
+  keep_where(values, [&](const T& one) {
+    const bool is_new = last == nullptr || !(one == *last);
+    last = &one;
+    return is_new;
+  });
+}
+
+template <class T> bool has(const Span<T>& values, const T& value) {
+  for (const T& one : values) {
+    if (one == value) return true;
+  }
+  return false;
+}
+
+template <class T> void add_new(List<T>& values, const T& value) {
+  if (!has(values.all(), value)) values.add(value);
+}
+
+// How many values, of a row that begins with those that are before something, are.
+template <class T, class Before> i32 count_before(const Span<T>& values, Before is_before) {
+  i32 low = 0, high = values.size;
+  while (low < high) {
+    const i32 middle = (low + high) / 2;
+    if (is_before(values[middle])) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 // Sorts so that equals keep their order; `before(a, b)` tells whether a goes before b.
 template <class T, class Before> void stable_sort(Span<T> values, Before before) {
   constexpr i32 FEW = 16;

@@ -95,6 +95,14 @@ struct Rect {
     return x0 <= other.x0 && z0 <= other.z0 && other.x1 <= x1 && other.z1 <= z1;
   }
   constexpr Rect moved(i64 dx, i64 dz) const { return {x0 + dx, z0 + dz, x1 + dx, z1 + dz}; }
+  // What lies in both; its extents are negative where they lie apart.
+  constexpr Rect common(const Rect& other) const {
+    return {most(x0, other.x0), most(z0, other.z0), least(x1, other.x1), least(z1, other.z1)};
+  }
+  // The bounds of both.
+  constexpr Rect with(const Rect& other) const {
+    return {least(x0, other.x0), least(z0, other.z0), most(x1, other.x1), most(z1, other.z1)};
+  }
   // Shifted by the shortest way into a larger one.
   constexpr Rect held_in(const Rect& area) const {
     return moved(least(most(x0, area.x0), area.x1 - width()) - x0, least(most(z0, area.z0), area.z1 - depth()) - z0);

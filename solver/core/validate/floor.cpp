@@ -7,23 +7,12 @@ constexpr i64 SMALLEST = 200000;  // tiles are not halved below 5 cm, however ma
 
 static Span<i64> sorted_once(List<i64>& values) {
   stable_sort(values.all(), [](i64 a, i64 b) { return a < b; });
-  i32 kept = 0;
-  for (i32 i = 0; i < values.size(); i++) {
-    if (i == 0 || values[i] != values[kept - 1]) values[kept++] = values[i];
-  }
-  values.cut(kept);
+  keep_once(values);
   return values.all();
 }
 
-// How many of some sorted values are below a value.
 static i32 count_below(Span<i64> values, i64 value) {
-  i32 low = 0, high = values.size;
-  while (low < high) {
-    const i32 middle = (low + high) / 2;
-    if (values[middle] < value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
+  return count_before(values, [&](i64 one) { return one < value; });
 }
 
 // Adds a number to the cells of a box, as steps: the sum of a row of cells up to one is what that one holds.
@@ -69,16 +58,11 @@ CellWindow window_of(const Grid& grid, const Rect& box) {
 static List<Rect> clipped(Span<Rect> boxes, const Rect& region, i32 many) {
   List<Rect> found;
   for (const Rect& box : boxes) {
-    const Rect part{most(box.x0, region.x0), most(box.z0, region.z0), least(box.x1, region.x1), least(box.z1, region.z1)};
-    if (part.x0 < part.x1 && part.z0 < part.z1) found.add(part);
+    if (box.overlaps(region)) found.add(box.common(region));
   }
   if (found.size() <= many) return found;
   stable_sort(found.all(), goes_before);
-  i32 kept = 0;
-  for (i32 i = 0; i < found.size(); i++) {
-    if (i == 0 || !(found[i] == found[kept - 1])) found[kept++] = found[i];
-  }
-  found.cut(kept);
+  keep_once(found);
   return found;
 }
 
@@ -91,7 +75,7 @@ List<Grid> tiles_of(Span<Rect> floors, Span<Rect> obstacles, i32 most_boxes) {
   List<Part> waiting;
   if (floors.size == 0) return tiles;
   Rect all = floors[0];
-  for (const Rect& box : floors) all = {least(all.x0, box.x0), least(all.z0, box.z0), most(all.x1, box.x1), most(all.z1, box.z1)};
+  for (const Rect& box : floors) all = all.with(box);
   waiting.add({all, floors, obstacles});
   while (waiting.size() > 0) {
     const Part part = waiting[waiting.size() - 1];

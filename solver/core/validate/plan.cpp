@@ -20,12 +20,8 @@ Plan::Plan(const Storey& storey, Looks& looks) : storey_(storey) {
   stable_sort(ranked.all(), [&](i32 a, i32 b) { return bounds_of(storey.rooms[a]).x0 < bounds_of(storey.rooms[b]).x0; });
   for (const i32 room : ranked) {
     const Rect own = bounds_of(storey.rooms[room]);
-    i32 kept = 0;
-    for (const i32 one : open) {
-      if (bounds_of(storey.rooms[one]).x1 > own.x0) open[kept++] = one;
-    }
     if (!looks.are_left_after(open.size())) return;
-    open.cut(kept);
+    keep_where(open, [&](i32 one) { return bounds_of(storey.rooms[one]).x1 > own.x0; });
     for (const i32 one : open) {
       if (bounds_of(storey.rooms[one]).overlaps(own)) pairs_.add({least(one, room), most(one, room)});
     }
@@ -65,14 +61,9 @@ static Extent shared_floor(const Placed& one, const Placed& other, i64 wall) {
 }
 
 void Plan::find_overlaps(i32 room, Looks& looks, Findings& found) const {
-  i32 low = 0, high = pairs_.size();
-  while (low < high) {
-    const i32 middle = (low + high) / 2;
-    if (pairs_[middle].first < room) low = middle + 1;
-    else high = middle;
-  }
-  for (; low < pairs_.size() && pairs_[low].first == room; low++) {
-    const i32 later = pairs_[low].later;
+  i32 at = count_before(pairs_.all(), [&](const Pair& pair) { return pair.first < room; });
+  for (; at < pairs_.size() && pairs_[at].first == room; at++) {
+    const i32 later = pairs_[at].later;
     const Placed &one = storey_.rooms[room], &other = storey_.rooms[later];
     if (!looks.are_left_after(static_cast<i64>(one.room.inside.size) * other.room.inside.size)) return;
     const Extent both = shared_floor(one, other, 2 * storey_.half_wall);
@@ -86,15 +77,10 @@ List<HouseWall> Plan::beyond(i32 room, const Edge& cut, Looks& looks) const {
   const i64 deepest = storey_.deepest_wall;
   const i64 first = cut.looks_ahead() ? cut.line - deepest : cut.line, last = cut.looks_ahead() ? cut.line : cut.line + deepest;
   const List<HouseWall>& walls = walls_[static_cast<i32>(opposite(static_cast<Wall>(cut.side)))];
-  i32 low = 0, high = walls.size();
-  while (low < high) {
-    const i32 middle = (low + high) / 2;
-    if (walls[middle].line < first) low = middle + 1;
-    else high = middle;
-  }
+  i32 at = count_before(walls.all(), [&](const HouseWall& wall) { return wall.line < first; });
   List<HouseWall> found;
-  for (; low < walls.size() && walls[low].line <= last && looks.are_left_after(1); low++) {
-    const HouseWall& wall = walls[low];
+  for (; at < walls.size() && walls[at].line <= last && looks.are_left_after(1); at++) {
+    const HouseWall& wall = walls[at];
     if (wall.start < cut.end && cut.start < wall.end && wall.room != room) found.add(wall);
   }
   return found;

@@ -70,12 +70,8 @@ static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, Looks& looks, 
     const f64 low = stops[k], high = stops[k + 1];
     if (low == high) continue;
     while (next < holes.size && holes[next].along.low <= low) over.add(holes[next++]);
-    i32 kept = 0;
-    for (const Cut& one : over) {
-      if (one.along.high > low) over[kept++] = one;
-    }
-    over.cut(kept);
-    if (!looks.are_left_after(STRETCH_LOOKS * kept)) return;
+    keep_where(over, [&](const Cut& one) { return one.along.high > low; });
+    if (!looks.are_left_after(STRETCH_LOOKS * over.size())) return;
     add_between(line, {low, high}, over, half);
   }
 }

@@ -75,16 +75,11 @@ static List<Edge> all_ways(const Storey& storey) {
 
 // The ways through a piece of wall line: those that run along it, no farther than a wall is thick, and the bridges that end at it.
 static void ways_through(const List<Edge>& ways, Span<Rect> bridges, const Edge& edge, List<Interval>& found) {
-  i32 low = 0, high = ways.size();
-  while (low < high) {
-    const i32 middle = (low + high) / 2;
-    const Edge& way = ways[middle];
-    const bool is_before = way.runs_east() != edge.runs_east() ? edge.runs_east() : way.line < edge.line - WALL_SLACK;
-    if (is_before) low = middle + 1;
-    else high = middle;
-  }
-  for (; low < ways.size() && ways[low].runs_east() == edge.runs_east() && ways[low].line <= edge.line + WALL_SLACK; low++) {
-    const Edge& way = ways[low];
+  i32 at = count_before(ways.all(), [&](const Edge& way) {
+    return way.runs_east() != edge.runs_east() ? edge.runs_east() : way.line < edge.line - WALL_SLACK;
+  });
+  for (; at < ways.size() && ways[at].runs_east() == edge.runs_east() && ways[at].line <= edge.line + WALL_SLACK; at++) {
+    const Edge& way = ways[at];
     if (way.start < edge.end && edge.start < way.end) found.add({most(way.start, edge.start), least(way.end, edge.end)});
   }
   for (const Rect& bridge : bridges) {
@@ -237,7 +232,7 @@ void find_swept_floor(const Storey& storey, const Walk& walk, const Placed& plac
   });
   for (const Rect& one : centres) {
     const Rect box = grown(moved(one, -placed.x, -placed.z), storey.reach);
-    if (meet(box, clear)) swept.add({most(box.x0, clear.x0), most(box.z0, clear.z0), least(box.x1, clear.x1), least(box.z1, clear.z1)});
+    if (meet(box, clear)) swept.add(box.common(clear));
   }
   walls.add_all(placed.room.missing);
   const i64 half = storey.half_wall;
