@@ -51,6 +51,7 @@ def _interval(value: Any) -> Any:
 Centimetres = Annotated[Metres, AfterValidator(_whole_centimetres)]
 """A length of whole centimetres, m."""
 Words = Annotated[tuple[str, ...], BeforeValidator(as_words, json_schema_input_type=str | tuple[str, ...])]
+_Order = Annotated[tuple[str, ...], Field(max_length=21)]
 _Gap = Annotated[float, Field(strict=True, ge=-2, le=20, allow_inf_nan=False)]
 GapInterval = Annotated[tuple[_Gap, _Gap], ORDERED, BeforeValidator(_interval, json_schema_input_type=_Gap | tuple[_Gap, _Gap])]
 
@@ -261,7 +262,7 @@ class Run(Entry):
     `leaves` places to pieces that come after it, where they are wanted.
     """
 
-    orders: tuple[Annotated[Words, Field(max_length=21)], ...] = Field(min_length=1)
+    orders: tuple[Annotated[_Order, BeforeValidator(as_words, json_schema_input_type=str | _Order)], ...] = Field(min_length=1)
     worktop: Words = ()
     landing: Words = ()
     ends: Words = ()

@@ -13,12 +13,8 @@ from pydantic import TypeAdapter, ValidationError
 from catalogs.faults import Fault
 from catalogs.references import near
 
-UNKNOWN: Final = "extra_forbidden"
+UNKNOWN: Final = ("extra_forbidden", "unexpected_keyword_argument")
 """What pydantic calls an unknown key."""
-OTHER_FORMS: Final = ("_type", "_parsing")
-"""How pydantic's names end for a value of another type, a number in place of a list, say."""
-LENGTHS: Final = {"too_long": ("max_length", "at most"), "too_short": ("min_length", "at least")}
-"""What pydantic calls a list of another length, and where it says the bound."""
 NO_KEYS: Final = ("[key]", "tuple[", "literal[")
 """How the steps of pydantic's ways begin that are no keys of the file: a mapping's key itself, and which of several forms was tried."""
 QUOTED: Final = re.compile("'([^']*)'")
@@ -38,33 +34,43 @@ def schema_of(of: Any) -> Mapping[str, Any]:
 
 def misfit(error: ValidationError, schema: Mapping[str, Any]) -> Fault:
     """Returns the first fault of a file by its schema; unknown keys come first, as one that is missing may be one that is misspelled."""
-    first = min(error.errors(include_url=False), key=lambda one: one["type"] != UNKNOWN)
-    at = tuple(step for step in first["loc"] if not (isinstance(step, str) and step.startswith(NO_KEYS)))
-    if first["type"] == UNKNOWN:
+    return told(min(error.errors(include_url=False), key=lambda one: one["type"] not in UNKNOWN), schema)
+
+
+def told(wrong: Mapping[str, Any], schema: Mapping[str, Any]) -> Fault:
+    """Returns one of pydantic's errors in words, with what is allowed by the schema; of no file."""
+    kind, context, value = wrong["type"], wrong.get("ctx", {}), wrong["input"]
+    at = tuple(step for step in wrong["loc"] if not (isinstance(step, str) and step.startswith(NO_KEYS)))
+    is_key = wrong["loc"][-1:] == NO_KEYS[:1]
+    if kind == "refused":
+        return Fault("", at, context["problem"], context["allowed"])
+    if kind == "value_error":
+        return Fault("", at, str(context["error"]))
+    if kind in UNKNOWN:
         known = known_keys(schema, at[:-1])
-        return Fault("", at, f"unknown key{near(str(at[-1]), known)}", ", ".join(known))
-    if first["type"] == "literal_error":
-        expected = str(first["ctx"]["expected"])
-        word = at[-1] if first["loc"][-1] == "[key]" else first["input"]
-        return Fault("", at, f"is {word!r:.60}{near(str(word), QUOTED.findall(expected))}", expected)
-    if first["type"] == "missing":
-        return Fault("", at, "is missing", _allowed(schema, at))
-    if first["type"] in LENGTHS:
-        bound, words = LENGTHS[first["type"]]
-        return Fault("", at, f"has {first['ctx']['actual_length']} entries", f"{words} {first['ctx'][bound]}")
-    if first["type"].endswith((*OTHER_FORMS, "_pattern_mismatch")):
-        return Fault("", at, f"is {called(first['input'])}", _allowed(schema, at))
-    return Fault("", at, first["msg"].removeprefix("Value error, ").replace("Input should", "should"))
+        return Fault("", at, f"is not known{near(str(at[-1]), known)}", ", ".join(known))
+    if kind == "literal_error":
+        words = QUOTED.findall(str(context["expected"]))
+        return Fault("", at, f"is {called(value)}{near(str(value), words)}", ", ".join(words))
+    if is_key:
+        return Fault("", at, "is a key that is not allowed", "a text" if isinstance(value, int) else "0, 1, 2, ...")
+    return Fault("", at, _problem(wrong), allowed(schema, schema_at(schema, at)))
+
+
+def _problem(wrong: Mapping[str, Any]) -> str:
+    """Returns what is wrong with a value: that it is not there, its length, or else the value."""
+    if wrong["type"] == "missing":
+        return "is missing"
+    if "actual_length" in wrong.get("ctx", {}):
+        return f"has {wrong['ctx']['actual_length']} entries"
+    if wrong["type"] == "string_too_long":
+        return f"is a text of {len(wrong['input'])} characters"
+    return f"is {called(wrong['input'])}"
 
 
 def known_keys(schema: Mapping[str, Any], way: Sequence[str | int]) -> list[str]:
     """Returns the keys that a schema knows that way inside a document."""
     return [key for option in options_of(schema, schema_at(schema, way)) for key in option.get("properties", ())]
-
-
-def _allowed(schema: Mapping[str, Any], way: Sequence[str | int]) -> str:
-    known = known_keys(schema, way)
-    return f"an object with {', '.join(known)}" if known else allowed(schema, schema_at(schema, way))
 
 
 def called(value: object) -> str:
@@ -89,6 +95,8 @@ def allowed(schema: Mapping[str, Any], node: Mapping[str, Any]) -> str:
         words = _range("a whole number" if kind == "integer" else "a number", node)
     elif kind == "array":
         words = _list(schema, node)
+    elif "properties" in node and not says:
+        words = f"an object with {', '.join(node['properties'])}"
     else:
         text = f"a text of at most {node['maxLength']} characters" if "maxLength" in node else "a text"
         words = {"boolean": "true, false", "string": text, "object": "an object"}.get(kind, "any value")

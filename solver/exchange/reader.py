@@ -5,7 +5,6 @@ Not here: text (text.py), rules between bodies (validate).
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields, replace
-from difflib import get_close_matches
 from itertools import islice
 from numbers import Number
 from typing import Annotated, Any, Final, TypeVar
@@ -13,7 +12,7 @@ from typing import Annotated, Any, Final, TypeVar
 from pydantic import TypeAdapter, ValidationError
 from pydantic_core import core_schema
 
-from catalogs.misfits import LENGTHS, allowed, called, known_keys, reader_of, schema_at, schema_of
+from catalogs.misfits import called, reader_of, schema_of, told
 from solver.errors import MOST_TOLD, FieldError, RequestError, SceneError
 from solver.exchange.identity import check_outlines, identified, indexed
 from solver.exchange.told_keys import tell_keys
@@ -144,8 +143,6 @@ def _complete(scene: Scene, depth: int = 0) -> Scene:
 
 MOST_FOUND: Final = 100
 """Faults that those are chosen from: a field may have several."""
-KEY: Final = "[key]"
-"""What pydantic calls a mapping's key that is wrong itself."""
 
 
 def refusals(error: ValidationError, schema: Mapping[str, Any], document: object) -> list[tuple[str, str, str]]:
@@ -159,29 +156,9 @@ def refusals(error: ValidationError, schema: Mapping[str, Any], document: object
 
 
 def _refusal(first: Mapping[str, Any], schema: Mapping[str, Any], document: object) -> tuple[str, str, str]:
-    way = [step for step in first["loc"] if step != KEY]
-    if first["type"] == "refused":
-        return path(way), first["ctx"]["problem"], first["ctx"]["allowed"]
-    if first["type"] in ("unexpected_keyword_argument", "extra_forbidden"):
-        known = known_keys(schema, way[:-1])
-        near = get_close_matches(str(way[-1]), known, 1)
-        return path(way), "is not known" + (f"; {near[0]}?" if near else ""), ", ".join(known)
-    if first["type"] == "value_error":
-        return path(way), f"is {called(first['input'])}", str(first["ctx"]["error"])
-    if first["loc"][-1:] == (KEY,):
-        return path(way), "is a key that is not allowed", "a text" if isinstance(first["input"], int) else "0, 1, 2, ..."
-    return path(way), _wrong(first, way, document), allowed(schema, schema_at(schema, way))
-
-
-def _wrong(first: Mapping[str, Any], way: Sequence[str | int], document: object) -> str:
-    """Returns what is wrong with a value: that it is not there, its length, or else the value."""
-    if first["type"] == "missing":
-        return "is null" if _is_null(document, way) else "is missing"
-    if first["type"] in LENGTHS:
-        return f"has {first['ctx']['actual_length']} entries"
-    if first["type"] == "string_too_long":
-        return f"is a text of {len(first['input'])} characters"
-    return f"is {called(first['input'])}"
+    found = told(first, schema)
+    is_null = first["type"] == "missing" and _is_null(document, found.at)
+    return path(found.at), "is null" if is_null else found.problem, found.allowed
 
 
 def _is_null(document: object, way: Sequence[str | int]) -> bool:

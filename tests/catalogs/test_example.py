@@ -135,7 +135,7 @@ class Mistake:
 
 MISTAKES = [
     Mistake("furniture.yaml", "height: 0.8}", "height: 0.9}", "record_cabinet.surfaces.1.height", "above the piece"),
-    Mistake("decorations.yaml", "mixed: true", "mixt: true", "records.mixt", "unknown key"),
+    Mistake("decorations.yaml", "mixed: true", "mixt: true", "records.mixt", "is not known"),
     Mistake("decorating.yaml", "record_cabinet:", "record_closet:", "record_closet", "unknown parent"),
     Mistake("decorating.yaml", "put: record_player", "put: rug", "record_cabinet.lies.0.put", "larger than its surface"),
     Mistake("decorating.yaml", "surface: shelf", "surface: cellar", "record_cabinet.lies.1.surface", "unknown surface"),

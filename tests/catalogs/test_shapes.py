@@ -174,14 +174,14 @@ SLIPS = {
     "{form: box, y: [0, sat]}": ("throne.0.y", "no surface"),
     "{form: box, y: [0.5, seat]}": ("throne.0.y", "0.250"),
     "{form: box, y: [0, 0.4]}": ("throne", "hardly any part"),
-    "{form: box, x: [0.2, 1.2]}": ("throne.0.x.1", "less than"),
+    "{form: box, x: [0.2, 1.2]}": ("throne.0.x.1", "is 1.2 a number from 0 to 1"),
     "{form: box, y: [0.2, 1.2]}": ("throne.0.y", "within"),
     "{form: box, x: [0.6, 0.2]}": ("throne.0.x", "lower"),
     "{form: egg}": ("throne.0.form", "box"),
     "{form: ball, axis: x}": ("throne.0", "no axis"),
     "{form: box, taper: 0.5}": ("throne.0", "no taper"),
     "{form: cone, mirror: x, axis: x}": ("throne.0", "mirrored"),
-    "{form: box, colour: red}": ("throne.0.colour", "unknown key"),
+    "{form: box, colour: red}": ("throne.0.colour", "is not known"),
 }
 
 

@@ -154,11 +154,11 @@ def test_a_piece_is_called_by_what_is_said_of_it() -> None:
 @pytest.mark.parametrize(
     ("wrong", "told"),
     [
-        ({"type": "besides"}, "type: is 'besides'; beside? (allowed: 'against_wall', "),
-        ({"type": "near", "off": "desk"}, "off: unknown key; of? (allowed: type, of, "),
+        ({"type": "besides"}, "type: is 'besides'; beside? (allowed: against_wall, "),
+        ({"type": "near", "off": "desk"}, "off: is not known; of? (allowed: type, of, "),
         ({"of": "desk"}, "type: is missing (allowed: against_wall, "),
-        ({"type": "near", "cost": -1}, "cost: should be greater than or equal to 0"),
-        ({"type": "against_wall", "walls": {"doors": 1}}, "walls.doors: is 'doors'; door? (allowed: 'door', "),
+        ({"type": "near", "cost": -1}, "cost: is -1 (allowed: a number from 0"),
+        ({"type": "against_wall", "walls": {"doors": 1}}, "walls.doors: is 'doors'; door? (allowed: door, "),
         ({"type": "beside", "gap": (3, 1)}, "gap: must be [least, most]"),
     ],
 )
