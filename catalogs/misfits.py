@@ -51,7 +51,8 @@ def told(wrong: Mapping[str, Any], schema: Mapping[str, Any]) -> Fault:
         return Fault("", at, f"is not known{near(str(at[-1]), known)}", ", ".join(known))
     if kind == "literal_error":
         words = QUOTED.findall(str(context["expected"]))
-        return Fault("", at, f"is {called(value)}{near(str(value), words)}", ", ".join(words))
+        may_be = ", ".join(words) if is_key else allowed(schema, schema_at(schema, at))
+        return Fault("", at, f"is {called(value)}{near(str(value), words)}", may_be)
     if is_key:
         return Fault("", at, "is a key that is not allowed", "a text" if isinstance(value, int) else "0, 1, 2, ...")
     return Fault("", at, _problem(wrong), allowed(schema, schema_at(schema, at)))
