@@ -52,8 +52,6 @@ def is_text(value: object) -> bool:
 
 _ATOMS: Final = frozenset({type(None), bool, int})
 """Classes whose values stay as they are."""
-_TEXTS: Final = frozenset({str})
-_AS_THEY_ARE: Final = _ATOMS | _TEXTS
 
 
 def plain(value: Any, depth: int = 0) -> Any:
@@ -83,28 +81,6 @@ def plain(value: Any, depth: int = 0) -> Any:
     if isinstance(value, (list, tuple)):
         return [item if item.__class__ in _ATOMS else _inside(index, item, depth) for index, item in enumerate(value)]
     raise Wrong(f"is a {type(value).__name__}", "a mapping, list, text, finite number, true, false or null")
-
-
-def is_plain(value: object) -> bool:
-    """Tells whether `plain` would change nothing of a value, but for what text's writers refuse by themselves.
-
-    They refuse texts that UTF-8 cannot carry, and numbers that are not finite. Looking takes half the time of copying.
-    """
-    level = [value]
-    for _ in range(MAX_NESTING):
-        inner: list[object] = []
-        for item in level:
-            kind = item.__class__
-            if kind is dict and {*map(type, item)} <= _TEXTS:  # type: ignore[call-overload]
-                inner += item.values()  # type: ignore[attr-defined]
-            elif kind is list or kind is tuple:
-                inner += item  # type: ignore[arg-type]
-            elif kind is not float or str(item) == "-0.0":
-                return False
-        level = [item for item in inner if item.__class__ not in _AS_THEY_ARE]
-        if not level:
-            return True
-    return False
 
 
 def _finite(value: float) -> float:

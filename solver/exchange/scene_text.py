@@ -16,7 +16,7 @@ from solver.exchange import json_text
 from solver.exchange.text import FORMATS, dump_plain
 from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
 from solver.fields import EXTRA
-from solver.plain import Wrong, is_plain, plain
+from solver.plain import Wrong, plain
 from solver.records import LATER, MadeOnce
 from solver.scene import Decoration, Furniture, Opening, Scene, Sides
 
@@ -88,7 +88,7 @@ def _any(value: Any) -> str:
         return known(value)
     if hasattr(value.__class__, "__dataclass_fields__"):
         return _record(value)
-    return _items(value) if isinstance(value, tuple) else json_text.dump(value if is_plain(value) else plain(value)).rstrip()
+    return _items(value) if isinstance(value, tuple) else json_text.dump(plain(value)).rstrip()
 
 
 def _items(values: Iterable[Any]) -> str:
