@@ -8,7 +8,6 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.assets.asset_entry import Asset
 from catalogs.entries import Side
-from solver.body_parts import BodyPart
 from solver.export_formats import Freedom
 from solver.exports.door_leaves import leaves_of
 from solver.exports.kind_facts import (
@@ -118,8 +117,6 @@ class BodyMaker:
     def __init__(self, catalogs: Catalogs, paints: Paints, elevations: Mapping[int, float], free: Freedom = "light") -> None:
         self._book = book_of(catalogs)
         self._paints, self._elevations, self._free = paints, elevations, free
-        self._parts: dict[tuple[str, tuple[float, float, float]], tuple[BodyPart, ...]] = {}
-        self._painted: dict[tuple[str, str | None, str | None], tuple[Paint, ...]] = {}
         self._alike: dict[tuple[Paint, ...], tuple[Paint, ...]] = {}
         """Each paints that were met as one object, so that equal ones are told by who they are."""
         self._known_assets = catalogs.assets
@@ -151,6 +148,7 @@ class BodyMaker:
         mass = max(LEAST_MASS, round(weighs * (1.0 if sits else width * depth * height / volume), 4))
         flat = sort == "decoration" and not carrier and not hung and body.y + height <= FLAT
         x, z = round(room.x + body.x, 6), round(room.z + body.z, 6)
+        paints = paints_of_shape(self._book, facts.shape, self._paints, (body.color or facts.color, room.accent))
         return ModelBody(
             id=body.id,
             sort=sort,
@@ -172,8 +170,8 @@ class BodyMaker:
             fixed=hung or flat or sort == "dynamic" or self._is_fixed(facts, mass),
             flat=flat,
             shape=facts.shape,
-            parts=self._parts_of(facts.shape, size),
-            paints=self._paints_of(facts.shape, body.color or facts.color, room.accent),
+            parts=parts_of_shape(self._book, facts.shape, size),
+            paints=self._alike.setdefault(paints, paints),
             labels=facts.labels,
             uses=_uses(facts, body, x, z) if facts.sides and sort == "furniture" else (),
             fronts=fronts_of_shape(self._book, facts.shape, size) if sort == "furniture" else (),
@@ -191,20 +189,6 @@ class BodyMaker:
         if self._free == "none" or facts.moves == "fixed":
             return True
         return self._free == "light" and mass >= FREE_BELOW and facts.moves != "free"
-
-    def _parts_of(self, shape: str, size: tuple[float, float, float]) -> tuple[BodyPart, ...]:
-        made = self._parts.get((shape, size))
-        if made is None:
-            made = self._parts[shape, size] = parts_of_shape(self._book, shape, size)
-        return made
-
-    def _paints_of(self, shape: str, color: str | None, accent: str | None) -> tuple[Paint, ...]:
-        key = shape, color, accent
-        made = self._painted.get(key)
-        if made is None:
-            found = paints_of_shape(self._book, shape, self._paints, (color, accent))
-            made = self._painted[key] = self._alike.setdefault(found, found)
-        return made
 
 
 def _uses(facts: KindFacts, piece: BodyOfScene, x: float, z: float) -> tuple[tuple[float, float, float], ...]:
