@@ -5,10 +5,6 @@ namespace furnish {
 // More than a room type may ask for.
 constexpr i32 MOST_COPIES = 100;
 
-static void check(bool right) {
-  if (!right) fail(Failure::bad_request);
-}
-
 template <class E> static bool is_one(E value, E last) { return static_cast<i32>(value) >= 0 && value <= last; }
 
 static bool is_word(i32 word, const RoomType& type) { return word >= 0 && word < type.all_words; }

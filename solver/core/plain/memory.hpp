@@ -8,6 +8,11 @@ enum class Failure : i32 { none = 0, memory_full = 1, bad_request = 2, out_of_ra
 // Ends the call: the host throws the instance away and raises an exception that names the failure.
 [[noreturn]] void fail(Failure failure);
 
+// Refuses a request in which something is not right.
+inline void check(bool right) {
+  if (!right) fail(Failure::bad_request);
+}
+
 namespace arena {
 
 using Mark = u64;
