@@ -103,21 +103,12 @@ class Walls {
 
   // Tries an opening at both ends of its stretch of wall.
   void look(i64 room, i64 lacking, const Cut& cut, Move& best) {
-    const i64 most_here = lacking - shortfall(room, &cut);
-    const i64 beyond = room == cut.room ? cut.other : cut.room;
-    i64 other = 0, most_beyond = 0;
-    if (beyond != NONE && most_here != 0) {
-      other = shortfall(beyond);
-      most_beyond = other - shortfall(beyond, &cut);
-    }
-    if (most_here == 0 || most_here + most_beyond <= best.won) return;
+    if (shortfall(room, &cut) == lacking) return;
+    const i64 beyond = room == cut.room ? cut.other : cut.room, other = beyond == NONE ? 0 : shortfall(beyond);
     Cut places[2];
     for (i32 i = 0, count = ends_for(cut, places); i < count; i++) {
-      Gains gains{room, lacking - shortfall(room, &cut, &places[i]), NONE, 0};
-      if (beyond != NONE && gains.gain + most_beyond > best.won) {
-        gains.beyond = beyond;
-        gains.gain_beyond = other - shortfall(beyond, &cut, &places[i]);
-      }
+      const i64 there = beyond == NONE ? 0 : other - shortfall(beyond, &cut, &places[i]);
+      const Gains gains{room, lacking - shortfall(room, &cut, &places[i]), beyond, there};
       const i64 won = gains.gain + gains.gain_beyond;
       if (won > best.won && is_in_nobodys_way(cut, places[i], gains)) best = {won, cut, places[i]};
     }
