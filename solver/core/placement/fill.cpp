@@ -2,7 +2,6 @@
 
 #include "placement/beside.hpp"
 #include "placement/grow.hpp"
-#include "placement/memo.hpp"
 #include "placement/moves.hpp"
 
 namespace placement {
@@ -61,26 +60,16 @@ static Fate add_group(
   return join_by_move(engine, decisions, costs, group, walk) ? PLACED : NO_WAY;
 }
 
-// Tells whether wider ways are worth what they cost whatever pieces from number `decided` on come to, which is noted.
-static bool is_outdone(const Engine& engine, const Decisions& decisions, i64 decided) {
-  Memo* memo = engine.memo;
-  if (memo == nullptr || memo->wide == nullptr) return false;
-  memo->outdone = is_worth(memo->margin, *memo->wide, best_standing(engine.room, decisions, decided));
-  return memo->outdone;
-}
-
-// Adds the optional pieces to the decisions of the required ones; false where the search is needless.
-static bool fill(
+// Adds the optional pieces to the decisions of the required ones.
+static void fill(
     const Engine& engine, const Decisions& decisions, Costs& costs, const Span<i64>& fates, const RoomLimits& limits, bool walk) {
   engine.tree.counters->moves_left = limits.moves;
   for (i64 piece = 0, end; piece < decisions.size; piece = end) {
     end = engine.room.pieces[piece].group_end;
     if (engine.room.pieces[piece].required) continue;
-    if (is_outdone(engine, decisions, piece)) return false;
     const Fate fate = add_group(engine, decisions, costs, {piece, end}, limits, walk);
     for (i64 member = piece; member < end; member++) fates[member] = fate;
   }
-  return !is_outdone(engine, decisions, decisions.size);
 }
 
 RoomReport arrange_room(
@@ -98,7 +87,7 @@ RoomReport arrange_room(
     return {0, counters.closed, 0, counters.solved_qps};
   }
   const i64 closed = required > 0 ? counters.closed : 1;
-  if (!fill(engine, decisions, costs, fates, limits, walk)) return {1, 0, 0, counters.solved_qps};
+  fill(engine, decisions, costs, fates, limits, walk);
   evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + NO_DEARER, walk);
   return {1, closed, engine.nodes.result->exhausted, counters.solved_qps};
 }

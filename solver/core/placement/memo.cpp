@@ -18,18 +18,16 @@ Memo* new_memo(const Room& room) {
   return &memo;
 }
 
-Standing best_standing(const Room& room, const Decisions& decisions, i64 decided) {
+Standing best_standing(const Room& room) {
   Standing found = {0, 0.0, 0.0};
   for (i32 k = 0; k < room.pieces.size; k++) {
     const PieceRow& row = room.pieces[k];
     f64 way = INFINITE, side = INFINITE;
     for (i64 one = row.candidates[0]; one < row.candidates[1]; one++) way = least(way, room.candidate_costs[one].cost);
     for (i64 one = row.sides[0]; one < row.sides[1]; one++) side = least(side, room.side_costs[one]);
-    const bool is_out = k < decided && decisions[k] == ABSENT;
-    if (is_out) found.cost += room.skip_costs[k];
-    else if (!row.required) found.cost += least(way + side, room.skip_costs[k]);
+    if (!row.required) found.cost += least(way + side, room.skip_costs[k]);
     else if (way < INFINITE) found.cost += way + side;
-    if (row.empty != 0 || is_out) continue;
+    if (row.empty != 0) continue;
     if (row.required) found.required++;
     else found.worth += room.skip_costs[k];
   }

@@ -31,9 +31,6 @@ struct WayMargin {
 // Evaluations of one room in the order they were made; those beyond its space are not noted.
 struct Memo {
   bool complete;  // nothing is noted any more
-  bool outdone;   // the search was ended: whatever it came to, the wider ways are worth what they cost
-  const Standing* wide;  // of a placement with such ways that is taken where they are; null: none is
-  WayMargin margin;
   i32 notes;
   i32 closed;  // placements turned down because they close the wider ways, of all evaluations so far
   Span<Noted> noted;
@@ -45,9 +42,8 @@ struct Memo {
 
 Memo* new_memo(const Room& room);
 
-// What no placement surpasses that leaves out what is left out of the first `decided` pieces: all others stand, and each costs what it does
-// at least.
-Standing best_standing(const Room& room, const Decisions& decisions, i64 decided);
+// What no placement surpasses: all pieces stand, and each costs what it does at least.
+Standing best_standing(const Room& room);
 
 // Tells whether a room with wider ways is worth what it costs more than without.
 bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual);

@@ -94,7 +94,6 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     const bool is_first = found.left_out.size() == 0;
     arrange(found.desk, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
     found.solves += report.solves;
-    if (memo != nullptr && memo->outdone) return found;
     if (report.complete) break;
     const RoomReport without = report;
     const i64 out = take_deepest(found.desk->engine.tree, prefix);
@@ -176,18 +175,12 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
   // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
   WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
   memo->complete = true;
-  memo->margin = MARGINS[0];
-  Standing standing = {};
   wide.ways = room.space->robot + MARGINS[0].wider;
   if (is_walked_in(wide)) {
     const bool is_usual = wide.best && memo->closed == 0;  // no wider way made a difference
-    standing = standing_in(wide);
-    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing, best_standing(room, wide.desk->decisions, 0)))) return wide;
-    if (wide.proven) memo->wide = &standing;
+    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing_in(wide), best_standing(room)))) return wide;
   }
   const WholeRoom usual = arranged(room, limits, memo);
-  if (memo->outdone) return wide;
-  memo->wide = nullptr;
   if (!is_walked_in(usual)) return usual;
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
