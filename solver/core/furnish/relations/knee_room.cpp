@@ -10,6 +10,19 @@ static Rect turned_rect(const Rect& rect, i32 turn) {
   return {least(a.x, b.x), least(a.z, b.z), most(a.x, b.x), most(a.z, b.z)};
 }
 
+// Without those that another covers; of equals the first stays.
+static List<Rect> without_covered(const List<Rect>& rects) {
+  List<Rect> found;
+  for (i32 k = 0; k < rects.size(); k++) {
+    bool covered = false;
+    for (i32 j = 0; j < rects.size() && !covered; j++) {
+      covered = j != k && rects[j].contains(rects[k]) && (j < k || rects[j] != rects[k]);
+    }
+    if (!covered) found.add(rects[k]);
+  }
+  return found;
+}
+
 List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
   List<Rect> all;
   for (const PartBox& mine : own) {
@@ -21,24 +34,14 @@ List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn) {
     }
   }
   stable_sort(all.all(), goes_before);
-  List<Rect> found;
-  for (i32 i = 0; i < all.size(); i++) {
-    const Rect& own = all[i];
-    bool covered = false;  // by one of those kept, or of those behind it that begin in the same corner
-    for (i32 k = 0; k < found.size() && !covered; k++) covered = found[k].contains(own);
-    for (i32 k = i + 1; k < all.size() && !covered && all[k].x0 == own.x0 && all[k].z0 == own.z0; k++) {
-      covered = all[k] != own && all[k].contains(own);
-    }
-    if (!covered) found.add(own);
-  }
-  return found;
+  return without_covered(all);
 }
 
 // The largest rectangles that a hole leaves of some.
 static List<Rect> cut_by(const Rect& hole, const List<Rect>& rects) {
   List<Rect> cut;
   for (const Rect& rect : rects) {
-    if (hole.x0 >= rect.x1 || hole.x1 <= rect.x0 || hole.z0 >= rect.z1 || hole.z1 <= rect.z0) {
+    if (!hole.overlaps(rect)) {
       cut.add(rect);
       continue;
     }
@@ -51,19 +54,6 @@ static List<Rect> cut_by(const Rect& hole, const List<Rect>& rects) {
     }
   }
   return cut;
-}
-
-// Without those that another covers; of equals the first stays.
-static List<Rect> without_covered(const List<Rect>& rects) {
-  List<Rect> found;
-  for (i32 k = 0; k < rects.size(); k++) {
-    bool covered = false;
-    for (i32 j = 0; j < rects.size() && !covered; j++) {
-      covered = j != k && rects[j].contains(rects[k]) && (j < k || rects[j] != rects[k]);
-    }
-    if (!covered) found.add(rects[k]);
-  }
-  return found;
 }
 
 static bool is_larger(const Rect& a, const Rect& b) {
