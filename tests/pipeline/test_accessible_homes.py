@@ -130,6 +130,12 @@ def test_a_bathrooms_leaf_swings_out_of_it_where_another_has_none_to_meet() -> N
     assert {one.swing for room in plain for one in room.openings if one.kind == "door"} == {"in"}
 
 
+def test_a_bathroom_has_a_door_however_full_of_doors_the_foyer_is() -> None:
+    known = CATALOGS.for_access("din_18040_2_r")
+    homes = [draw(Request(seed=seed, program="one_bed", robot_width=0.9), known) for seed in range(300, 330)]
+    assert {one.kind for home in homes for room in home.rooms if room.type == "bathroom" for one in room.openings} == {"door", "window"}
+
+
 def test_rooms_are_as_large_as_the_profile_says() -> None:
     sizes = CATALOGS.access["din_18040_2_r"].homes
     rooms = [room for room in family(4, access="din_18040_2_r").scene.rooms if room.type in sizes]

@@ -61,7 +61,8 @@ class Shuffle {
     for (Span<Cut>& before : before_) before = reserved<Cut>(doorways.house.joints.size + 2);
   }
 
-  // False, and nothing changed, where none of a bounded number of tries works. `strict`: no leaf comes to swing in that should swing out.
+  // False, and nothing changed, where none of a bounded number of tries works. `strict`: no leaf comes to swing in that should swing out,
+  // and no door is left without one: what gives way to a door would else take the door's own leaf off.
   bool add(const Cut& cut, bool strict) {
     tries_ = TRIES;
     strict_ = strict;
@@ -69,7 +70,7 @@ class Shuffle {
   }
 
  private:
-  // Tries an opening everywhere in its wall: as it is, with its leaf the other way, and at last without a leaf.
+  // Tries an opening everywhere in its wall: as it is, with its leaf the other way, and at last, if not strict, without a leaf.
   bool add(Cut cut, i32 depth) {
     Forms forms;
     forms.add(cut);
@@ -78,7 +79,7 @@ class Shuffle {
       for (const i64 leaf : sides) {
         if (leaf != cut.leaf && !(strict_ && swings_wrongly(doorways_.house, leaf))) forms.add(with_leaf(cut, leaf));
       }
-      if (cut.other != NONE) {
+      if (cut.other != NONE && !strict_) {
         Cut open = with_leaf(cut, NONE);
         open.kind = CutKind::passage;
         forms.add(open);
