@@ -183,12 +183,14 @@ def _covers(piece: Furniture, x: float, z: float) -> bool:
     return abs(across) < piece.width / 2 and abs(along) < piece.depth / 2
 
 
-def test_of_rugs_in_bedrooms_more_is_seen_than_a_strip() -> None:
-    """No more than one of twenty lies with three quarters of it under furniture."""
-    shown = []
+def test_of_rugs_in_bedrooms_more_is_seen_than_a_strip_and_mats_are_none() -> None:
+    """No more than one of twenty rugs lies with three quarters of it under furniture; no mat or runner is narrower than 0.43 m."""
+    shown, broad = [], []
     for seed in range(900, 900 + times(40, 12)):
         for room in generate(Request(seed=seed, program="large", decorate=True)).scene.rooms:
+            broad += [min(thing.width, thing.depth) for thing in room.decorations if thing.name in ("runner", "floor_rug_small")]
             if "bedroom" in room.type:
                 shown += [seen_of(thing, room) for thing in room.decorations if thing.name == "rug"]
     assert len(shown) > 40
     assert 20 * sum(share < 0.25 for share in shown) <= len(shown)
+    assert len(broad) > 40 and min(broad) >= 0.43

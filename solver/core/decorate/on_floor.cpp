@@ -135,13 +135,13 @@ List<Rect> Floor::not_under(const Stands* row) const {
 }
 
 // Where a rug wished for in the middle lies before what stands at the walls, and not under it: as near and as large as there is room.
-// One that is to cover the floor lies under all.
+// One that is to cover the floor lies under all. Half as long a mat is a mat, half as broad a strip.
 NearestPlace Floor::rug_place(const Stands& row, const Rect& wish) const {
   if (row.fills && !row.widest) return {true, wish};
   const List<Rect> blocks = not_under(nullptr);
   const bool along_x = wish.width() >= wish.depth();
   for (i64 length = RUG_PARTS; 2 * length >= RUG_PARTS; length--) {
-    for (i64 breadth = RUG_PARTS; 2 * breadth >= RUG_PARTS; breadth--) {
+    for (i64 breadth = RUG_PARTS; breadth + 1 >= RUG_PARTS; breadth--) {
       const i64 less_long = floor_div((RUG_PARTS - length) * most(wish.width(), wish.depth()), 20 * RUG_PARTS) * 10;
       const i64 less_broad = floor_div((RUG_PARTS - breadth) * least(wish.width(), wish.depth()), 20 * RUG_PARTS) * 10;
       const i64 x = along_x ? less_long : less_broad, z = along_x ? less_broad : less_long;
