@@ -327,14 +327,14 @@ class _Shuffle:
         return False
 
     def _variants(self, cut: Cut) -> Iterator[Cut]:
-        """Yields an opening everywhere in its wall: as it is, with its leaf the other way, and at last without a leaf."""
+        """Yields an opening everywhere in its wall: as it is, with its leaf the other way, and at last, if not strict, without a leaf."""
         outside = cut.other is None
         stretches = self.doorways.layout.openable[cut.room][cut.wall] if outside else (self.walls[min(cut.sides), max(cut.sides)],)
         forms = [cut]
         if cut.kind == "door":
             leaves = [leaf for leaf in (cut.room, cut.other) if not (self.strict and self.doorways.swings_wrongly(leaf))]
             forms += [cut._replace(leaf=leaf) for leaf in leaves if leaf != cut.leaf]
-        if cut.kind == "door" and cut.other is not None:
+        if cut.kind == "door" and cut.other is not None and not self.strict:
             forms.append(cut._replace(id=cut.id.replace("door", "passage"), kind="passage", leaf=None))
         return (form.at(centre) for form in forms for stretch in stretches for centre in places(cut.width, stretch, self.doorways))
 
