@@ -185,8 +185,8 @@ static Span3 swept(const Front& front, const Point3& hinge, const List<SolidBox>
     return all;
   }
   far = __builtin_sqrt(far) + SURELY_METRES;
-  const Point reach{upright ? far : 0, front.axis == 0 ? far : 0, far};
-  const Point low = minus(hinge, reach);
+  const Point3 reach{upright ? far : 0, front.axis == 0 ? far : 0, far};
+  const Point3 low = minus(hinge, reach);
   all.low = {upright ? low.x : all.low.x, front.axis == 0 ? low.y : all.low.y, low.z};
   all.high = {upright ? hinge.x + far : all.high.x, front.axis == 0 ? hinge.y + far : all.high.y, hinge.z + far};
   return all;
