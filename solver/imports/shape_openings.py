@@ -1,5 +1,6 @@
 """Openings of a drawing of shapes: what is drawn in one place is one, and the arc of a leaf tells where its door is."""
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -25,6 +26,7 @@ SAME: Final = 0.6
 
 
 DrawnBox = tuple[float, float, float, float]
+DrawnStretch = tuple[Spot, Spot]
 
 
 class DrawnShape(NamedTuple):
@@ -63,6 +65,7 @@ class DrawnSwing(NamedTuple):
 def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnOpening]:
     """Returns openings, each once: the longest of what is drawn in one place, of that which is not nearly square where there is any.
 
+    Of lines side by side, as a window's are, the opening lies along their middle.
     What says its id is one with what says the same alone: wide passages may meet at a corner.
 
     A hole with a leaf in it is a door. Where leaves swing and nothing is a window, what is drawn as a door may be one.
@@ -70,19 +73,48 @@ def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> l
     is_mixed = bool(swings) and all(one.sort != "window" for one in shapes)
     found: list[DrawnOpening] = []
     named: dict[str, int] = {}
-    places = Places([])
+    places, owners, lines = Places([]), list[int](), list[list[DrawnStretch]]()
     for told, kind in SORTS.items():
         drawn = [(*longer_line(one.points), one) for one in shapes if one.sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
-            near = named.get(one.id) if one.id else places.first(start, end)
-            if near is None and math.dist(start, end) > 0:
+            near = (
+                [named[one.id]] if one.id in named else [] if one.id else list(dict.fromkeys(owners[at] for at in places.all(start, end)))
+            )
+            if not near and math.dist(start, end) > 0:
                 unsaid = told == "opening" or (told == "door" and is_mixed)
-                named.setdefault(one.id, len(found))
+                near = [len(found)]
+                named |= {one.id: len(found)} if one.id else {}
                 found.append(DrawnOpening(kind, start, end, one.where, id=one.id, unsaid=unsaid))
+                lines.append([])
+            elif near and kind == "door" and found[near[0]].kind == "passage":
+                found[near[0]] = replace(found[near[0]], kind="door", unsaid=False)
+            same = [at for at in near if found[at].kind == kind and (not lines[at] or _are_beside(lines[at][0], (start, end)))]
+            if same and same[0] == near[0]:
                 places.add(start, end)
-            elif near is not None and kind == "door" and found[near].kind == "passage":
-                found[near] = replace(found[near], kind="door", unsaid=False)
-    return found
+                owners.append(same[0])
+                lines[same[0]].append((start, end))
+                for other in same[1:]:
+                    owners = [same[0] if owner == other else owner for owner in owners]
+                    lines[same[0]] += lines[other]
+                    lines[other].clear()
+    return [_in_the_middle(one, beside) for one, beside in zip(found, lines, strict=True) if beside]
+
+
+def _are_beside(a: DrawnStretch, b: DrawnStretch) -> bool:
+    """Tells whether two lines are two opposite sides of a box, or nearly."""
+    (x, z), length = a[0], math.dist(*a)
+    east, south = (a[1][0] - x) / length, (a[1][1] - z) / length
+    (low, left), (high, right) = sorted(((u - x) * east + (w - z) * south, (w - z) * east - (u - x) * south) for u, w in b)
+    return max(abs(low), abs(high - length), abs(left - right)) < MEET * length
+
+
+def _in_the_middle(opening: DrawnOpening, lines: Sequence[DrawnStretch]) -> DrawnOpening:
+    """Returns an opening along the middle of lines side by side, as long as the middle one of them by length."""
+    start, end = sorted(lines, key=lambda one: math.dist(*one))[(len(lines) - 1) // 2]
+    east, south = ((end[axis] - start[axis]) / math.dist(start, end) for axis in (0, 1))
+    away = [(z - start[1]) * east - (x - start[0]) * south for x, z in itertools.starmap(between, lines)]
+    by = (min(away) + max(away)) / 2
+    return replace(opening, start=(start[0] - south * by, start[1] + east * by), end=(end[0] - south * by, end[1] + east * by))
 
 
 def _is_stout(points: Sequence[Spot]) -> bool:
@@ -106,14 +138,18 @@ class Places:
         self._rows[self._count] = (*between(start, end), math.dist(start, end))
         self._count += 1
 
-    def first(self, start: Spot, end: Spot, alike: bool = False) -> int | None:
-        """Returns which is the first that is one with a line, or where it lies is `alike` and as long; None where none is."""
+    def all(self, start: Spot, end: Spot, alike: bool = False) -> list[int]:
+        """Returns which are one with a line, or where it lies is `alike` and as long."""
         (x, z), rows = between(start, end), self._rows[: self._count]
         length = math.dist(start, end)
         longer = np.maximum(rows[:, 2], length)
         away, other = np.hypot(rows[:, 0] - x, rows[:, 1] - z), np.abs(rows[:, 2] - length)
-        near = np.flatnonzero((away < MEET * longer) & (other < MEET * longer) if alike else away < SAME * longer)
-        return int(near[0]) if len(near) else None
+        found: list[int] = np.flatnonzero((away < MEET * longer) & (other < MEET * longer) if alike else away < SAME * longer).tolist()
+        return found
+
+    def holds(self, start: Spot, end: Spot, alike: bool = False) -> bool:
+        """Tells whether any is one with a line."""
+        return bool(self.all(start, end, alike))
 
 
 def doors_of_swings(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]) -> list[DrawnOpening]:

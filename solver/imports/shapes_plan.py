@@ -205,7 +205,7 @@ def _openings(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], faces:
         one
         for one in openings_of(shapes, swings)
         if (one.id and one.kind != "door")
-        or (taken.first(one.start, one.end) is None and leaves.first(one.start, one.end, one.kind == "window") is None)
+        or not (taken.holds(one.start, one.end) or leaves.holds(one.start, one.end, one.kind == "window"))
     ]
 
 
@@ -230,16 +230,14 @@ def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[
 def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:
     """Returns how many quarter circles on layers that tell nothing are at no door."""
     doors = Places([(one.start, one.end) for one in openings if one.kind == "door"])
-    left = [one for one in nameless if all(doors.first(one.hinge, end) is None for end in one.ends)]
+    left = [one for one in nameless if not any(doors.holds(one.hinge, end) for end in one.ends)]
     return [Unread(left[0].where, f"quarter circles that hang in no gap in a wall are no doors: {len(left)}")] if left else []
 
 
 def _without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:
     """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is."""
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
-    are_leaves = (
-        one.sort is None and len(one.points) > 1 and leaves.first(*longer_line(one.points), alike=True) is not None for one in shapes
-    )
+    are_leaves = (one.sort is None and len(one.points) > 1 and leaves.holds(*longer_line(one.points), alike=True) for one in shapes)
     return [one._replace(sort="door") if is_leaf else one for one, is_leaf in zip(shapes, are_leaves, strict=True)]
 
 

@@ -178,3 +178,15 @@ def test_a_small_window_through_a_thick_wall_is_one_window() -> None:
     space.add_line((0, 1500), (0, 2400), dxfattribs={"layer": "Türen"})
     (room,) = imported(made).scene.rooms
     assert sorted((one.kind, one.width) for one in room.openings) == [("door", 0.9), ("window", 0.6)]
+
+
+@pytest.mark.parametrize("turn", [0, 37])
+@pytest.mark.parametrize("order", [(-200, 0, 200), (200, -200, 0), (0, 200, -200)])
+def test_lines_of_a_window_through_a_thick_wall_without_a_gap_are_one_window(order: tuple[int, ...], turn: int) -> None:
+    """The wall is 0.4 m thick, the window 0.6 wide, its sill sticks out by 5 cm at both ends."""
+    lines = "".join(f"<path d='M1000 {at}h600'/>" for at in order) + "<path d='M950 240h700'/>"
+    walls = "<path d='M-200 -3200H4200V200H-200z'/><path d='M0 -3000H4000V-200H0z'/>"
+    door = "<g id='Doors'><path d='M2500 -3100h900'/></g>"
+    drawing = f"<g transform='rotate({turn})'><g id='Walls'>{walls}</g><g id='Windows'>{lines}</g>{door}</g>"
+    (room,) = read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='mm'>{drawing}</svg>".encode()).scene.rooms
+    assert sorted((one.kind, one.width) for one in room.openings) == [("door", 0.9), ("window", 0.6)]
