@@ -84,6 +84,11 @@ def test_furniture_has_the_shape_that_is_described() -> None:
     assert [*low, *high] == pytest.approx([1.15, -3.1, 0.0, 1.75, -2.8, 0.2], abs=1e-3)
 
 
+def test_floors_are_10_cm_thick() -> None:
+    ((low, high),) = boxes(building("own"), ["IfcSlab"]).values()
+    assert (low[2], high[2]) == pytest.approx((-0.1, 0.0))
+
+
 def test_doors_stand_in_their_walls() -> None:
     model, seen = homes.described("own"), boxes(building("own"), ["IfcDoor", "IfcWindow"])
     for one in (one for one in model.openings if one.kind != "passage"):

@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from heapq import heappop, heappush
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import pytest
 
-from solver import Request, generate
+from catalogs import load_catalogs
+from solver import Request, generate, validator
+from solver.exports import ExportSettings, describe, written_as
 from solver.exports.formats.robot_tasks import PER_METRE, FreePaths
 from solver.pipeline.export import export
 from solver.scene import Decoration, Dynamic, Furniture, Room, Scene
@@ -203,3 +206,18 @@ def test_scenes_without_a_certificate_or_rooms_have_few_tasks_or_none() -> None:
     bare = Scene(rooms=scene.rooms, wall_thickness=scene.wall_thickness)
     kinds = {task["kind"] for task in json.loads(export(bare, "tasks")["tasks.json"])["tasks"]}
     assert kinds == {"go", "bring"}
+
+
+def test_what_is_brought_weighs_2_kg_at_most_and_is_within_reach() -> None:
+    scene, tasks = made(2)
+    settings = ExportSettings("tasks", floors=lambda: validator.floors(scene))
+    house = describe(scene, load_catalogs())
+    lying = {one.parent: one for one in house.bodies if one.sort == "decoration" and not one.fixed}
+    ways = ((task["start_body"], task["body"]) for task in tasks if task["kind"] == "bring")
+    start, goal = next(way for way in ways if lying.keys() >= {*way})
+    furniture = tuple(one._replace(fronts=()) for one in house.bodies if one.sort == "furniture")  # nothing lies inside any
+    for weighs, y, is_brought in ((2.0, 0.3, True), (2.0, 1.5, True), (2.001, 1.0, False), (1.0, 0.299, False), (1.0, 1.501, False)):
+        things = lying[goal]._replace(mass=1.0, y=1.0), lying[start]._replace(mass=weighs, y=y)
+        changed = written_as(replace(house, bodies=(*furniture, *things)), settings)
+        found = {task.get("thing") for task in json.loads(changed["tasks.json"])["tasks"]}
+        assert (things[1].id in found) == is_brought, (weighs, y)

@@ -42,6 +42,7 @@ class Map:
 def test_maps_say_what_is_where() -> None:
     files = written("own")
     semantic, instance, rooms, free = (Map(files, name) for name in ("semantic", "instance", "rooms", "free_floor"))
+    assert free.said["taken"] == {"from": 0.03, "to": 2.0}
     cases = {
         (1.0, 3.4): ("misc", "living/f_stem", "living", "taken"),
         (1.45, 2.95): ("misc", "living/f_arm", "living", "taken"),
