@@ -45,7 +45,7 @@ def told(wrong: Mapping[str, Any], schema: Mapping[str, Any]) -> Fault:
     if kind == "refused":
         return Fault("", at, context["problem"], context["allowed"])
     if kind == "value_error":
-        return Fault("", at, str(context["error"]))
+        return Fault("", at, str(context["error"]), allowed(schema, schema_at(schema, at)))
     if kind in UNKNOWN:
         known = known_keys(schema, at[:-1])
         return Fault("", at, f"is not known{near(str(at[-1]), known)}", ", ".join(known))

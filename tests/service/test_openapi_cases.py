@@ -66,7 +66,7 @@ BEYOND_A_SCHEMA = (
     "is given beside the outline's corners",
     "a part that is",
     "changes nothing",
-    "is a list",  # a gap from the larger number to the smaller one
+    "must be [least, most]",  # a gap from the larger number to the smaller one
 )
 """What is wrong with documents that fit their schema: it shows only when keys are seen together, or with the catalog."""
 

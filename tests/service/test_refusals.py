@@ -157,7 +157,8 @@ def test_yaml_that_does_not_say_so_is_told_how(client: TestClient) -> None:
 @every("body", [[], [{}], 3, "house", True, None, 1.5])
 def test_a_body_that_is_no_object_is_refused(client: TestClient, call: str, body: object) -> None:
     entry = entry_of(client.post(call, content=json.dumps(body)), 422)
-    assert (entry["field"], entry["allowed"]) == ("body", "an object")
+    assert entry["field"] == "body"
+    assert entry["allowed"].startswith("an object with ")
 
 
 @pytest.mark.parametrize("call", OF_SCENES)

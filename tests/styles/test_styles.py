@@ -136,7 +136,7 @@ def test_a_new_style_is_one_entry(tmp_path: Path) -> None:
         ('x:\n  palette: {}\n  walls:\n    sand: [{type: brick, color: "#aabbcc"}]', "x.walls.sand", 4, "unknown flooring 'sand'"),
         ('x:\n  palette: {}\n  walls:\n    wood: [{type: gold, color: "#aabbcc"}]', "x.walls.wood.0.type", 4, "plaster"),
         ("x:\n  palette: {}\n  decorations:\n    avoided: [gnome]", "x.decorations.avoided", 4, "unknown decoration or group 'gnome'"),
-        ("x:\n  palette: {}\n  shine: true", "x.shine", 3, "unknown key"),
+        ("x:\n  palette: {}\n  shine: true", "x.shine", 3, "is not known"),
     ],
 )
 def test_a_bad_style_is_named_with_file_key_and_line(tmp_path: Path, written: str, key: str, line: int, words: str) -> None:
