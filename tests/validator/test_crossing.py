@@ -41,6 +41,7 @@ def test_a_chair_may_touch_a_tables_leg_by_two_millimetres(turn: int) -> None:
         return scene(replace(TABLE, rotation=turn), chair)
 
     assert told(moved(0.0)) == told(moved(0.002)) == []
+    assert len(told(moved(0.0021))) == 1
     (issue,) = told(moved(0.003))
     assert (issue.severity, issue.room, issue.ids, issue.amount) == ("warning", "r", ("c", "t"), 0.003)
     assert issue.message == "c and t cross: a part of one is 0.3 cm deep in a part of the other"
@@ -66,9 +67,13 @@ def test_somebody_in_a_blanket_crosses_it_and_on_top_of_it_does_not() -> None:
     assert told(scene(sofa, things=(blanket,), people=(replace(sitter, y=0.49),))) == []
 
 
-def test_rugs_and_kinds_without_a_shape_are_passed_over() -> None:
-    rug = Decoration("rug", "rug", x=3, z=3, width=2, depth=1.5, height=0.01)
-    assert told(scene(TABLE, things=(rug,))) == []
+@pytest.mark.parametrize(("high", "count"), [(0.01, 0), (0.02, 0), (0.021, 1)])
+def test_what_is_no_higher_than_2_cm_and_lies_on_the_floor_crosses_nothing(high: float, count: int) -> None:
+    plinth = replace(TABLE, name="dresser", height=high)
+    assert len(told(scene(plinth, replace(CHAIR, under="t")))) == count
+
+
+def test_kinds_without_a_shape_are_passed_over() -> None:
     assert told(scene(replace(TABLE, name="unheard_of"), replace(CHAIR, x=3.5))) == []
 
 

@@ -121,8 +121,10 @@ def test_what_hangs_hangs_at_its_walls_face(wall: str, thickness: float) -> None
         x, z = along(wall, 1.0, thickness / 2 + 0.05 + away)
         picture = thing(x, z, 1.5, mounted_on_wall=wall, **turned)
         assert len(told(room(decorations=(picture,)), thickness)) == count, (wall, away)
-    x, z = along(wall, SIDE + 0.1, thickness / 2 + 0.05)
-    assert len(told(room(decorations=(thing(x, z, 1.5, mounted_on_wall=wall, **turned),)), thickness)) == 1
+    for beyond, count in ((0.03, 0), (0.031, 1)):
+        for at in (-beyond, SIDE + beyond):
+            x, z = along(wall, at, thickness / 2 + 0.05)
+            assert len(told(room(decorations=(thing(x, z, 1.5, mounted_on_wall=wall, **turned),)), thickness)) == count, (wall, at)
 
 
 def test_on_an_outline_any_wall_of_that_side_will_do() -> None:

@@ -17,7 +17,7 @@ from solver import Request, generate
 from solver.demanded import demanding_at_most
 from solver.errors import TooMuch
 from solver.exports import describe
-from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Level, Opening, Room, Scene
 from solver.validator import validate
 from solver.validator.opening import WALL, FrontTravel
 from tests.exports.opening import open_all
@@ -103,6 +103,26 @@ def test_rugs_people_and_what_lies_on_a_lid_stop_nothing() -> None:
     person = Dynamic("p", "person", room="den", x=4.0, z=2.6, width=0.5, depth=0.3, height=1.7)
     scene = room(chest, piece("dresser", 6.0, 2.0), decorations=(rug, bear), people=(replace(person, x=6.0),))
     assert all(one.meets is None for one in front_travels(scene, KNOWN)["den"])
+
+
+@pytest.mark.parametrize(("high", "meets"), [(0.03, None), (0.031, "den/rug")])
+def test_what_lies_on_the_floor_and_is_no_higher_than_3_cm_is_opened_over(high: float, meets: str | None) -> None:
+    low = replace(piece("dresser", 4.0, 2.0), height=0.1)
+    rug = Decoration("den/rug", "rug", None, x=4.0, z=2.9, width=2.0, depth=1.2, height=high)
+    assert travel(room(low, decorations=(rug,)), "low_drawer").meets == meets
+
+
+def test_a_long_drawer_meets_what_is_far() -> None:
+    far = block(4.0, 2.0 + 2.0 + 1.2 + 0.5, 2.0, 1.0)
+    one = travel(room(replace(piece("dresser", 4.0, 2.0), depth=4.0), far), "top_drawer")
+    assert (one.meets, one.travel) == ("block", pytest.approx(1.2, abs=0.07))
+
+
+@pytest.mark.parametrize("high", [2.5, 3.4])
+def test_walls_stop_fronts_up_to_the_ceiling(high: float) -> None:
+    cupboard = replace(piece("wardrobe", 7.95 - 0.9, 2.0), y=high - 0.05, height=0.05)
+    hall = room(cupboard)
+    assert travel(replace(hall, levels=(Level(0, height=high),)), "outer_door_2").meets == WALL
 
 
 def test_less_than_half_is_a_warning_with_both_names() -> None:

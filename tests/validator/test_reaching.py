@@ -116,6 +116,13 @@ def test_rooms_whose_walls_lie_apart_are_joined_by_their_door(listed: str) -> No
     assert named(issues(scene(both.rooms[0], far), "unreachable")) == [("room_1", ())]
 
 
+@pytest.mark.parametrize(("z", "reached"), [(3.75, True), (3.749, False)])
+def test_a_door_leads_through_the_wall_of_a_room_that_overlaps_by_25_cm(z: float, reached: bool) -> None:
+    first = two_rooms("south", 0.9).rooms[0]
+    told = issues(scene(first, room(id="room_1", z=z)), "unreachable")
+    assert named(told) == ([] if reached else [("room_1", ())])
+
+
 def test_a_deep_wall_without_a_door_is_not_walked_through() -> None:
     both = two_rooms("south", 0.9)
     elsewhere = [replace(one, connects_to="room_9", main_entrance=False) for one in both.rooms[0].openings]

@@ -3,7 +3,6 @@
 
 namespace validate {
 
-constexpr f64 HEIGHT = 3.0;        // how high walls are taken to be, m
 constexpr i64 STRETCH_LOOKS = 60;  // what a hole counts at each stretch of wall that it is over; measured
 
 static f64 metres(i64 steps) { return static_cast<f64>(steps) / static_cast<f64>(PER_METRE); }
@@ -14,10 +13,10 @@ struct Span1 {
   f64 low, high;
 };
 
-// A wall's line, and the boxes that are added along it.
+// A wall's line, how high the wall is, and the boxes that are added along it.
 struct Line {
   bool runs_east;
-  f64 at;
+  f64 at, height;
   List<ShellBox>& boxes;
 
   void add(const Span1& along, const Span1& up, const Span1& across) const {
@@ -37,22 +36,23 @@ struct Cut {
 
 }  // namespace
 
-static Line line_of(const Edge& edge, List<ShellBox>& boxes) { return {edge.runs_east(), metres(edge.line), boxes}; }
+static Line line_of(const Edge& edge, const Room& room, List<ShellBox>& boxes) {
+  return {edge.runs_east(), metres(edge.line), metres(room.ceiling), boxes};
+}
 
 // Adds the stretches of a wall's height that none of the holes over an interval takes.
 static void add_between(const Line& line, const Span1& along, List<Cut>& over, f64 half) {
   stable_sort(over.all(), [](const Cut& a, const Cut& b) { return a.up.low < b.up.low; });
   f64 reached = 0.0;
   for (const Cut& one : over) {
-    if (one.up.low > reached) line.add(along, {reached, least(one.up.low, HEIGHT)}, {-half, half});
+    if (one.up.low > reached) line.add(along, {reached, least(one.up.low, line.height)}, {-half, half});
     reached = most(reached, one.up.high);
   }
-  if (reached < HEIGHT) line.add(along, {reached, HEIGHT}, {-half, half});
+  if (reached < line.height) line.add(along, {reached, line.height}, {-half, half});
 }
 
 // Adds a wall, cut at the sides of its holes, which come in the order in which they begin; it goes on by half its thickness at its ends.
-static void add_wall(const Edge& edge, Span<Cut> holes, f64 half, Looks& looks, List<ShellBox>& boxes) {
-  const Line line = line_of(edge, boxes);
+static void add_wall(const Edge& edge, const Line& line, Span<Cut> holes, f64 half, Looks& looks) {
   const f64 start = metres(edge.start) - half, end = metres(edge.end) + half;
   List<f64> stops;
   stops.add(start);
@@ -88,12 +88,12 @@ Span<ShellBox> shell_of(const Room& room, Looks& looks) {
       cuts.add({{metres(hole.edge.start), metres(hole.edge.end)}, {hole.low, hole.high}});
     }
     stable_sort(cuts.all(), [](const Cut& a, const Cut& b) { return a.along.low < b.along.low; });
-    add_wall(edge, cuts.all(), half, looks, boxes);
+    add_wall(edge, line_of(edge, room, boxes), cuts.all(), half, looks);
   }
   i32 first = 0;
   for (const Opening& hole : room.openings) {
     if (hole.fitted < 0 || hole.fitted > room.fitted.size - first) fail(Failure::bad_request);
-    const Line line = line_of(hole.edge, boxes);
+    const Line line = line_of(hole.edge, room, boxes);
     const f64 at = metres(hole.edge.start);
     for (const i32 end = first + hole.fitted; first < end; first++) {
       const FittedBox& one = room.fitted[first];
