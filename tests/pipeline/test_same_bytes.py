@@ -21,7 +21,7 @@ from tests.placement.rooms import random_space, random_wanted
 from tests.sweeps import times
 
 ROOT = Path(__file__).parents[2]
-REPEATS = times(1000, 250)
+REPEATS = times(1000, 100)
 SEEDS = tuple(range(8))
 """Of houses of 10 x 8 m."""
 DEFAULT = 42
@@ -87,7 +87,7 @@ import sys
 from tests.pipeline.test_same_bytes import digest
 print(*map(digest, map(int, sys.argv[1:])))
 """
-ENVIRONMENTS: Mapping[str, Mapping[str, str]] = {"0": os.environ, "31415": os.environ, "random": {}}
+ENVIRONMENTS: Mapping[str, Mapping[str, str]] = {"0": os.environ, "random": {}}
 """By the seed of the hashes, what else a new process finds in its environment."""
 
 
@@ -99,7 +99,7 @@ def asked_apart(hashes: str, share: tuple[int, ...]) -> subprocess.Popen[str]:
 
 
 def test_new_processes_with_other_hashes_at_once() -> None:
-    """Three share eight houses as unevenly as any number does; the one with an empty environment makes the default house, too."""
+    """Two share eight houses; the one with an empty environment makes the default house, too."""
     shares = {hashes: SEEDS[number :: len(ENVIRONMENTS)] for number, hashes in enumerate(ENVIRONMENTS)}
     shares["random"] += (DEFAULT,)
     with ExitStack() as running:
