@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import islice
 
 from playwright.sync_api import expect
 
@@ -22,17 +23,15 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
     made, page = visit.open(SMALL.format(4)), visit.page
     panel, tool = page.locator("#why"), page.get_by_role("button", name="Why here?")
     expect(tool).to_be_hidden()
-    answers = {piece: asked(visit, piece) for piece in furniture_of(made)[:12]}
-    by_pieces = {piece: answer["holds"] for piece, answer in answers.items() if {hold["what"] for hold in answer["holds"]} == {"piece"}}
-    held, by = next((piece, holds[0]) for piece, holds in by_pieces.items())
-    assert asked(visit, held) == answers[held]
+    answers = ((piece, asked(visit, piece)) for piece in furniture_of(made))
+    held, answer = next((piece, answer) for piece, answer in answers if {hold["what"] for hold in answer["holds"]} == {"piece"})
+    by = answer["holds"][0]
+    assert asked(visit, held) == answer
     expect(panel).to_be_visible()
-    expect(panel.locator("ul:not(.ways) li")).to_have_text(
-        [told_sentence(hold["message"], made["scene"]) for hold in answers[held]["holds"]]
-    )
-    for note in answers[held]["notes"]:
+    expect(panel.locator("ul:not(.ways) li")).to_have_text([told_sentence(hold["message"], made["scene"]) for hold in answer["holds"]])
+    for note in answer["notes"]:
         expect(panel).to_contain_text(told(note, made["scene"])[1:])
-    expect(page.locator(".ruler-hold")).to_have_count(len(answers[held]["holds"]))
+    expect(page.locator(".ruler-hold")).to_have_count(len(answer["holds"]))
     panel.get_by_role("button", name=told(by["message"], made["scene"])).click()
     assert visit.state()["selected"] == by["by"]
     expect(panel).to_be_hidden()
@@ -49,15 +48,11 @@ def test_what_holds_a_piece_is_said_and_can_be_chosen(visit: Visit) -> None:
 def test_another_way_to_stand_is_shown_and_taken(visit: Visit) -> None:
     """Of the ways that leave nothing out: the room becomes what the service says it would be, as one step."""
     made, page = visit.open(SMALL.format(4)), visit.page
-    ways = {}
-    for piece in furniture_of(made)[:12]:
-        answer = asked(visit, piece)
-        kept = [way for way in answer["ways"] if way["cost"] is not None and not way["left_out"]]
-        if kept:
-            ways[piece] = answer["ways"].index(kept[0]), kept[0]
-    assert ways
-    piece, (number, way) = next(iter(ways.items()))
-    answer = asked(visit, piece)
+    answers = ((piece, asked(visit, piece)) for piece in furniture_of(made))
+    piece, answer, way = next(
+        (piece, answer, way) for piece, answer in answers for way in answer["ways"] if way["cost"] is not None and not way["left_out"]
+    )
+    number = answer["ways"].index(way)
     expect(page.locator("#why .ways li")).to_have_count(len(answer["ways"]))
     take = page.locator("#why .ways li").nth(number).locator("button")
     take.focus()
@@ -141,7 +136,7 @@ def test_closed_it_gives_back_the_view_it_took(visit: Visit) -> None:
         return looked()
 
     before = looked()
-    first, second = [piece for piece in pieces if explained(piece) != before][:2]
+    first, second = islice((piece for piece in pieces if explained(piece) != before), 2)
     assert looked(lambda: page.keyboard.press("Escape")) == before, "from piece to piece, and back"
     assert explained(first) != before
     assert looked(page.locator("#why").get_by_role("button", name="Close").click) == before
