@@ -30,6 +30,7 @@ def test_a_room_has_what_the_loader_asks_for() -> None:
     room = rooms_of(files)["house_living"]
     assert set(room) >= {"scene_id", "scene_uid", "scene_type", "json_path", "room_layout", "floor_plan_vertices", "floor_plan_faces"}
     assert (str(room["scene_id"]), str(room["scene_uid"]), str(room["scene_type"])) == ("living", "house_living", "living_room")
+    assert float(room["room_side"]) == 6.1
     assert room["room_layout"].shape == (256, 256, 1) and room["room_layout"].dtype == np.uint8
     assert [room[key].dtype for key in ("class_labels", "translations", "sizes", "angles")] == [np.float32] * 4
     assert room["floor_plan_centroid"].tolist() == [3.0, 0.0, 2.5]

@@ -1,15 +1,20 @@
-"""Where the limits lie that docs/exports.md names: on either side of each."""
+"""Where the limits of exports lie: on either side of each, or what it comes to."""
 
 from __future__ import annotations
 
+import io
+import json
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import pytest
+from ezdxf.filemanagement import read as read_dxf
 
 from catalogs import load_catalogs
+from compose_homes import export
 from solver.exports import ExportSettings, HouseModel, describe, written_as
 from solver.exports.formats.pieces_csv import harmless
-from solver.scene import Decoration, Furniture, Room, Scene
+from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from tests.exports.readers.nav2 import read_map
 
 CATALOGS = load_catalogs()
@@ -53,3 +58,42 @@ def test_a_robot_drives_under_what_begins_1_5_m_above_the_floor(y: float, is_tak
 @pytest.mark.parametrize("begins", ["=", "+", "-", "@", "\t", "\r"])
 def test_no_word_begins_as_a_formula_does(begins: str) -> None:
     assert (harmless(f"{begins}1"), harmless(f"1{begins}"), harmless(-1.0)) == (f"'{begins}1", f"1{begins}", -1.0)
+
+
+def numbers(element: ElementTree.Element, name: str) -> list[float]:
+    return [float(word) for word in element.attrib[name].split()]
+
+
+def test_the_ground_goes_on_5_m_around_a_house_and_is_5_cm_thick() -> None:
+    (text,) = (content for name, content in written(model(side=2.0), "mjcf").items() if name.endswith(".xml"))
+    (ground,) = ElementTree.fromstring(text).findall(".//geom[@name='ground']")
+    assert numbers(ground, "size") == pytest.approx([6.0, 6.0, 0.025])
+    assert numbers(ground, "pos") == pytest.approx([1.0, -1.0, -0.025])
+
+
+def test_a_leaf_weighs_12_kg_a_square_metre_and_is_touched_2_mm_off_its_frame() -> None:
+    opening = Opening("door", wall="north", position=2.0, width=0.9, connects_to="EXTERIOR", hinge="start", swing="in")
+    room = Room("den", 0, "office", width=4.0, depth=4.0, openings=(opening,))
+    described = describe(Scene(wall_thickness=0.1, rooms=(room,)), CATALOGS)
+    (leaf,) = described.leaves
+    assert leaf.mass == pytest.approx(12.0 * leaf.width * leaf.height, abs=0.001)
+    (text,) = (content for name, content in written(described, "mjcf").items() if name.endswith(".xml"))
+    slab = ElementTree.fromstring(text).findall(".//body[@name='door']/geom[@class='leaf']")[0]
+    assert numbers(slab, "size")[0] == pytest.approx(leaf.width / 2 - 0.002)
+
+
+def test_a_drawing_says_names_in_at_most_255_bytes_and_whole_letters() -> None:
+    name = "\u00e9" * 200
+    described = describe(Scene(rooms=(Room(name, 0, "office", width=4.0, depth=4.0),)), CATALOGS)
+    document = read_dxf(io.StringIO(written(described, "dxf")["house.dxf"].decode()))
+    said = {tag.value for entity in document.modelspace() if entity.xdata for tags in entity.xdata.data.values() for tag in tags}
+    assert name[:127] in said
+
+
+@pytest.mark.parametrize(("errors", "last"), [(20, "out_of_bounds"), (21, "and 1 more errors")])
+def test_20_errors_are_told_and_how_many_more_there_are(errors: int, last: str) -> None:
+    outside = tuple(replace(TABLE, id=f"den/table_{k}", name="crate", x=-5.0 - 3 * k) for k in range(errors))
+    (content,) = export(Scene(rooms=(Room("den", width=4.0, depth=4.0, furniture=outside),)), "procthor").values()
+    told = json.loads(content)["metadata"]["compose"]["warnings"]
+    assert len(told) == min(errors, 21)
+    assert told[-1].startswith(last)

@@ -90,7 +90,8 @@ def test_a_wall_has_one_hole_where_its_opening_is(name: str) -> None:
 
 def test_the_agent_looks_into_the_house() -> None:
     agent = house("own")["metadata"]["agent"]
-    assert (agent["position"]["x"], agent["position"]["z"], agent["rotation"]["y"]) == (0.5, -1.5, 90.0)
+    assert agent["position"] == {"x": 0.5, "y": 0.95, "z": -1.5}
+    assert agent["rotation"]["y"] == 90.0
     assert house("own")["metadata"]["schema"] == "1.0.0"
 
 
