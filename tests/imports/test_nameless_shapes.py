@@ -105,6 +105,22 @@ def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
     assert "quarter circles that hang in no gap in a wall are no doors: 1" in [one["reason"] for one in answer.unread]
 
 
+@pytest.mark.parametrize("layers", [ONE, NUMBERS])
+def test_blocks_are_opened_where_no_name_tells_anything(layers: dict[str, str]) -> None:
+    made = drawing(layers)
+    space = made.modelspace()
+    for at, one in enumerate(list(space.query("ARC LINE"))):
+        if one.dxftype() == "ARC" or math.dist(one.dxf.start, one.dxf.end) in (900, 1200):
+            block = made.blocks.new(f"A$C{at}")
+            space.unlink_entity(one)
+            block.add_entity(one)
+            space.add_blockref(block.name, (0, 0), dxfattribs={"layer": layers["other"]})
+    sofa = made.blocks.new("A$C99")
+    sofa.add_lwpolyline([(0, 0), (2000, 0), (2000, 900), (0, 900)], close=True)
+    space.add_blockref(sofa.name, (6000, 1000), dxfattribs={"layer": layers["other"]})
+    assert seen(imported(made)) == WANTED
+
+
 def test_without_names_of_rooms_most_rooms_tell() -> None:
     answer = imported(drawing(NUMBERS, names=False))
     assert [kinds for _, kinds in seen(answer)] == [kinds for _, kinds in WANTED]

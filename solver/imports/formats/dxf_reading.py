@@ -212,8 +212,16 @@ class _Blocks:
         return is_told or (len(inner) > 1 and not self._names.is_passed(inner) and self._holds(inner[1], depth + 1))
 
 
-def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
+def _drawn(space: Any, known: DrawnNames) -> Iterator[_Entity]:
+    """Yields what is drawn; where nothing is called a room or a wall, the names of blocks tell no more than those of layers: all are opened."""
+    found = list(_opened(space, known))
+    return iter(found) if any(one.sort in ("room", "wall") for one in found) else _opened(space, known, every=True)
+
+
+def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_Entity]:
     """Yields what is drawn; of blocks of doors, windows, openings, walls and rooms, and those that hold layers of them, what is in them.
+
+    Of `every` block where its name and its layer do not say that it holds none of these.
 
     Raises:
         SyntaxFault: with its blocks it is more than in any plan.
@@ -230,7 +238,8 @@ def _opened(space: Any, known: DrawnNames) -> Iterator[_Entity]:
         made += len(said)
         if said and sort_within(inner) == "room":
             continue
-        if kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY) and (sort_within(inner) or holds(inner, one.dxf.name, depth)):
+        is_block = kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY)
+        if is_block and (sort_within(inner) or holds(inner, one.dxf.name, depth) or (every and not known.is_passed(inner))):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
             parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
@@ -285,7 +294,7 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, b
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     passed: Counter[tuple[str, str]] = Counter()
     said: defaultdict[str, Sequence[Any]] = defaultdict(tuple)
-    for one, layer, sort, where in _opened(space, names):
+    for one, layer, sort, where in _drawn(space, names):
         said[where] = one.get_xdata(OWN) if one.has_xdata(OWN) and not one.is_virtual else ()
         kind, (shapes, texts, swings) = one.dxftype(), sheets[names.storey_of_layer(layer)]
         if (sort in SWUNG or (sort is None and _is_quarter(one, kind))) and (arcs := list(_arcs(one, kind))):
