@@ -28,8 +28,20 @@ STUB = [(3300, 300), (3300, 1300), (3000, 1300), (3000, 300)]
 """A wall that juts out into the kitchen and ends there: what its end is drawn as runs beside no other line."""
 
 
+def in_block(made: Any, layer: str | None) -> Any:
+    """A new block without a telling name that is inserted once, on a layer; without one the drawing itself."""
+    if layer is None:
+        return made.modelspace()
+    block = made.blocks.new(f"A$C{len(made.blocks)}")
+    made.modelspace().add_blockref(block.name, (0, 0), dxfattribs={"layer": layer})
+    return block
+
+
 def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, names: bool = True, stub: bool = False) -> Any:
-    """The plan with its walls as outlines or as single lines, doors as leaves and arcs, a window as three lines, on some layers."""
+    """The plan with its walls as outlines or as single lines, doors as leaves and arcs, a window as three lines, on some layers.
+
+    Where `layers` has one of blocks, doors and windows are in such.
+    """
     made: Any = files.new("R2010")
     made.header["$INSUNITS"] = 4
     space = made.modelspace()
@@ -44,12 +56,14 @@ def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, 
         else:
             for a, b in zip(spots, [*spots[1:], spots[0]], strict=True):
                 space.add_line(at(*a), at(*b), dxfattribs={"layer": layers["wall"]})
+    holder = in_block(made, layers.get("block"))
     for y in WINDOW[1]:
-        space.add_line(at(WINDOW[0][0], y), at(WINDOW[0][1], y), dxfattribs={"layer": layers["window"]})
+        holder.add_line(at(WINDOW[0][0], y), at(WINDOW[0][1], y), dxfattribs={"layer": layers["window"]})
     for hinge, tip, shut in LEAVES:
-        space.add_line(at(*hinge), at(*tip), dxfattribs={"layer": layers["door"]})
+        holder = in_block(made, layers.get("block"))
+        holder.add_line(at(*hinge), at(*tip), dxfattribs={"layer": layers["door"]})
         first, last = sorted(math.degrees(math.atan2(one[1] - hinge[1], one[0] - hinge[0])) for one in (tip, shut))
-        space.add_arc(at(*hinge), 900, first + turn, last + turn, dxfattribs={"layer": layers["door"]})
+        holder.add_arc(at(*hinge), 900, first + turn, last + turn, dxfattribs={"layer": layers["door"]})
     for words, spot in NAMES.items() if names else ():
         space.add_text(words, height=150, dxfattribs={"layer": layers["text"], "insert": at(*spot)})
     return made
@@ -107,17 +121,9 @@ def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
 
 @pytest.mark.parametrize("layers", [ONE, NUMBERS])
 def test_blocks_are_opened_where_no_name_tells_anything(layers: dict[str, str]) -> None:
-    made = drawing(layers)
-    space = made.modelspace()
-    for at, one in enumerate(list(space.query("ARC LINE"))):
-        if one.dxftype() == "ARC" or math.dist(one.dxf.start, one.dxf.end) in (900, 1200):
-            block = made.blocks.new(f"A$C{at}")
-            space.unlink_entity(one)
-            block.add_entity(one)
-            space.add_blockref(block.name, (0, 0), dxfattribs={"layer": layers["other"]})
-    sofa = made.blocks.new("A$C99")
-    sofa.add_lwpolyline([(0, 0), (2000, 0), (2000, 900), (0, 900)], close=True)
-    space.add_blockref(sofa.name, (6000, 1000), dxfattribs={"layer": layers["other"]})
+    made = drawing({**layers, "block": layers["other"]})
+    sofa = in_block(made, layers["other"])
+    sofa.add_lwpolyline([(6000, 1000), (8000, 1000), (8000, 1900), (6000, 1900)], close=True)
     assert seen(imported(made)) == WANTED
 
 

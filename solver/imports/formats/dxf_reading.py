@@ -213,7 +213,7 @@ class _Blocks:
 
 
 def _drawn(space: Any, known: DrawnNames) -> Iterator[_Entity]:
-    """Yields what is drawn; where nothing is called a room or a wall, the names of blocks tell no more than those of layers: all are opened."""
+    """Yields what is drawn; where nothing is called a room or a wall, blocks are opened whatever their names are."""
     found = list(_opened(space, known))
     return iter(found) if any(one.sort in ("room", "wall") for one in found) else _opened(space, known, every=True)
 
