@@ -14,8 +14,6 @@ LEAST_CORNERS: Final = 3
 SMALLEST: Final = 500
 WIDEST: Final = 1_000_000
 """Between these, mm, is the larger side of a house."""
-HEIGHT: Final = 2.8
-"""Of a storey, m, where the file does not say."""
 MOST_NAMED: Final = 8
 """Layers that are named, those with most on them."""
 OF_A_LEVEL: Final = ("rooms", "openings", "walls", "solid", "pieces")
@@ -44,7 +42,7 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
         name = f" ({names[number]})" if names.get(number) else ""
         notes.leave(f"level {number}{name}", f"{counts[number]} rooms: level {chosen} is taken, `level` takes another")
     own: dict[str, Any] = {name: tuple(one for one in getattr(plan, name) if one.level == chosen) for name in OF_A_LEVEL}
-    return replace(plan, **own, levels=tuple(one for one in plan.levels if one.number == chosen))
+    return replace(plan, **own, levels=tuple(one for one in plan.levels if one.number == chosen) or (DrawnLevel(chosen),))
 
 
 def _without_rooms(plan: DrawnPlan) -> FieldError:
@@ -94,7 +92,7 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
         faces=tuple((at(a), at(b)) for a, b in plan.faces),
         pieces=tuple(_piece(one, at, metres, turn) for one in plan.pieces),
         levels=tuple(
-            DrawnLevel(one.number, one.name, (one.elevation or 0.0) * metres, HEIGHT if one.height is None else one.height * metres)
+            DrawnLevel(one.number, one.name, one.elevation and one.elevation * metres, one.height and one.height * metres)
             for one in plan.levels
         ),
         wall_thickness=None if plan.wall_thickness is None else plan.wall_thickness * scale,

@@ -37,6 +37,7 @@ from solver.scene import Level, Room, Scene, Size
 USUAL_THICKNESS: Final = 100
 """Of walls, mm, where neither the file nor the gaps between its rooms tell."""
 HEIGHT: Final = 2.8
+"""Of a storey, m, where the file does not say."""
 LINES_APART: Final = 20
 """Rooms whose neighbours are no farther away, mm, are drawn along the lines of their walls."""
 WALL: Final = 0.75
@@ -204,8 +205,7 @@ def _scene(made: Sequence[Room], rooms: Sequence[NamedRoom], levels: Sequence[Dr
     width = max(room.x + room.width for room in made)
     depth = max(room.z + room.depth for room in made)
     storeys = tuple(Level(one.number, round(one.elevation or 0.0, 4), round(one.height or HEIGHT, 4)) for one in levels)
-    height = storeys[0].height if storeys else HEIGHT
     return Scene(
-        size=Size(round(width, 3), round(depth, 3), height), wall_thickness=to_m(thickness), levels=storeys or (Level(),),
+        size=Size(round(width, 3), round(depth, 3), storeys[0].height), wall_thickness=to_m(thickness), levels=storeys,
         rooms=tuple(made), adjacency=adjacency_of(rooms),
     )  # fmt: skip

@@ -25,6 +25,7 @@ def test_units_and_openings_of_imdf_are_a_home_and_what_lies_around_them_is_name
     around = imdf("footprint", box("", -1, -1, 10, 4), category="aerial")
     answer = read(collection(kitchen, other, door, below, *levels, around, wall_thickness=0.1), level=1)
     assert by_name(answer) == {"kitchen": [("door", 0.9, 1.55)], "living_room": [("door", 0.9, 1.55)]}
+    assert [{room.level for room in answer.scene.rooms}, {level.index for level in answer.scene.levels}] == [{1}, {1}]
     places = [one["place"] for one in answer.unread if "of maps units and openings are read" in one["reason"]]
     assert places == ["features[4]", "features[5]", "features[6]"]
 
