@@ -97,12 +97,19 @@ def _eastward(by: float, spot: Spot) -> Spot:
 
 
 def text_at(words: str, spot: Spot, known: DrawnNames) -> DrawnText:
-    """Returns a text as it is drawn at a point, looked up among the names of rooms."""
-    (whole, area), names = without_area(words), known.rooms
-    lines = (line.strip() for line in whole.splitlines())
-    said = " ".join(line for line in lines if line[:1].isalpha() or names.meaning(line) or known.storey(line) is not None)
-    meaning = names.meaning(said) if said and names.is_plain(said) else None
-    return DrawnText(said, *spot, meaning.key if meaning else "", area, known.storey(said))
+    """Returns a text as it is drawn at a point, looked up among the names of rooms; what is behind an area may be of the room's floor."""
+    lines = words.splitlines()
+    at = next((number for number, line in enumerate(lines) if without_area(line)[1]), len(lines))
+    ways = [_name_in("\n".join(some), known) for some in (lines[: at + 1], lines[at + 1 :], lines)]
+    said = next((one for one in ways if one and known.rooms.is_plain(one)), ways[-1])
+    meaning = known.rooms.meaning(said) if said and known.rooms.is_plain(said) else None
+    return DrawnText(said, *spot, meaning.key if meaning else "", without_area(words)[1], known.storey(said))
+
+
+def _name_in(words: str, known: DrawnNames) -> str:
+    """Returns the lines of a text that are no numbers, without an area."""
+    lines = (line.strip() for line in without_area(words)[0].splitlines())
+    return " ".join(line for line in lines if line[:1].isalpha() or known.rooms.meaning(line) or known.storey(line) is not None)
 
 
 def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unread: Sequence[Unread] = ()) -> DrawnPlan:

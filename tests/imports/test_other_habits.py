@@ -86,6 +86,11 @@ DOOR = "<line class='door' x1='100' x2='190' y1='0' y2='0'/>"
 TEXTS = {
     "lines": ("<text x='100' y='100'><tspan x='100' y='100'>Living</tspan><tspan x='100' y='120'>room</tspan></text>", "Living room"),
     "a line of numbers": ("<text x='100' y='100'>Bad<tspan x='100' dy='12'>12 m²</tspan></text>", "Bad"),
+    "what the floor is of": (
+        "<text x='9' y='9'>Master<tspan dy='12'>Bedroom</tspan><tspan dy='12'>12 m²</tspan><tspan dy='12'>Oak</tspan></text>",
+        "Master Bedroom",
+    ),
+    "an area first": ("<text x='100' y='100'>Fläche 12 m²<tspan x='100' dy='12'>Küche</tspan></text>", "Küche"),
     "numbers first": ("<text x='100' y='100'>12.5<tspan x='100' dy='12'>Kitchen</tspan></text>", "Kitchen"),
     "a word in bold": ("<text x='100' y='100'>Kit<tspan font-weight='bold'>chen</tspan></text>", "Kitchen"),
     "white space": ("<text x='100' y='100'>\n  Dining\n  room\n</text>", "Dining room"),
