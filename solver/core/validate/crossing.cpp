@@ -6,7 +6,6 @@ namespace validate {
 
 constexpr i64 TOUCHING = PER_METRE / 500;  // parts that are no deeper in each other only touch
 constexpr f64 CROSSED_METRES = 0.02;
-constexpr f64 SLIGHT = 0.0009;  // a little less than half of TOUCHING, m: so much is looked away from at every side
 
 namespace {
 
@@ -14,11 +13,6 @@ namespace {
 struct Bounds {
   f64 west, east, north, south, bottom, top;
   i32 body;
-};
-
-// Room that two bodies may share, m: its middle, half its extents, its bottom and top.
-struct Common {
-  f64 x, z, half_x, half_z, bottom, top;
 };
 
 // A part in the room: its middle, half its extents along its own axes, how it is turned, its heights.
@@ -46,26 +40,6 @@ static List<Bounds> bounds_of_all(const Room& room) {
 
 static bool is_carrier(const Body& one, const Body& of) { return of.row->under == one.row->name || of.row->on == one.row->name; }
 
-// Whether a part's box reaches into some room, as seen along the body's own axes.
-class Window {
- public:
-  Window(const BodyRow& row, const Common& common) {
-    const f64 dx = common.x - row.x, dz = common.z - row.z;
-    const f64 across = dx * row.cosine - dz * row.sine, along = dx * row.sine + dz * row.cosine;
-    const f64 cosine = absolute(row.cosine), sine = absolute(row.sine);
-    const f64 wide = common.half_x * cosine + common.half_z * sine, deep = common.half_x * sine + common.half_z * cosine;
-    left_ = (across - wide) / row.width + 0.5, right_ = (across + wide) / row.width + 0.5;
-    back_ = (along - deep) / row.depth + 0.5, front_ = (along + deep) / row.depth + 0.5;
-    low_ = (common.bottom - row.y) / row.height, high_ = (common.top - row.y) / row.height;
-  }
-  bool reaches(const UnitBox& part) const {
-    return part.y0 < high_ && low_ < part.y1 && part.x0 < right_ && left_ < part.x1 && part.z0 < front_ && back_ < part.z1;
-  }
-
- private:
-  f64 left_, right_, back_, front_, low_, high_;
-};
-
 static PlacedPart placed(const Body& body, const UnitBox& part) {
   const BodyRow& row = *body.row;
   const f64 width = static_cast<f64>(exact(row.width)), depth = static_cast<f64>(exact(row.depth));
@@ -79,12 +53,9 @@ static PlacedPart placed(const Body& body, const UnitBox& part) {
   return {x, z, half_x, half_z, 1.0, 0.0, low, high};
 }
 
-static List<PlacedPart> reaching(const Room& room, const Body& body, const Common& common) {
+static List<PlacedPart> parts_in(const Room& room, const Body& body) {
   List<PlacedPart> found;
-  const Window window(*body.row, common);
-  for (const UnitBox& part : room.parts_of(body)) {
-    if (window.reaches(part)) found.add(placed(body, part));
-  }
+  for (const UnitBox& part : room.parts_of(body)) found.add(placed(body, part));
   return found;
 }
 
@@ -111,17 +82,10 @@ static i64 depth_of(const PlacedPart& a, const PlacedPart& b) {
 }
 
 // How deep any part of one body is in any of another.
-static i64 deepest(const Room& room, const Bounds& a, const Bounds& b) {
-  const f64 west = most(a.west, b.west) + SLIGHT, north = most(a.north, b.north) + SLIGHT, bottom = most(a.bottom, b.bottom) + SLIGHT;
-  const f64 east = least(a.east, b.east) - SLIGHT, south = least(a.south, b.south) - SLIGHT, top = least(a.top, b.top) - SLIGHT;
-  if (west > east || north > south || bottom > top) return 0;
+static i64 deepest(const Room& room, const Body& a, const Body& b) {
   arena::Scope scope;
-  const Common common{(west + east) / 2, (north + south) / 2, (east - west) / 2, (south - north) / 2, bottom, top};
-  const List<PlacedPart> mine = reaching(room, room.bodies[a.body], common);
-  if (mine.size() == 0) return 0;
-  const List<PlacedPart> its = reaching(room, room.bodies[b.body], common);
-  if (its.size() == 0) return 0;
-  i64 deep = depth_of(mine[0], its[0]);
+  const List<PlacedPart> mine = parts_in(room, a), its = parts_in(room, b);
+  i64 deep = 0;
   for (const PlacedPart& one : mine) {
     for (const PlacedPart& other : its) deep = most(deep, depth_of(one, other));
   }
@@ -140,7 +104,7 @@ void find_crossing(const Room& room, Findings& found) {
       if (b.bottom >= a.top || a.bottom >= b.top || b.north >= a.south || a.north >= b.south) continue;
       const bool both_on_floor = !one.rests() && !other.rests();
       if (both_on_floor && !is_carrier(one, other) && !is_carrier(other, one)) continue;
-      const i64 deep = deepest(room, a, b);
+      const i64 deep = deepest(room, one, other);
       if (deep > TOUCHING) tell(found, Rule::shapes_cross, a.body, b.body, deep);
     }
   }
