@@ -45,23 +45,25 @@ def window_bars(along: Span, up: Span, thickness: float) -> list[Bar]:
     """Returns a window's sill board, which stands out at both faces, its frame, and its pane."""
     (start, end), (sill, head) = along, up
     frame, middle = around(0.0, min(thickness, 0.06)), (start + end) / 2
-    mullion = [Bar(around(middle, FRAME), up, frame)] if end - start > 0.9 else []
+    wide, high = frame_of(end - start), frame_of(head - sill)
+    foot = sill + min(SILL_BOARD, high)
+    mullion = [Bar(around(middle, wide), up, frame)] if end - start > 0.9 else []
     return [
-        Bar((start - _SILL_WIDER, end + _SILL_WIDER), (sill, sill + SILL_BOARD), around(0.0, thickness + 2 * _SILL_PROUD)),
-        Bar((start, start + FRAME), up, frame),
-        Bar((end - FRAME, end), up, frame),
-        Bar(along, (head - FRAME, head), frame),
+        Bar((start - _SILL_WIDER, end + _SILL_WIDER), (sill, foot), around(0.0, thickness + 2 * _SILL_PROUD)),
+        Bar((start, start + wide), up, frame),
+        Bar((end - wide, end), up, frame),
+        Bar(along, (head - high, head), frame),
         *mullion,
-        Bar(along, (sill + SILL_BOARD, head - FRAME), around(0.0, GLASS_THICKNESS), "glass"),
+        Bar(along, (foot, head - high), around(0.0, GLASS_THICKNESS), "glass"),
     ]
 
 
 def door_bars(along: Span, head: float, thickness: float) -> list[Bar]:
     """Returns a door's frame."""
-    (start, end), across = along, around(0.0, thickness + 2 * FRAME_PROUD)
+    (start, end), across = within_frame(along), around(0.0, thickness + 2 * FRAME_PROUD)
     return [
-        Bar((start, start + FRAME), (0.0, head), across),
-        Bar((end - FRAME, end), (0.0, head), across),
+        Bar((along[0], start), (0.0, head), across),
+        Bar((end, along[1]), (0.0, head), across),
         Bar(along, (head, head + FRAME), across),
     ]
 
@@ -77,7 +79,7 @@ def leaf_bars(along: Span, head: float, middle: float, hinge: str | None) -> lis
     """
     up, thick = (GROUND_GAP, head), around(middle, LEAF_THICKNESS)
     if hinge is None:
-        return [Bar((along[0] + FRAME, along[1] - FRAME), up, thick)]
+        return [Bar(within_frame(along), up, thick)]
     inwards = HANDLE_FROM_EDGE + LEVER_INWARDS
     high = around(GROUND_GAP + min(HANDLE_HEIGHT, (head - GROUND_GAP) * 0.8), LEVER[1])
     found = []
@@ -89,11 +91,22 @@ def leaf_bars(along: Span, head: float, middle: float, hinge: str | None) -> lis
 
 def leaf_spans(along: Span, hinge: str) -> list[tuple[Span, str]]:
     """Returns where the leaves of a door that turns reach between its jambs, each with the end it hangs at; the one at `hinge` first."""
-    start, end = along[0] + FRAME, along[1] - FRAME
+    start, end = within_frame(along)
     if along[1] - along[0] <= WIDEST_LEAF + 1e-9:
         return [((start, end), hinge)]
     middle = (start + end) / 2
     return sorted([((start, middle), "start"), ((middle, end), "end")], key=lambda leaf: leaf[1] != hinge)
+
+
+def frame_of(extent: float) -> float:
+    """Returns how wide the bars of a frame are, m, in an opening that is so wide or high: in a small one a quarter of that."""
+    return min(FRAME, extent / 4)
+
+
+def within_frame(along: Span) -> Span:
+    """Returns what an opening's frame leaves of it along its wall."""
+    bar = frame_of(along[1] - along[0])
+    return along[0] + bar, along[1] - bar
 
 
 def leaf_offset(thickness: float) -> float:

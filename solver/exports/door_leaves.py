@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Final, NamedTuple
 
@@ -12,7 +12,6 @@ from solver.exports.paints import Paints, shade
 from solver.exports.wall_panels import RAILING_HEIGHT, WallPlan
 from solver.scene import Room
 from solver.wall_fittings import (
-    FRAME,
     GROUND_GAP,
     HANDLE_FROM_EDGE,
     HANDLE_HEIGHT,
@@ -20,8 +19,10 @@ from solver.wall_fittings import (
     LEAF_THICKNESS,
     LEVER,
     LEVER_INWARDS,
+    frame_of,
     leaf_offset,
     leaf_spans,
+    within_frame,
 )
 
 LEAF_DENSITY: Final = 12.0
@@ -31,17 +32,17 @@ LEAF_DENSITY: Final = 12.0
 def leaves_of(plan: WallPlan, paints: Paints) -> list[DoorLeaf]:
     """Returns the leaves of a house: one or two for each door, one for each garage door, none for passages and windows."""
     rooms = {room.id: room for room in plan.rooms}
-    shut = [opening for opening in plan.openings if opening.kind in ("door", "garage_door")]
+    shut = [opening for opening in plan.openings if opening.kind in ("door", "garage_door") and opening.head > GROUND_GAP]
     return [leaf for opening in shut for leaf in _leaves(opening, plan, rooms, paints)]
 
 
 def _leaves(opening: PlacedOpening, plan: WallPlan, rooms: Mapping[str, Room], paints: Paints) -> Iterator[DoorLeaf]:
     """Yields the leaves of a door, the one at its hinge first."""
     ends = opening.start, opening.end
-    spans = leaf_spans(ends, opening.hinge) if opening.kind == "door" else [((ends[0] + FRAME, ends[1] - FRAME), "start")]
+    spans = leaf_spans(ends, opening.hinge) if opening.kind == "door" else [(within_frame(ends), "start")]
     for number, (span, hung) in enumerate(spans, 1):
         at = span[0] if hung == "start" else span[1]
-        width = (ends[1] - ends[0] - 2 * FRAME) / len(spans)
+        width = (ends[1] - ends[0] - 2 * frame_of(ends[1] - ends[0])) / len(spans)
         yield _leaf(_Hung(opening, f"{opening.id}/{number}" if number > 1 else opening.id, at, hung == "start", width), plan, rooms, paints)
 
 
@@ -122,6 +123,9 @@ _MOULDING = 0.05
 _SECTION = 0.55
 _GROOVE = 0.012
 _SLAT = 0.05
+_NARROWEST = 0.3
+_LOWEST = 1.4
+"""In what is less wide or high the rails, mouldings and handles of a leaf do not fit beside each other; nor in a gate less than 0.3 m high."""
 
 Reach = tuple[float, float]
 Painted = tuple[BodyPart, Paint]
@@ -149,7 +153,19 @@ class LeafLook:
 
 @lru_cache(maxsize=512)
 def parts_of_leaf(look: LeafLook) -> tuple[Painted, ...]:
-    """Returns a leaf's parts, closed and whole."""
+    """Returns a leaf's parts, closed and whole; a leaf too small for its rails is a larger one, made smaller."""
+    width, height = max(look.width, _NARROWEST), max(look.height, _NARROWEST if look.name == "gate" else _LOWEST)
+    across, up = look.width / width, look.height / height
+    made = _made(replace(look, width=width, height=height))
+    return made if across == up == 1.0 else tuple((_pressed(part, across, up), paint) for part, paint in made)
+
+
+def _pressed(part: BodyPart, across: float, up: float) -> BodyPart:
+    (width, height, depth), (x, y, z) = part.size, part.at
+    return part._replace(size=(width * across, height * up, depth), at=(x * across, y * up, z))
+
+
+def _made(look: LeafLook) -> tuple[Painted, ...]:
     if look.name == "sectional":
         return tuple(_sectional(look))
     if look.name == "gate":

@@ -13,7 +13,7 @@ from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.geometry import gaps_between
 from solver.scene import Level, Room
-from solver.wall_fittings import FRAME, THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, window_bars
+from solver.wall_fittings import THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, window_bars, within_frame
 
 RAILING_HEIGHT: Final = 0.6
 RAILING_BAR: Final = 0.05
@@ -171,9 +171,9 @@ def _window(opening: PlacedOpening, elevation: float) -> list[Fitting]:
 
 
 def _door_frame(opening: PlacedOpening, elevation: float) -> list[Fitting]:
-    start, end = opening.start, opening.end
-    frame = door_bars((start, end), opening.head, opening.thickness)
-    return [*(_barred(opening, bar, elevation) for bar in frame), _threshold(opening, (start + FRAME, end - FRAME), elevation)]
+    along = opening.start, opening.end
+    frame = door_bars(along, opening.head, opening.thickness)
+    return [*(_barred(opening, bar, elevation) for bar in frame), _threshold(opening, within_frame(along), elevation)]
 
 
 def _threshold(opening: PlacedOpening, along: Span, elevation: float) -> Fitting:

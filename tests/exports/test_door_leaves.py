@@ -84,6 +84,20 @@ def test_a_wide_door_has_two_leaves_that_fill_it_and_open_to_one_side(wall: str,
     assert all(farthest(leaf, placed)[0] < 1e-9 and farthest(leaf, placed)[1] < 1.0 for leaf in model.leaves)
 
 
+@pytest.mark.parametrize(("width", "height"), [(0.8, 0.7), (0.8, 1.2), (0.1, 2.0), (0.2, 0.05), (1.4, 0.3), (3.0, 0.9)])
+def test_openings_too_small_for_a_whole_frame_are_filled_by_boxes_that_lie_in_them(width: float, height: float) -> None:
+    for kind, outdoor in product(("door", "garage_door", "window"), (False, True)):
+        opening = replace(door("north", "start", "in", width), kind=kind, height=height, sill=0.0)
+        model = describe(Scene(rooms=(Room("r", 0, "patio", width=4.0, depth=4.0, openings=(opening,), outdoor=outdoor),)), load_catalogs())
+        for leaf in model.leaves:
+            for part in leaf.parts:
+                low, high = part.at[1] - part.size[1] / 2, part.at[1] + part.size[1] / 2
+                assert min(part.size) > 0 and low > -1e-9 and high < height - 0.01 + 1e-9
+                assert abs(part.at[0]) + part.size[0] / 2 < leaf.width / 2 + 1e-9
+        assert min(extent for fitting in model.fittings for extent in fitting.box.size) > 0
+        started(mjcf(model))
+
+
 def test_a_door_as_wide_as_one_leaf_goes_has_one() -> None:
     for width, count in ((1.25, 1), (1.251, 2)):
         room = Room("r", 0, "bedroom", width=4.0, depth=4.0, openings=(door("north", "start", "in", width),))

@@ -85,7 +85,11 @@ UNLISTED = """
 wall_thickness: 0.1
 levels: [{index: 1, elevation: 3.0, height: 2.5}]
 rooms:
-- {id: cellar, level: 0, x: 0.0, z: 0.0, width: 4.0, depth: 3.0}
+- {id: cellar, level: 0, x: 0.0, z: 0.0, width: 4.0, depth: 3.0, openings: [
+    {id: hatch, kind: door, wall: north, position: 1.0, width: 0.8, height: 0.7, swing: in},
+    {id: slot, kind: door, wall: south, position: 1.0, width: 0.1, height: 0.005},
+    {id: flap, kind: garage_door, wall: east, position: 1.0, width: 0.2, height: 0.3},
+    {id: slit, kind: window, wall: west, position: 2.0, width: 0.1, height: 0.06, sill: 1.0}]}
 - {id: hall, level: 1, x: 0.0, z: 0.0, width: 4.0, depth: 3.0, openings: [{id: w, kind: window, wall: north, position: 2.0}], furniture: [
     {id: s, name: sofa, x: 2.0, z: 2.5, rotation: 180, width: 1.9, depth: 0.9, height: 0.85}]}
 - {id: attic, level: 3, x: 0.0, z: 0.0, width: 4.0, depth: 3.0, furniture: [

@@ -16,7 +16,7 @@ from solver.exports.paints import PLAIN_WALL, SURFACES
 from solver.exports.plan_rooms import clear_corners, name_of, said_of_room, words_of
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import doubled_area
-from solver.wall_fittings import FRAME, GLASS_THICKNESS
+from solver.wall_fittings import GLASS_THICKNESS, frame_of
 
 DATE: Final = "1980-01-01T00:00:00"
 SLAB: Final = 0.1
@@ -252,7 +252,7 @@ class _OpeningFrame:
 
     def filled(self, leaves: Sequence[DoorLeaf], thickness: float, elevation: float) -> list[tuple[BodyPart, Paint]]:
         """Returns the frame's boards, a window's pane and closed leaves, in this frame."""
-        height, side = self.opening.head - self.opening.sill, min(FRAME, self.width / 4)
+        height, side = self.opening.head - self.opening.sill, frame_of(min(self.width, self.opening.head - self.opening.sill))
         boards = [((side, height, thickness), (x, height / 2, 0.0)) for x in (side / 2, self.width - side / 2)]
         window = self.opening.kind == "window"
         rails = (0.0, height - side) if window else (height - side,)

@@ -59,6 +59,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     """Writes `<house>.xml`: names are ids; seed, catalog, labels and warnings stand in `custom`, the start in the key `home`."""
     objects = AssetObjects(model.assets, False)
     looks, names = MujocoLooks(objects), FreeNames()
+    names.take("world")  # MuJoCo calls what all bodies hang on so
     carry = carriers(model.bodies)
     held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
     bodies = _Bodies(looks, names, carry, held, [])

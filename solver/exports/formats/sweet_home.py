@@ -17,7 +17,7 @@ from solver.exports.plan_rooms import name_of, said_of_room, words_of
 from solver.exports.solid_meshes import surface_of
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.exports.xml_text import xml_text
-from solver.wall_fittings import FRAME, GLASS_THICKNESS, THRESHOLD
+from solver.wall_fittings import GLASS_THICKNESS, THRESHOLD, frame_of
 
 VERSION: Final = 7000
 _OPENING_NAMES: Final = {"door": "Door", "garage_door": "Garage door", "passage": "Passage", "window": "Window"}
@@ -163,7 +163,7 @@ def _in_frame(box: _Piece, x: float, z: float) -> tuple[float, float]:
 
 def _frame(kind: str, box: _Piece) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...]]:
     """Returns an opening's frame, and a window's pane."""
-    side = min(FRAME, box.width / 4, box.height / 4)
+    side = frame_of(min(box.width, box.height))
     boards = [((side, box.height, box.depth), (where * (box.width - side) / 2, box.height / 2, 0.0)) for where in (-1, 1)]
     rails = (0.0, box.height - side) if kind == "window" else (box.height - side,)
     boards += [((box.width - 2 * side, side, box.depth), (0.0, low + side / 2, 0.0)) for low in rails]

@@ -1,7 +1,7 @@
 /** Where door leaves hang and how they turn; pure, so that it can be tested without a canvas. */
 import { roomsBeside } from "./entrance";
 import type { PlacedOpening } from "./openings";
-import { FRAME, RAILING_HEIGHT, THRESHOLD, type WallPlan } from "./walls";
+import { frameOf, RAILING_HEIGHT, THRESHOLD, withinFrame, type WallPlan } from "./walls";
 
 /** How a leaf is made: between rooms, at the street, to a terrace, of a garage, in a railing. */
 export type LeafLook = "inner" | "entrance" | "glazed" | "sectional" | "gate";
@@ -62,7 +62,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan, number: number, count: n
   const swings = opening.kind === "door";
   const fromStart = hungAt(opening)[number] === "start";
   const along = fromStart ? 1 : -1;
-  const at = fromStart ? from + FRAME : to - FRAME;
+  const at = fromStart ? withinFrame(opening).from : withinFrame(opening).to;
   const offset = swings ? opensTowards * Math.max(0, opening.thickness / 2 - LEAF_THICKNESS / 2) : 0;
   const closed = axis === "x" ? angleTowards(along, 0) : angleTowards(0, along);
   const open = axis === "x" ? angleTowards(0, opensTowards) : angleTowards(opensTowards, 0);
@@ -74,7 +74,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan, number: number, count: n
     motion: swings ? "swing" : "roll",
     look: lookOf(opening, plan),
     hinge: { x, y: elevation + GROUND_GAP, z },
-    width: (to - from - 2 * FRAME) / count,
+    width: (to - from - 2 * frameOf(to - from)) / count,
     height: (hasRailing(opening, plan) ? Math.min(opening.head, RAILING_HEIGHT) : opening.head) - GROUND_GAP,
     closedAngle: closed,
     turn: quarterTurn(closed, open),
@@ -85,7 +85,7 @@ function leafOf(opening: PlacedOpening, plan: WallPlan, number: number, count: n
 /** The leaves of a house: one or two for each door, one for each garage door, none for passages and windows. */
 export function leavesOf(plan: WallPlan): Leaf[] {
   return plan.openings
-    .filter((opening) => opening.kind === "door" || opening.kind === "garage_door")
+    .filter(({ kind, head }) => (kind === "door" || kind === "garage_door") && head > GROUND_GAP)
     .flatMap((opening) => hungAt(opening).map((_, number, all) => leafOf(opening, plan, number, all.length)));
 }
 

@@ -33,6 +33,9 @@ const MOULDING = 0.05;
 const SECTION = 0.55;
 const GROOVE = 0.012;
 const SLAT = 0.05;
+/** In what is less wide or high the rails, mouldings and handles of a leaf do not fit beside each other; nor in a gate less than 0.3 m high. */
+const NARROWEST = 0.3;
+const LOWEST = 1.4;
 
 type Reach = readonly [number, number];
 
@@ -110,8 +113,17 @@ function gate({ width, height }: Leaf): Part[] {
   ];
 }
 
-/** A leaf's parts, closed and whole. */
+/** A leaf's parts, closed and whole; a leaf too small for its rails is a larger one, made smaller. */
 export function partsOfLeaf(leaf: Leaf, paints: DoorPaints = PLAIN_PAINTS): Part[] {
+  const width = Math.max(leaf.width, NARROWEST);
+  const height = Math.max(leaf.height, leaf.look === "gate" ? NARROWEST : LOWEST);
+  const [across, up] = [leaf.width / width, leaf.height / height];
+  const made = madeParts({ ...leaf, width, height }, paints);
+  if (across === 1 && up === 1) return made;
+  return made.map((one) => ({ ...one, size: [one.size[0] * across, one.size[1] * up, one.size[2]], at: [one.at[0] * across, one.at[1] * up, one.at[2]] }));
+}
+
+function madeParts(leaf: Leaf, paints: DoorPaints): Part[] {
   if (leaf.look === "sectional") return sectional(leaf, paints.metal);
   if (leaf.look === "gate") return gate(leaf);
   if (leaf.look === "glazed") return glazed(leaf, paints.metal);

@@ -35,7 +35,7 @@ export const RAILING_HEIGHT = 0.6;
 const RAILING_BAR = 0.05;
 const POST_SPACING = 1.2;
 /** How wide a frame's bars are [m]: a leaf that stands open, with its handle, is then no wider than its opening. */
-export const FRAME = 0.06;
+const FRAME = 0.06;
 const FRAME_PROUD = 0.01;
 /** How high the board is that lies under a leaf, where two floors meet [m]. */
 export const THRESHOLD = 0.008;
@@ -94,14 +94,26 @@ function windowParts(opening: PlacedOpening, elevation: number): WallPart[] {
   });
   const board = around(line, thickness + 0.06);
   const middle = (from + to) / 2;
+  const [wide, high] = [frameOf(to - from), frameOf(head - sill)];
+  const foot = sill + Math.min(SILL_BOARD, high);
   return [
-    bar({ from: from - 0.02, to: to + 0.02 }, { from: sill, to: sill + SILL_BOARD }, board),
-    bar({ from, to: from + FRAME }, { from: sill, to: head }),
-    bar({ from: to - FRAME, to }, { from: sill, to: head }),
-    bar({ from, to }, { from: head - FRAME, to: head }),
-    ...(to - from > 0.9 ? [bar(around(middle, FRAME), { from: sill, to: head })] : []),
-    bar({ from, to }, { from: sill + SILL_BOARD, to: head - FRAME }, around(line, GLASS_THICKNESS), "glass"),
+    bar({ from: from - 0.02, to: to + 0.02 }, { from: sill, to: foot }, board),
+    bar({ from, to: from + wide }, { from: sill, to: head }),
+    bar({ from: to - wide, to }, { from: sill, to: head }),
+    bar({ from, to }, { from: head - high, to: head }),
+    ...(to - from > 0.9 ? [bar(around(middle, wide), { from: sill, to: head })] : []),
+    bar({ from, to }, { from: foot, to: head - high }, around(line, GLASS_THICKNESS), "glass"),
   ];
+}
+
+/** How wide the bars of a frame are in an opening that is so wide or high [m]: in a small one a quarter of that. */
+export function frameOf(extent: number): number {
+  return Math.min(FRAME, extent / 4);
+}
+
+/** What an opening's frame leaves of it along its wall [m]. */
+export function withinFrame({ from, to }: Span): Span {
+  return { from: from + frameOf(to - from), to: to - frameOf(to - from) };
 }
 
 /** The board in an opening, where two floors meet. */
@@ -113,11 +125,12 @@ function doorFrame(opening: PlacedOpening, elevation: number): WallPart[] {
   const { axis, line, thickness, from, to, head } = opening;
   const across = around(line, thickness + 2 * FRAME_PROUD);
   const bar = (along: Span, up: Span): WallPart => ({ surface: "frame", box: boxOnLine(axis, along, across, shifted(up, elevation)) });
+  const within = withinFrame(opening);
   return [
-    bar({ from, to: from + FRAME }, { from: 0, to: head }),
-    bar({ from: to - FRAME, to }, { from: 0, to: head }),
+    bar({ from, to: within.from }, { from: 0, to: head }),
+    bar({ from: within.to, to }, { from: 0, to: head }),
     bar({ from, to }, { from: head, to: head + FRAME }),
-    threshold(opening, { from: from + FRAME, to: to - FRAME }, elevation),
+    threshold(opening, within, elevation),
   ];
 }
 

@@ -2,7 +2,7 @@
 import type { RoomFloor, Scene } from "../contract";
 import type { PlacedOpening } from "../house/openings";
 import type { Run } from "../house/wall_runs";
-import { FRAME, type WallPlan } from "../house/walls";
+import { withinFrame, type WallPlan } from "../house/walls";
 import { OUTSIDE } from "./walk";
 
 /** West, north, east, south edge [m]. */
@@ -34,9 +34,10 @@ function cut(part: Rectangle, [west, north, east, south]: Rectangle): Rectangle[
 }
 
 /** The floor of an opening, through its wall and a little beyond both faces. */
-function doorway({ axis, line, thickness, from, to }: PlacedOpening): Rectangle {
+function doorway(opening: PlacedOpening): Rectangle {
+  const { axis, line, thickness } = opening;
   const reach = thickness / 2 + OVERLAP;
-  const [start, end] = [from + FRAME, to - FRAME];
+  const { from: start, to: end } = withinFrame(opening);
   return axis === "x" ? [start, line - reach, end, line + reach] : [line - reach, start, line + reach, end];
 }
 
