@@ -125,7 +125,7 @@ _GROOVE = 0.012
 _SLAT = 0.05
 _NARROWEST = 0.3
 _LOWEST = 1.4
-"""In what is less wide or high the rails, mouldings and handles of a leaf do not fit beside each other; nor in a gate less than 0.3 m high."""
+"""In what is less wide or high rails, mouldings and handles do not fit beside each other; nor in a gate less than 0.3 m high."""
 
 Reach = tuple[float, float]
 Painted = tuple[BodyPart, Paint]

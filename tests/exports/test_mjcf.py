@@ -184,4 +184,5 @@ def test_a_piece_may_be_called_as_mujoco_calls_what_all_hang_on() -> None:
     piece = Furniture("world", "dining_table", x=2.0, z=2.0, width=1.6, depth=0.9, height=0.75)
     model = describe(Scene(rooms=(Room("r", 0, "office", width=4.0, depth=4.0, furniture=(piece,)),)), load_catalogs())
     world, state = started(mjcf(model))
-    assert list(state.body("world_2").xpos) == [2.0, -2.0, 0.0] and world.body("world_2").subtreemass[0] == pytest.approx(model.bodies[0].mass)
+    assert list(state.body("world_2").xpos) == [2.0, -2.0, 0.0]
+    assert world.body("world_2").subtreemass[0] == pytest.approx(model.bodies[0].mass)
