@@ -6,14 +6,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Final, Literal, NamedTuple
 
+from solver.body_parts import BodyPart
 from solver.demanded import demand
-from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, WallBox, WallPanel
+from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, Point, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
 from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
 from solver.exports.wall_lines import RoomFinder, WallRun
 from solver.geometry import gaps_between
 from solver.scene import Level, Room
-from solver.wall_fittings import THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, window_bars, within_frame
+from solver.wall_fittings import GLASS_THICKNESS, THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, frame_of, window_bars, within_frame
 
 RAILING_HEIGHT: Final = 0.6
 RAILING_BAR: Final = 0.05
@@ -185,6 +186,23 @@ def _threshold(opening: PlacedOpening, along: Span, elevation: float) -> Fitting
 def _barred(opening: PlacedOpening, bar: Bar, elevation: float) -> Fitting:
     across = opening.line + bar.across[0], opening.line + bar.across[1]
     return fitting(bar.surface, box_on_line(opening.axis, bar.along, across, shifted(bar.up, elevation)))
+
+
+def frame_parts(kind: str, size: Point) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...]]:
+    """Returns an opening's frame, and a window's pane, in the middle of its foot; `size` is its width and height, and its wall's thickness.
+
+    For programmes that know a door or window as one thing, no wider than its hole.
+    """
+    width, height, depth = size
+    side = frame_of(min(width, height))
+    boards = [((side, height, depth), (where * (width - side) / 2, height / 2, 0.0)) for where in (-1, 1)]
+    rails = (0.0, height - side) if kind == "window" else (height - side,)
+    boards += [((width - 2 * side, side, depth), (0.0, low + side / 2, 0.0)) for low in rails]
+    paints = [SURFACES["frame"]] * len(boards)
+    if kind == "window":
+        boards.append(((width - 2 * side, height - 2 * side, min(GLASS_THICKNESS, depth / 2)), (0.0, height / 2, 0.0)))
+        paints.append(SURFACES["glass"])
+    return tuple(BodyPart("box", size, at, "y", 1.0, "body") for size, at in boards), tuple(paints)
 
 
 def _railing(stretch: _Stretch) -> Iterator[Fitting]:

@@ -14,9 +14,9 @@ from solver.exports.ifc_pieces import Entity, IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
 from solver.exports.plan_rooms import clear_corners, name_of, said_of_room, words_of
+from solver.exports.wall_panels import frame_parts
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import doubled_area
-from solver.wall_fittings import GLASS_THICKNESS, frame_of
 
 DATE: Final = "1980-01-01T00:00:00"
 SLAB: Final = 0.1
@@ -252,17 +252,8 @@ class _OpeningFrame:
 
     def filled(self, leaves: Sequence[DoorLeaf], thickness: float, elevation: float) -> list[tuple[BodyPart, Paint]]:
         """Returns the frame's boards, a window's pane and closed leaves, in this frame."""
-        height, side = self.opening.head - self.opening.sill, frame_of(min(self.width, self.opening.head - self.opening.sill))
-        boards = [((side, height, thickness), (x, height / 2, 0.0)) for x in (side / 2, self.width - side / 2)]
-        window = self.opening.kind == "window"
-        rails = (0.0, height - side) if window else (height - side,)
-        boards += [((self.width - 2 * side, side, thickness), (self.width / 2, low + side / 2, 0.0)) for low in rails]
-        found = [(BodyPart("box", size, at, "y", 1.0, "body"), SURFACES["frame"]) for size, at in boards]
-        if window:
-            pane = BodyPart(
-                "box", (self.width - 2 * side, height - 2 * side, GLASS_THICKNESS), (self.width / 2, height / 2, 0.0), "y", 1.0, "body"
-            )
-            found.append((pane, SURFACES["glass"]))
+        parts, paints = frame_parts(self.opening.kind, (self.width, self.opening.head - self.opening.sill, thickness))
+        found = [(one._replace(at=(one.at[0] + self.width / 2, *one.at[1:])), paint) for one, paint in zip(parts, paints, strict=True)]
         for leaf in leaves:
             foot = leaf.hinge[1] - elevation - self.opening.sill
             x, y = self.local(leaf.hinge[0], leaf.hinge[2])

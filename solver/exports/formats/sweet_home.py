@@ -15,9 +15,10 @@ from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint
 from solver.exports.paints import SURFACES, by_paint, channels
 from solver.exports.plan_rooms import name_of, said_of_room, words_of
 from solver.exports.solid_meshes import surface_of
+from solver.exports.wall_panels import frame_parts
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.exports.xml_text import xml_text
-from solver.wall_fittings import GLASS_THICKNESS, THRESHOLD, frame_of
+from solver.wall_fittings import THRESHOLD
 
 VERSION: Final = 7000
 _OPENING_NAMES: Final = {"door": "Door", "garage_door": "Garage door", "passage": "Passage", "window": "Window"}
@@ -139,7 +140,7 @@ def _opening(opening: PlacedOpening, leaves: Sequence[DoorLeaf], shelf: _Models,
     (x, z), turn = opening.middle, 0.0 if opening.axis == "x" else 90.0
     width, height, thickness = opening.end - opening.start, opening.head - opening.sill, opening.thickness
     box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, "")
-    parts, paints = _frame(opening.kind, box)
+    parts, paints = frame_parts(opening.kind, (width, height, thickness))
     sash = ""
     for leaf in leaves:
         hinge = _in_frame(box, leaf.hinge[0], leaf.hinge[2])
@@ -159,20 +160,6 @@ def _in_frame(box: _Piece, x: float, z: float) -> tuple[float, float]:
     turn = math.radians(box.turn)
     dx, dz = x - box.x, z - box.z
     return dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
-
-
-def _frame(kind: str, box: _Piece) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...]]:
-    """Returns an opening's frame, and a window's pane."""
-    side = frame_of(min(box.width, box.height))
-    boards = [((side, box.height, box.depth), (where * (box.width - side) / 2, box.height / 2, 0.0)) for where in (-1, 1)]
-    rails = (0.0, box.height - side) if kind == "window" else (box.height - side,)
-    boards += [((box.width - 2 * side, side, box.depth), (0.0, low + side / 2, 0.0)) for low in rails]
-    paints = [SURFACES["frame"]] * len(boards)
-    if kind == "window":
-        thick = min(GLASS_THICKNESS, box.depth / 2)
-        boards.append(((box.width - 2 * side, box.height - 2 * side, thick), (0.0, box.height / 2, 0.0)))
-        paints.append(SURFACES["glass"])
-    return tuple(BodyPart("box", size, at, "y", 1.0, "body") for size, at in boards), tuple(paints)
 
 
 def _closed(leaf: DoorLeaf, box: _Piece, hinge: tuple[float, float], mirrored: bool) -> tuple[BodyPart, ...]:
