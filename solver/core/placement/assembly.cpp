@@ -1,6 +1,5 @@
 #include "placement/assembly.hpp"
 
-#include "placement/barriers.hpp"
 #include "placement/narrow.hpp"
 #include "placement/parts.hpp"
 
@@ -164,7 +163,6 @@ bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
       work.taken_candidate[piece] = candidate;
       work.taken_side[piece] = side;
       add_piece(room, work, piece, candidate, side);
-      add_barriers(room, work, known.parts);
       reach_bounds(work, sizes);
       for (i64 k = known.rows; k < work.counts->rows; k++) tighten(work.least, work.most, work.rows[k]);
       add_choices(room, work, known.parts);

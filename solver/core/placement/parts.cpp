@@ -1,12 +1,13 @@
 #include "placement/parts.hpp"
 
-#include "placement/barriers.hpp"
 #include "placement/frames.hpp"
 
 namespace placement {
 
 // Pull of a person's square to the middle of its side, m^-2: least weight that keeps the Hessian positive definite.
 constexpr f64 STAND_WEIGHT = 0.02;
+
+static void add_row(const Work& work, const DifferenceRow& row) { work.rows[work.counts->rows++] = row; }
 
 static void add_pull(const Work& work, const PullRow& between, const PullCost& cost) {
   const i64 k = work.counts->pulls++;

@@ -78,7 +78,7 @@ Sizes sizes_of(const Room& room) {
   found.pieces = most<i64>(count, 1);
   found.variables = most<i64>(parts, 1);
   found.choices = parts * (parts - 1) / 2 + parts * walls + 1;
-  found.rows = 4 * count + 2 * stands + (stands + 2) * (stands + doors + 2) + 4;
+  found.rows = 4 * count + 2 * stands + 4;
   found.pulls = 2 * count + stands + 2 * room.links.size + 1;
   found.walls = walls;
   found.doors = doors;
