@@ -10,7 +10,7 @@ namespace validate {
 constexpr f64 COSINE = 0.99996192306417131, SINE = 0.0087265354983739347;  // of a step of half a degree
 constexpr i32 DIRECTIONS = 16;                                              // across a round solid, within half a turn
 constexpr f64 ACROSS_COSINE = 0.98078528040323043, ACROSS_SINE = 0.19509032201612825;  // from one of them to the next
-constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025;
+constexpr f64 STEP_DEGREES = 0.5, STEP_METRES = 0.0025, QUARTER_TURN = 90;
 constexpr i64 STEPS = 2000;               // a front makes at most
 constexpr f64 STEP_SHARE = 0.00873;       // of its distance from the hinge: no point moves farther in a step
 constexpr f64 SURELY_METRES = 0.00001;    // bounds farther apart than this are so whatever was rounded
@@ -165,10 +165,27 @@ static SolidBox moved_box(const Front& front, const Point3& hinge, f64 cosine, f
   return now;
 }
 
+// How far something that turns comes along an axis from its hinge.
+struct Reach {
+  f64 low = 0, high = 0;
+
+  // A corner, where it is now and where it is after a quarter turn: on its way both are taken with factors from 0 to 1.
+  void add(f64 now, f64 then) {
+    low = least(low, least(now, 0.0) + least(then, 0.0));
+    high = most(high, most(now, 0.0) + most(then, 0.0));
+  }
+  void widen(f64& from, f64& to, f64 hinge, f64 far, bool within_quarter) const {
+    from = least(from, hinge - (within_quarter ? least(far, SURELY_METRES - low) : far));
+    to = most(to, hinge + (within_quarter ? least(far, SURELY_METRES + high) : far));
+  }
+};
+
 // All that a front comes to at most.
 static Span3 swept(const Front& front, const Point3& hinge, const List<SolidBox>& parts, f64 length) {
   const bool upright = front.axis == 1;
+  const f64 sign = upright == (front.end < 0) ? -1 : 1;
   f64 far = 0;
+  Reach across, before;
   Span3 all = span_of(parts[0]);
   for (const SolidBox& part : parts) {
     const Span3 one = span_of(part);
@@ -178,6 +195,7 @@ static Span3 swept(const Front& front, const Point3& hinge, const List<SolidBox>
       const f64 a = upright ? (corner & 1 ? one.high.x : one.low.x) - hinge.x : (corner & 1 ? one.high.y : one.low.y) - hinge.y;
       const f64 z = (corner & 2 ? one.high.z : one.low.z) - hinge.z;
       far = most(far, a * a + z * z);
+      across.add(a, z * sign), before.add(z, -a * sign);
     }
   }
   if (front.slides) {
@@ -185,10 +203,10 @@ static Span3 swept(const Front& front, const Point3& hinge, const List<SolidBox>
     return all;
   }
   far = __builtin_sqrt(far) + SURELY_METRES;
-  const Point3 reach{upright ? far : 0, front.axis == 0 ? far : 0, far};
-  const Point3 low = minus(hinge, reach);
-  all.low = {upright ? low.x : all.low.x, front.axis == 0 ? low.y : all.low.y, low.z};
-  all.high = {upright ? hinge.x + far : all.high.x, front.axis == 0 ? hinge.y + far : all.high.y, hinge.z + far};
+  const bool within_quarter = length <= QUARTER_TURN;
+  before.widen(all.low.z, all.high.z, hinge.z, far, within_quarter);
+  if (upright) across.widen(all.low.x, all.high.x, hinge.x, far, within_quarter);
+  if (front.axis == 0) across.widen(all.low.y, all.high.y, hinge.y, far, within_quarter);
   return all;
 }
 
