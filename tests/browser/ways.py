@@ -251,15 +251,15 @@ class Touch(Way):
         (x, y), (to_x, to_y) = start, end
         self.fingers("touchStart", [start])
         if not held:
-            self.page.wait_for_timeout(LONG_PRESS_MS)
+            self.page.evaluate(LONG_PRESSED)
         for step in range(1, STEPS + 1):
             self.fingers("touchMove", [(x + (to_x - x) * step / STEPS, y + (to_y - y) * step / STEPS)])
         self.lift(end)
         self.visit.settle()
 
 
-LONG_PRESS_MS = 700
-"""Longer than the page takes for a finger to have stayed on something."""
+LONG_PRESSED = "new Promise(done => setTimeout(done, 500))"
+"""Waits until the page takes a finger to have stayed on something, by its own timers: they come in order, however busy it is."""
 REST_MS = 150
 """A finger that has rested so long is not flung: after a fling the browser takes the next tap for its end, and no click comes of it."""
 WAYS: tuple[type[Way], ...] = (Pointer, Keyboard, Touch)
