@@ -40,6 +40,7 @@ describe("a dragged piece", () => {
     expect(at(1.97, 3.9).x).toBe(2); // its east edge on the other's west edge
     expect(at(1.2, 4.12)).toEqual({ x: 1.2, z: 4.1, guides: [] });
     expect(at(4.813, 4.12).x).toBe(4.8);
+    expect([at(0.61, 4.11).x, at(0.611, 4.11).x]).toEqual([0.55, 0.6]); // lined up from 6 cm away, no farther
   });
 
   it("keeps its back clear of its wall as its kind stands", () => {
