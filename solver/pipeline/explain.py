@@ -17,6 +17,7 @@ from solver.geometry import Rect, to_m, to_mm
 from solver.pieces import Arrangement, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import generator, wanted_in
 from solver.placement import SolvedRoom, arrange, finish, is_call_spent
+from solver.placement.empty_floor import FLOOR
 from solver.placement.problem import ORIGIN, Choice, Force, ProblemBox
 from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
@@ -207,6 +208,8 @@ def _chosen_holder(again: AsFurnished, choice: Choice, mine: Collection[tuple[st
     floor = next((piece for piece in again.wanted if piece.label == other), None)
     if floor is not None:
         return _floor_holder(floor, again.ids), own
+    if other == FLOOR:
+        return _A_WAY, own
     what = "door" if any(doorway.id == other for doorway in space.doorways) else "window"
     return _Holder(what, other, f"the floor before {other}"), own
 

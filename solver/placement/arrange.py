@@ -13,6 +13,7 @@ from solver.pieces import Candidate, Doorway, Piece, Space
 from solver.placement import kernel
 from solver.placement.budget import Budget, is_call_spent
 from solver.placement.core import Core, Limits, rounded
+from solver.placement.empty_floor import FLOOR, PULL
 from solver.placement.encode import Encoded, encode, lay_out
 from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
 from solver.placement.neighbourhood import freed_search
@@ -178,9 +179,12 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
 
 
 def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate], whole: kernel.ArrangedRoom) -> Encoded:
-    """Returns a room as the core arranged it in the end: without what was left out."""
-    stand, left = tuple(pieces[k] for k in whole.pieces), tuple(ways[k] for k in whole.candidates)
-    return Encoded(space, stand, left, (), "stands" if whole.walk else "none", whole.engine)
+    """Returns a room as the core arranged it in the end: without what was left out, with floor to be kept empty where that helped."""
+    shapes = whole.engine.room.candidates[: whole.candidates.count(-1)].tolist()
+    floor = tuple(Candidate(FLOOR, (row[1], row[2], row[3]), 0, None, (row[6], row[7]), PULL) for row in shapes)
+    stand = tuple(pieces[k] if k >= 0 else Piece(FLOOR, True, floor, is_floor=True) for k in whole.pieces)
+    left = [ways[k] for k in whole.candidates if k >= 0]
+    return Encoded(space, stand, (*floor, *left), (), "stands" if whole.walk else "none", whole.engine)
 
 
 def walkable_when_empty(space: Space) -> bool:

@@ -30,8 +30,8 @@ EXPORT(new_desk) Desk* entry_new_desk(RoomRequest* request) {
 EXPORT(assemble) i32 entry_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
 
 // A whole room arranged: its desk, whether that was walked in, is complete, proven and best, QPs, the width of wider ways between doors or
-// 0, the work that was spent, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request, and
-// of every required piece left out its number and whether it certainly could not stand.
+// 0, the work that was spent, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1:
+// floor that was added), and of every required piece left out its number and whether it certainly could not stand.
 struct WholeAnswer {
   i64 desk, walk, complete, proven, best, solves, ways;
   f64 spent;

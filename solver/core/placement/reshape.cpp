@@ -4,6 +4,12 @@
 
 namespace placement {
 
+// In each of the first five a person of 0.6 m has the 0.25 m2 of free centres that a room must have; the others leave room for floor that
+// goes round a corner, whose area the walk measures.
+constexpr i64 FLOOR_SHAPES[][2] = {{1110, 1110}, {900, 1450}, {1450, 900}, {760, 2200}, {2200, 760}, {900, 900}, {750, 1200}, {1200, 750}};
+constexpr f64 FLOOR_WEIGHT = 0.02;
+constexpr i64 FLOOR_KIND = 1 << 30;  // no kind of a room's pieces
+
 namespace {
 
 struct Tables : PieceTables {
@@ -25,28 +31,27 @@ static Span<i64> counted(i64 size) {
 
 NumberedRoom numbered(const Room& room) { return {room, counted(room.pieces.size), counted(room.candidates.size)}; }
 
-// A piece's number once another one is left out.
-static i64 shifted(i64 piece, i64 out) { return piece < out ? piece : piece - 1; }
+static i64 shifted(i64 piece, i64 first, i64 by) { return piece < first ? piece : piece + by; }
 
-// Copies a piece's candidates but those that need the piece left out.
-static void copy_candidates(Tables& into, const NumberedRoom& from, const PieceRow& row, i64 out) {
+// Copies a piece's candidates but those that need a piece left out (-1: none); pieces from `first` on are renumbered.
+static void copy_candidates(Tables& into, const NumberedRoom& from, const PieceRow& row, i64 out, i64 first, i64 by) {
   for (i64 k = row.candidates[0]; k < row.candidates[1]; k++) {
     CandidateRow own = from.room.candidates[k];
-    if (own.parent == out) continue;
-    own.parent = shifted(own.parent, out);
-    own.under = own.under == out ? -1 : shifted(own.under, out);
-    own.on = own.on == out ? -1 : shifted(own.on, out);
+    if (out >= 0 && own.parent == out) continue;
+    own.parent = shifted(own.parent, first, by);
+    own.under = own.under == out && out >= 0 ? -1 : shifted(own.under, first, by);
+    own.on = own.on == out && out >= 0 ? -1 : shifted(own.on, first, by);
     into.candidates.add(own);
     into.candidate_costs.add(from.room.candidate_costs[k]);
     into.candidate_numbers.add(from.candidates[k]);
   }
 }
 
-static void copy_links(Tables& into, const NumberedRoom& from, const PieceRow& row, i64 out) {
+static void copy_links(Tables& into, const NumberedRoom& from, const PieceRow& row, i64 out, i64 first, i64 by) {
   for (i64 k = row.links[0]; k < row.links[1]; k++) {
     LinkRow own = from.room.links[k];
     if (own.of == out) continue;
-    own.of = shifted(own.of, out);
+    own.of = shifted(own.of, first, by);
     into.links.add(own);
     into.link_costs.add(from.room.link_costs[k]);
   }
@@ -59,22 +64,27 @@ static void copy_sides(Tables& into, const NumberedRoom& from, const PieceRow& r
   }
 }
 
-NumberedRoom without_piece(const NumberedRoom& from, i64 out) {
-  Tables tables;
+// Copies all pieces but one (-1: none) as they are; their numbers move by `by` from number `first` on.
+static void copy_pieces(Tables& into, const NumberedRoom& from, i64 out, i64 first, i64 by) {
   for (i64 piece = 0; piece < from.room.pieces.size; piece++) {
     if (piece == out) continue;
     const PieceRow& row = from.room.pieces[piece];
     PieceRow own = row;
-    tables.mark(own, 0);
-    copy_candidates(tables, from, row, out);
-    copy_links(tables, from, row, out);
-    copy_sides(tables, from, row);
-    tables.mark(own, 1);
-    own.group_end = shifted(row.group_end - 1, out) + 1;
-    tables.pieces.add(own);
-    tables.skip_costs.add(from.room.skip_costs[piece]);
-    tables.piece_numbers.add(from.pieces[piece]);
+    into.mark(own, 0);
+    copy_candidates(into, from, row, out, first, by);
+    copy_links(into, from, row, out, first, by);
+    copy_sides(into, from, row);
+    into.mark(own, 1);
+    own.group_end = row.group_end - 1 < first ? row.group_end : row.group_end + by;
+    into.pieces.add(own);
+    into.skip_costs.add(from.room.skip_costs[piece]);
+    into.piece_numbers.add(from.pieces[piece]);
   }
+}
+
+NumberedRoom without_piece(const NumberedRoom& from, i64 piece) {
+  Tables tables;
+  copy_pieces(tables, from, piece, piece, -1);
   return tables.all(from.room);
 }
 
@@ -95,6 +105,36 @@ NumberedRoom without_walking(const NumberedRoom& from) {
     found.room.sides[piece] = {0, 0, 0};
   }
   return found;
+}
+
+NumberedRoom with_empty_floor(const NumberedRoom& from, i64 wider) {
+  const SpaceRow& space = *from.room.space.data;
+  Tables tables;
+  for (const i64* shape : FLOOR_SHAPES) {
+    CandidateRow own = {};
+    own.kind = FLOOR_KIND;
+    own.width = shape[0] + wider;
+    own.depth = shape[1] + wider;
+    own.height = PERSON_MM;
+    own.wall = NO_WALL;
+    own.parent = own.parent_kind = own.slot = own.under = own.on = own.slack = -1;
+    own.kin = tables.candidates.size();
+    for (i64 axis = 0; axis < 2; axis++) {
+      own.anchor[axis] = floor_div(space.low[axis] + space.high[axis], 2);
+      own.low[axis] = space.low[axis];
+      own.high[axis] = space.high[axis];
+    }
+    tables.candidates.add(own);
+    tables.candidate_costs.add({{FLOOR_WEIGHT, FLOOR_WEIGHT}, 0.0});
+    tables.candidate_numbers.add(-1);
+  }
+  tables.sides.add({0, 0, 0});
+  tables.side_costs.add(0.0);
+  tables.pieces.add({1, {0, tables.candidates.size()}, {0, 0}, {0, 1}, 1, EMPTY_FLOOR});
+  tables.skip_costs.add(0.0);
+  tables.piece_numbers.add(-1);
+  copy_pieces(tables, from, -1, 0, 1);
+  return tables.all(from.room);
 }
 
 }  // namespace placement

@@ -6,6 +6,7 @@
 
 namespace placement {
 
+constexpr i64 USUAL_ROBOT_MM = 600;
 constexpr i64 FEW_QPS = 10;  // of an empty room
 constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be there
 
@@ -94,9 +95,24 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     arrange(found.desk, limits, budget, found.walk, report, is_first && found.walk ? memo : nullptr);
     found.solves += report.solves;
     if (report.complete) break;
+    const RoomReport without = report;
     const i64 out = take_deepest(found.desk->engine.tree, prefix);
     arena::release(mark);
+    if (!report.closed && found.walk && budget > 0) {
+      found.asked = with_empty_floor(asked, room.space->robot - USUAL_ROBOT_MM);
+      found.desk = desk_for(found.asked);
+      arrange(found.desk, limits, budget, true, report);
+      if (report.complete) {
+        found.solves += report.solves - without.solves;
+        found.with_floor = true;
+        report.closed = report.proven = 0;
+        break;
+      }
+      arena::release(mark);
+    }
+    report = without;
     if (budget <= 0) {
+      found.asked = asked;
       found.desk = desk_for(asked);
       for (i64 k = 0; k < found.desk->decisions.size; k++) found.desk->decisions[k] = prefix[k];
       break;
@@ -184,6 +200,7 @@ bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRo
     while (asked.pieces[at] != out.piece) at++;
     asked = without_required(asked, at);
   }
+  if (before.with_floor) asked = with_empty_floor(asked, before.asked.room.space->robot - USUAL_ROBOT_MM);
   found = before;
   found.asked = asked;
   found.desk = desk_for(asked);

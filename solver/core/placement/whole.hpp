@@ -1,5 +1,5 @@
-// A whole room with all its pieces: arranged, where the required ones cannot all stand with one after the other left out. And with ways
-// between its doors as wide as its furniture allows.
+// A whole room with all its pieces: arranged, where walking alone stands against the required ones with floor kept empty, and where they
+// cannot all stand with one required piece after the other left out. And with ways between its doors as wide as its furniture allows.
 #pragma once
 
 #include "placement/reshape.hpp"
@@ -19,6 +19,7 @@ struct WholeRoom {
   NumberedRoom asked;  // what is on the desk
   List<LeftOut> left_out;
   bool walk;  // whether only walkable placements were looked for: where not even the empty room is walkable, nobody asks
+  bool with_floor;
   bool complete;  // all required pieces but those left out stand
   bool proven;  // it is the optimum, and none left out could stand beside those before it
   bool best;  // no other candidates of the required pieces are cheaper
