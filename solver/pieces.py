@@ -242,6 +242,7 @@ class Piece:
         skip_cost: what leaving it out costs (optional pieces).
         with_next: an optional piece that stands only together with the next one.
         is_floor: it stands for floor to be kept empty: no body, but bodies keep out of it.
+        is_there: it stands already, and need not keep apart from zones and from others that do.
         only: name and size of its kind where it is of one, for reasons: it may have no candidate.
     """
 
@@ -254,6 +255,7 @@ class Piece:
     skip_cost: float = 10.0
     with_next: bool = False
     is_floor: bool = False
+    is_there: bool = False
     only: NamedKind | None = None
 
     @property

@@ -21,7 +21,6 @@ from solver.pieces import Arrangement, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
 from solver.pipeline.room_spaces import entrances_of
 from solver.pipeline.staying import obstacles
-from solver.placement import with_joined_doors
 from solver.relations.held import FinishedRoom, Standing, at_wall, held, standing, traits
 from solver.relations.subject import Kind
 from solver.requested import (
@@ -131,8 +130,7 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     tucked = [by_label[one] for label, spec in relations if tucks(spec) for name in (label, *spec.of) for one in names.get(name, (name,))]
     frame = frame_of(room, kinds.values(), tucked, (spec for _, spec in relations))
     inside = frame.room(room)
-    space, there = obstacles(inside, setting.space_in(inside), catalogs)
-    space = with_joined_doors(space, {name for _, name in entrances_of((inside,))})
+    space, there = obstacles(inside, setting.space_in(inside), catalogs, {name for _, name in entrances_of((inside,))})
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
     listing = Listing(inside, space, in_order(wanted, goes_to), kinds, habits, there)

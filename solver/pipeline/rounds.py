@@ -124,7 +124,9 @@ def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: Lis
 
 
 def _freedom(space: Space, piece: Piece) -> float:
-    """Returns how much floor a piece's best candidates leave it to slide on, in its own footprints, of 1 mm2 at least."""
+    """Returns how much floor a piece's best candidates leave it to slide on, in its own footprints: none where it is there already."""
+    if piece.is_there:
+        return 0.0
     dearest = min((candidate.cost for candidate in piece.candidates), default=0.0) + NEARLY_BEST
     total = 0
     for candidate in piece.candidates:

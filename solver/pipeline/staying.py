@@ -9,14 +9,14 @@ before the locked sofa. One that could be none is wanted besides.
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-
 from catalogs import Catalogs
 from catalogs.entries import Side
 from solver.errors import SceneError
+from solver.free_floor import HEADROOM_MM
 from solver.free_places import footprint
-from solver.geometry import Rect, to_mm
+from solver.geometry import to_mm
 from solver.pieces import Arrangement, Candidate, Link, Piece, Placed, Space, Stance, Stand, Zone
+from solver.placement import walkable_when_empty, with_joined_doors
 from solver.repair import Body, all_bodies, as_it_stands, floor_bodies, root_of
 from solver.scene import Decoration, Furniture, Room
 
@@ -25,7 +25,7 @@ from solver.scene import Decoration, Furniture, Room
 class Staying:
     """The pieces that stay in a room as it was, with those alone, and what lies on them.
 
-    `labels` say under which label each is wanted, by id; those that break a rule where they stand have none: they are in the way.
+    `labels` say under which label each is wanted, by id.
     """
 
     room: Room
@@ -43,7 +43,7 @@ class Staying:
         return tuple(piece.id for piece in self.room.furniture if piece.locked)
 
     def are_in(self, arrangement: Arrangement) -> bool:
-        """Tells whether all that stays and is not in the way already was found a place with the rest."""
+        """Tells whether all that stays was found a place with the rest."""
         return set(self.labels.values()) <= {one.label for one in arrangement.placed}
 
     def new_in(self, arrangement: Arrangement) -> tuple[Placed, ...]:
@@ -71,6 +71,7 @@ def _carriers(things: Iterable[Decoration]) -> dict[str, str]:
 def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Staying, Space, tuple[Piece, ...]]:
     """Returns a room's wanted pieces, as for an empty room, around those that stay."""
     blocked, standing = obstacles(staying.room, space, catalogs)
+    blocked = replace(blocked, zones=space.zones)  # somebody has to be able to be there
     sent = {piece.id: piece for piece in staying.room.furniture}
     takes = _matched(staying.room.furniture, wanted, catalogs)
     names = {piece.label for piece in wanted}
@@ -185,22 +186,26 @@ def refuse(asked: Sequence[str], stays: Mapping[str, Staying], wrong: Collection
             raise SceneError(f"reroll[{k}]", problem, "another room; or unlock them first")
 
 
-NOWHERE = Rect(1 << 40, 1 << 40, -1 << 40, -1 << 40)
-"""Shares space with nothing."""
+def obstacles(room: Room, space: Space, catalogs: Catalogs, entrances: Collection[str] = ()) -> tuple[Space, tuple[Piece, ...]]:
+    """Returns the space around what stands in a room, and what stands there, which does not move, as pieces with one way each.
 
-
-def obstacles(room: Room, space: Space, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...]]:
-    """Returns the space around what stands in a room, and what stands there, which does not move, as pieces with one way each."""
+    All of it can stay: what nobody can come to already is not asked for. Those doors are joined that are; of the `entrances`, by id, where
+    not all doors are, any is enough. Where nobody can be at all, nobody is asked for.
+    """
     loose = {body.id for body in floor_bodies(room)}
     bodies = [body for body in all_bodies(room) if body.id in loose or (isinstance(body, Furniture) and body.on is not None)]
-    named = {body.id for body in bodies}
-    used = catalogs.use_sides()
-    held = {body.id: _held(body, named, used.get(body.name, ((), False))) for body in bodies}
-    broken = _broken(space, bodies, held)
-    zones = tuple(Zone(footprint(body), max(-1, round(body.y * 1000)), body.id) for body in bodies if body.id in broken)
-    stands = [body for body in bodies if body.id not in broken]
-    stands.sort(key=lambda body: isinstance(body, Furniture) and (body.on or body.under) is not None)
-    return replace(space, zones=(*space.zones, *zones)), tuple(held[body.id] for body in stands)
+    bodies.sort(key=lambda body: isinstance(body, Furniture) and (body.on or body.under) is not None)
+    named, used = {body.id for body in bodies}, catalogs.use_sides()
+    low = [footprint(body) for body in bodies if body.y * 1000 < HEADROOM_MM]
+    taken = replace(space, zones=(*space.zones, *(Zone(rect, -1, "outline") for rect in low)))
+    if not walkable_when_empty(taken):
+        doors = (door._replace(walked="in") if door.id in entrances else door for door in space.doorways)
+        taken = with_joined_doors(replace(taken, doorways=tuple(doors)), entrances)
+    if not walkable_when_empty(taken):
+        taken = replace(taken, doorways=tuple(door._replace(walked="not") for door in space.doorways))
+    held = [_held(body, named, used.get(body.name, ((), False))) for body in bodies]
+    there = tuple(piece if walkable_when_empty(taken, [piece]) else replace(piece, stands=()) for piece in held)
+    return replace(space, doorways=taken.doorways) if walkable_when_empty(taken) else taken, there
 
 
 def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Piece:
@@ -208,31 +213,7 @@ def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Pi
     way = as_it_stands(body)
     way = replace(way, kind=body.name, stance=Stance(way.rotation))
     if not isinstance(body, Furniture):
-        return Piece(body.id, True, (way,))
+        return Piece(body.id, True, (way,), is_there=True)
     under, on = (label if label in named else None for label in (body.under, body.on))
     stands = tuple(Stand(side) for side in use[0])
-    return Piece(body.id, True, (replace(way, under=under, on=on),), stands=stands, need_all=use[1])
-
-
-def _broken(space: Space, bodies: Sequence[Body], held: Mapping[str, Piece]) -> set[str]:
-    """Returns who overlaps a zone or another body without leave, as sent."""
-    ways = [held[body.id].candidates[0] for body in bodies]
-    broken = np.array([_in_zone(space, way) for way in ways], dtype=bool)
-    boxes = np.array([(*(way.within or NOWHERE), way.bottom_mm, way.bottom_mm + way.size_mm[2]) for way in ways], np.int64).reshape(-1, 6)
-    number = {body.id: k for k, body in enumerate(bodies)}
-    excused: list[list[int]] = [[k] for k in range(len(ways))]
-    for k, way in enumerate(ways):
-        for label in {way.under, way.on} & number.keys():
-            excused[k].append(number[str(label)])
-            excused[number[str(label)]].append(k)
-    west, north, east, south, low, high = boxes.T
-    for k, (x0, z0, x1, z1, bottom, top) in enumerate(boxes.tolist()):
-        meets = (west < x1) & (x0 < east) & (north < z1) & (z0 < south) & (low < top) & (bottom < high)
-        meets[excused[k]] = False
-        broken[k] |= meets.any()
-    return {body.id for body, is_broken in zip(bodies, broken, strict=True) if is_broken}
-
-
-def _in_zone(space: Space, way: Candidate) -> bool:
-    rect, top = way.within, way.bottom_mm + way.size_mm[2]
-    return rect is not None and any(zone.rect.overlaps(rect) and top > zone.above_mm for zone in space.zones)
+    return Piece(body.id, True, (replace(way, under=under, on=on),), stands=stands, need_all=use[1], is_there=True)

@@ -187,10 +187,11 @@ def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate
     return Encoded(space, stand, (*floor, *left), (), "stands" if whole.walk else "none", whole.engine)
 
 
-def walkable_when_empty(space: Space) -> bool:
-    """Tells whether a person can walk through all doors of the empty room."""
-    core = Core(encode(space, ()))
-    return core.evaluate(core.blank(), 10, Budget(is_known=True), True)
+def walkable_when_empty(space: Space, there: Sequence[Piece] = ()) -> bool:
+    """Tells whether a person can walk through all doors of the room, empty but for what is `there` already, and come to that."""
+    core = Core(encode(space, there, "test"))
+    decisions = core.first_decisions()
+    return decisions is not None and core.evaluate(decisions, 10, Budget(is_known=True), True)
 
 
 def with_joined_doors(space: Space, entrances: Collection[str]) -> Space:

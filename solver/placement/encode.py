@@ -16,6 +16,8 @@ from solver.scene import WALL_NUMBERS
 SIDES = {"front": 1, "back": 2, "left": 4, "right": 8}
 EMPTY_FLOOR = 16
 """Floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies."""
+STANDS = 2
+"""A piece that is there already, in place of whether it is required."""
 _RELATIONS = (None, "same", "opposite", "other", "adjacent")
 """Of walls, as the core numbers them."""
 OTHER_SIDE_COST = 0.05
@@ -99,7 +101,7 @@ class Tables:
             self.side_costs.append(cost)
         ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
         empty = EMPTY_FLOOR if piece.is_floor else 0
-        self.rows.append([int(piece.required), *ranges, int(piece.with_next), empty])
+        self.rows.append([STANDS if piece.is_there else int(piece.required), *ranges, int(piece.with_next), empty])
 
     def _counts(self) -> tuple[int, int, int]:
         """Returns how many candidates, links and choices of sides there are so far."""

@@ -7,11 +7,14 @@ namespace placement {
 
 constexpr i64 DROP_ROUNDS = 4;  // passes over what a piece adds, at most; fewer only leave more to the search
 
+static bool stands_already(const Room& room, const Part& part) { return part.stand == 0 && room.pieces[part.piece].required == STANDS; }
+
 // Tells whether two parts must not share space.
 static bool must_part(const Room& room, const Work& work, const Part& a, const Part& b) {
   if (a.piece == b.piece || (a.stand != 0 && b.stand != 0)) return false;
   if (a.high <= b.low || b.high <= a.low) return false;
   if (a.stand != 0 || b.stand != 0) return true;
+  if (stands_already(room, a) && stands_already(room, b)) return false;
   const CandidateRow& one = room.candidates[work.taken_candidate[a.piece]];
   const CandidateRow& two = room.candidates[work.taken_candidate[b.piece]];
   return one.under != b.piece && one.on != b.piece && two.under != a.piece && two.on != a.piece;
@@ -81,7 +84,7 @@ static void add_choices(const Room& room, const Work& work, i64 first) {
   };
   for (i64 b = first; b < work.counts->parts; b++) {
     const Part& part = work.parts[b];
-    for (i64 k = 0; k < room.zones.size; k++) {
+    for (i64 k = 0; k < room.zones.size && !stands_already(room, part); k++) {
       const Zone& zone = room.zones[k];
       if (zone.is_wall == 0 && (part.stand != 0 || part.high <= zone.above)) continue;
       if (keep_apart(work, choice, part, unmoved(zone))) add({{b, -1 - k}});

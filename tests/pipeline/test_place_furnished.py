@@ -1,0 +1,55 @@
+"""place() in rooms of others, where what stands leaves the room, shares space, closes doors or cannot be come to."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from catalogs.schema import RelationSpec
+from solver import place
+from solver.requested import PieceRequest
+from solver.scene import Furniture, Opening, Room, Scene
+from solver.validator import validate
+
+DOOR = Opening("door", "door", "south", 0.7, 0.9, 2.0, connects_to="EXTERIOR", main_entrance=True)
+THROWN = {"bed": (1.6, 2.0, 0.9), "desk": (1.4, 0.7, 0.7), "bookshelf": (1.0, 0.3, 1.8), "sofa": (2.2, 0.9, 0.85), "crate": (0.8, 0.8, 0.8)}
+WANTED = ("armchair", "floor_lamp", "dining_chair", "bookshelf", "coffee_table", "dresser")
+
+
+def thrown_room(random: Random) -> Room:
+    """A room in which a few pieces lie about, in a third of all cases partly beyond a wall."""
+    width, depth = random.choice((3.2, 4.0, 4.8)), random.choice((3.6, 4.4))
+    pieces = []
+    for k in range(random.choice((2, 3, 4))):
+        name = random.choice([*THROWN])
+        x, z = round(random.uniform(0.1, width - 0.1), 2), round(random.uniform(0.1, depth - 0.1), 2)
+        wide, deep, high = THROWN[name]
+        turn = random.choice((0, 90, 180, 270))
+        pieces.append(Furniture(f"{name}_{k}", name, x=x, z=z, rotation=turn, width=wide, depth=deep, height=high))
+    return Room("den", width=width, depth=depth, openings=(DOOR,), furniture=tuple(pieces))
+
+
+def errors(scene: Scene) -> set[tuple[str, tuple[str, ...]]]:
+    return {(issue.rule, issue.ids) for issue in validate(scene) if issue.severity == "error"}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_nothing_comes_wrong_by_what_is_placed_beside_what_is_wrong_already(seed: int) -> None:
+    random, came, stood = Random(f"furnished {seed}"), list[object](), 0
+    for number in range(15):
+        room = thrown_room(random)
+        answer = place(room, [PieceRequest(kind) for kind in random.sample(WANTED, 2)])
+        before = errors(Scene(rooms=(room,)))
+        came += [(number, one) for one in errors(answer.best.scene) - before if ("unreachable", ()) not in before]
+        stood += not answer.best.unplaced
+    assert came == []
+    assert stood >= 10
+
+
+@pytest.mark.parametrize(("z", "rotation"), [(0.42, 0), (0.1, 0), (0.0, 180)])
+def test_relations_are_to_what_leaves_the_room_too(z: float, rotation: int) -> None:
+    stands = Furniture("sofa", "sofa", x=2.0, z=z, rotation=rotation, width=2.0, depth=0.9, height=0.85)
+    beside = PieceRequest("side_table", relations=(RelationSpec(type="beside", of=("sofa",), required=True),))
+    answer = place(Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(stands,)), [beside])
+    assert [one.held for one in answer.best.relations] == [True]
