@@ -154,3 +154,9 @@ def test_a_home_is_joined_for_the_last_millimetre_of_a_gap(width: float, joined:
     basket = Decoration("b", "basket", x=3.5, z=2.4, width=0.3, depth=0.3, height=0.3)
     assert ruler.joined_at(width)(scene(*halves, openings=doors, things=(basket,))) == (0, 1)
     assert ruler.joined_at(width, False)(scene(*halves, openings=doors, things=(basket,))) == (joined, 1)
+
+
+@pytest.mark.parametrize("seed", [5310029, 7731031])
+def test_a_home_whose_screen_fits_at_few_walls_has_one(seed: int) -> None:
+    home = generate(Request(seed=seed, program="family")).scene
+    assert any(piece.name == "tv" for room in home.rooms for piece in room.furniture)
