@@ -120,8 +120,12 @@ def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
 
 
 @pytest.mark.parametrize("layers", [ONE, NUMBERS])
-def test_blocks_are_opened_where_no_name_tells_anything(layers: dict[str, str]) -> None:
+def test_blocks_are_opened_while_they_fit_where_no_name_tells_anything(layers: dict[str, str]) -> None:
     made = drawing({**layers, "block": layers["other"]})
+    tree = in_block(made, layers["other"])
+    for at in range(60):
+        tree.add_line((20_000, at), (21_000, at), dxfattribs={"layer": layers["other"]})
+    made.modelspace()[-1].grid((30, 30))
     sofa = in_block(made, layers["other"])
     sofa.add_lwpolyline([(6000, 1000), (8000, 1000), (8000, 1900), (6000, 1900)], close=True)
     assert seen(imported(made)) == WANTED

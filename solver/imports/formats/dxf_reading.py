@@ -18,7 +18,7 @@ from catalogs.synonyms import DrawnNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
 from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
-from solver.imports.drawn import DrawnPiece, DrawnPlan, DrawnRoom, Spot
+from solver.imports.drawn import MOST_POINTS, DrawnPiece, DrawnPlan, DrawnRoom, Spot
 from solver.imports.plain_values import a_number
 from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
@@ -221,7 +221,7 @@ def _drawn(space: Any, known: DrawnNames) -> Iterator[_Entity]:
 def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_Entity]:
     """Yields what is drawn; of blocks of doors, windows, openings, walls and rooms, and those that hold layers of them, what is in them.
 
-    Of `every` block where its name and its layer do not say that it holds none of these.
+    Of `every` block whose name and layer do not say that it holds none of these, while all is no more than is told by its form.
 
     Raises:
         SyntaxFault: with its blocks it is more than in any plan.
@@ -239,7 +239,8 @@ def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_
         if said and sort_within(inner) == "room":
             continue
         is_block = kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY)
-        if is_block and (sort_within(inner) or holds(inner, one.dxf.name, depth) or (every and not known.is_passed(inner))):
+        fits = is_block and every and 2 * (made + one.mcount * len(one.block() or ())) <= MOST_POINTS
+        if is_block and (sort_within(inner) or holds(inner, one.dxf.name, depth) or (fits and not known.is_passed(inner))):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
             parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
