@@ -252,16 +252,17 @@ describe("what is counted", () => {
   it("is said of one as of one", () => {
     document.body.innerHTML = '<p><span><b data-count="rooms">–</b> rooms</span> <span><b data-count="furniture">–</b> furniture</span> <span><b data-count="issues">–</b> broken rules</span></p>';
     const host = document.querySelector("p") as HTMLElement;
-    const said = (rooms: number, broken: number, severity: "error" | "warning" = "error"): string | null => {
+    const said = (rooms: number, broken: number, warned = 0): string | null => {
       const all = Array.from({ length: rooms }, (_, i) => room(`bedroom_${i}`, [i * 4, 0, 4, 4], { furniture: [piece(`bed_${i}`)] }));
-      const issues = Array.from({ length: broken }, () => ({ rule: "overlap", severity, message: "", ids: [], room: null }) as const);
+      const issues = Array.from({ length: broken + warned }, (_, i) => ({ rule: "overlap", severity: i < broken ? "error" : "warning", message: "", ids: [], room: null }) as const);
       showShown(host, { scene: scene(all), issues, timing: 0, conflicts: [] });
       return host.textContent;
     };
     expect(said(1, 1)).toBe("1 room 1 piece of furniture 1 broken rule");
     expect(said(2, 0)).toBe("2 rooms 2 furniture 0 warnings");
     expect(said(1, 2)).toBe("1 room 1 piece of furniture 2 broken rules");
-    expect(said(1, 2, "warning"), "no rule is broken").toBe("1 room 1 piece of furniture 2 warnings");
+    expect(said(1, 0, 2), "no rule is broken").toBe("1 room 1 piece of furniture 2 warnings");
+    expect(said(1, 3, 1), "a warning is no broken rule").toBe("1 room 1 piece of furniture 3 broken rules, 1 warning");
   });
 });
 

@@ -24,6 +24,11 @@ const COUNTED: Readonly<Record<keyof Counts | "warnings", readonly [one: Words, 
   warnings: ["warning", "warnings"],
 };
 
+function counted(name: keyof typeof COUNTED, count: number): string {
+  const [one, others] = COUNTED[name];
+  return say(count === 1 ? one : others);
+}
+
 /** The rooms that nothing was put into yet, and that no rule is broken by: an empty plan lacks its furniture, it is not wrong. */
 export function unfurnishedOf({ rooms, certificate }: Scene): ReadonlySet<string> {
   return new Set(rooms.filter(({ id, furniture }) => furniture.length === 0 && certificate?.rooms?.[id] === undefined).map(({ id }) => id));
@@ -104,8 +109,9 @@ function showOptimality(host: HTMLElement, scene: Scene): void {
 /** Shows what is there, how good it is and how long it took. */
 export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): void {
   const [broken, empty] = [brokenOf(issues, scene), unfurnishedWords(issues, scene)];
-  const isWrong = broken.some(({ severity }) => severity === "error");
-  showStatus(host, countsOf(scene, broken), isWrong, timing);
+  const errors = broken.filter(({ severity }) => severity === "error");
+  const isWrong = errors.length > 0;
+  showStatus(host, countsOf(scene, isWrong ? errors : broken), isWrong ? broken.length - errors.length : null, timing);
   const verdict = host.querySelector<HTMLElement>(".verdict");
   if (verdict) verdict.hidden = false; // of no home nothing is judged
   verdict?.classList.toggle("has-errors", isWrong);
@@ -116,13 +122,14 @@ export function showShown(host: HTMLElement, { scene, issues, timing }: Shown): 
   showOptimality(host, scene);
 }
 
-function showStatus(host: HTMLElement, counts: Counts, isWrong: boolean, timing: GenerateAnswer["timing_ms"]): void {
+/** `beside`: how many warnings there are beside errors; null where no rule is broken. */
+function showStatus(host: HTMLElement, counts: Counts, beside: number | null, timing: GenerateAnswer["timing_ms"]): void {
   for (const [name, count] of Object.entries(counts) as [keyof Counts, number][]) {
     const place = host.querySelector<HTMLElement>(`[data-count="${name}"]`);
-    const [one, others] = COUNTED[name === "issues" && !isWrong ? "warnings" : name];
     if (!place) continue;
+    const more = name === "issues" && beside ? `, ${beside} ${counted("warnings", beside)}` : "";
     place.textContent = String(count);
-    place.nextSibling?.replaceWith(` ${say(count === 1 ? one : others)}`);
+    place.nextSibling?.replaceWith(` ${counted(name === "issues" && beside === null ? "warnings" : name, count)}${more}`);
   }
   host.querySelector("[data-count='time']")?.replaceChildren(timeWords(totalMs(timing)));
   host.querySelector(".verdict")?.classList.toggle("has-issues", counts.issues > 0);
