@@ -161,7 +161,7 @@ def test_a_file_that_is_being_written_is_said_and_not_written_twice(visit: Visit
     visit.open(SMALL.format(3))
     files: list[str] = []
     page.on("download", lambda download: files.append(download.suggested_filename))
-    for name, call, file in (("Save JSON", "export/json", "compose-3.json"), ("Plan as SVG", "export/svg", "compose-3-plan.svg")):
+    for name, call, file in (("Save JSON", "export/json", "house_3.json"), ("Plan as SVG", "export/svg", "house_3_plan.svg")):
         button, asked = page.get_by_role("button", name=name), len(visit.requests)
         waiting = held(page, call, button.click)
         expect(page.locator("#stage")).to_have_attribute("aria-busy", "true")

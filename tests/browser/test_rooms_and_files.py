@@ -58,10 +58,10 @@ def test_a_room_is_told_and_furnished_anew_alone(visit: Visit) -> None:
 def test_what_is_saved_is_the_scene(visit: Visit) -> None:
     scene = visit.open(SMALL.format(4))["scene"]
     name, text = saved(visit, "json")
-    assert name == "compose-4.json"
+    assert name == "house_4.json"
     assert json.loads(text) == scene
     name, text = saved(visit, "yaml")
-    assert name == "compose-4.yaml"
+    assert name == "house_4.yaml"
     assert yaml.load(text, yaml.CSafeLoader) == scene
 
 

@@ -8,7 +8,7 @@ import { rehearse } from "./house/rehearsal";
 import { ShapeBook } from "./house/shapes";
 import { styleOf } from "./house/frame";
 import { kindSitter, roomSitter, type Looks } from "./house/sitters";
-import { save } from "./panel/files";
+import { fileName, save } from "./panel/files";
 import { showAssetCount } from "./panel/asset_count";
 import type { DrawPlan } from "./plan/drawn_sheet";
 import { PlanBeside } from "./plan/plan_beside";
@@ -226,7 +226,7 @@ export class Stage {
       return;
     }
     const made = await this.#viewport.picturing.png(...PICTURE, getComputedStyle(this.host).backgroundColor);
-    if (made) save(made, `compose-${this.#scene?.seed ?? "home"}.png`);
+    if (made && this.#scene) save(made, fileName(this.#scene, "png"));
   }
 
   /** Draws the view for the browser's own print; the plan is a sheet already. */

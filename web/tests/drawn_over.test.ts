@@ -27,8 +27,8 @@ it("hands on pictures to be drawn over, and reads drawings that are called image
 });
 
 it("names files by the seed, and those of a plan, which has none, as that", () => {
-  const names = [7, null].map((seed) => fileName({ seed } as never, "json"));
-  expect(names).toEqual(["compose-7.json", "compose-plan.json"]);
+  const names = [7, null].map((seed) => fileName({ seed }, "json"));
+  expect(names).toEqual(["house_7.json", "house.json"]);
 });
 
 const PICTURE: Picture = { url: "data:,", width: 1000, height: 3000, scale: 12, opacity: 0.5 };

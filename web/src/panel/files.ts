@@ -8,8 +8,9 @@ import { tellPlainly } from "../words/telling";
 /** What a browser shows as a picture; a drawing, as of DXF, is called an image too. */
 const PICTURE = /^image\/(png|jpeg|gif|webp|avif|bmp)$/;
 
-export function fileName(scene: Scene, format: FileFormat): string {
-  return `compose-${scene.seed ?? "plan"}.${format}`;
+/** A file's name, as the service names those that it writes. */
+export function fileName({ seed }: { readonly seed: number | null }, format: string, what = ""): string {
+  return `house${seed === null ? "" : `_${seed}`}${what}.${format}`;
 }
 
 export function save(content: Blob, name: string): void {

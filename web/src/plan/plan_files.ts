@@ -1,7 +1,7 @@
 /** The plan to take along: as SVG, as a picture, on paper; to scale, in the service's own drawing. */
 import type { Beside } from "../asking";
 import type { Scene } from "../contract";
-import { save } from "../panel/files";
+import { fileName, save } from "../panel/files";
 import { planOf } from "../service";
 import { say } from "../words/language";
 import { printSheet } from "./printing";
@@ -50,7 +50,9 @@ export class PlanFiles {
   }
 
   #write(format: "svg" | "png"): void {
-    const file = `compose-${this.scene()?.seed ?? "plan"}-plan.${format}`;
+    const scene = this.scene();
+    if (!scene) return;
+    const file = fileName(scene, format, "_plan");
     this.#with(say("Writing {file}", { file }), async (text) => {
       const content = format === "svg" ? new Blob([text], { type: "image/svg+xml" }) : await this.#png(text);
       if (content) save(content, file);
