@@ -104,6 +104,7 @@ export type CatalogKind = Partial<Pick<Served.FurnitureSpec, "name" | "category"
 export type CatalogAsset = Pick<Served.Asset, "kinds" | "front" | "size" | "low" | "high" | "bytes" | "triangles" | "license">;
 
 export interface CatalogRoom {
+  readonly outdoor?: boolean;
   readonly accent: string;
   readonly flooring?: string;
   readonly home?: { readonly word?: string | null } | null;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { areaOf, areOverlapping, boxOf, combined, cornersOfBox, isSound, wallsOf, type Corners } from "../src/draw/corners";
-import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningAt, withOpeningChanged, withoutRoom, withRoom, type Draft } from "../src/draw/draft";
+import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningAt, withOpeningChanged, withoutRoom, withRoom, withType, type Draft } from "../src/draw/draft";
 import { DrawnPlan } from "../src/draw/drawn_plan";
 import { PictureBeneath } from "../src/draw/picture_beneath";
 import { reshapedRooms } from "../src/draw/reflow";
@@ -201,6 +201,13 @@ describe("a scene", () => {
     expect(sceneOf(away).rooms[0]).toMatchObject({ x: -1, z: 0.5, width: 4, furniture: [{ x: 2, z: 0.5 }] });
     expect(reshapedRooms(draft, away)).toEqual(new Set());
     expect(atOrigin(sceneOf(away)).rooms.map(({ x, z }) => [x, z])).toEqual([[0, 0.5], [5, 0]]);
+  });
+
+  it("has outdoors what is drawn as a room of the outdoors, and indoors what becomes one of the inside", () => {
+    const garden = withType(three(), "room_1", "backyard", true);
+    expect(sceneOf(garden).rooms.map(({ outdoor }) => outdoor)).toEqual([true, false, false]);
+    const again = withType(draftOf(sceneOf(garden)), "room_1", "kitchen", false);
+    expect(sceneOf(again).rooms.map(({ outdoor }) => outdoor)).toEqual([false, false, false]);
   });
 
   it("says walls of rooms that are no rectangles by their corners", () => {

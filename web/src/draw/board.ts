@@ -124,7 +124,7 @@ export class Board {
 
   async #learn(): Promise<void> {
     this.#catalog ??= await this.calls.catalog(new AbortController().signal);
-    this.#inspector.types = Object.keys(this.#catalog.rooms ?? {}).sort();
+    this.#inspector.types = this.#catalog.rooms ?? {};
     this.#redraw();
   }
 

@@ -8,6 +8,7 @@ export interface DraftRoom {
   readonly type: string | null;
   /** What it is called; "": nothing. */
   readonly name: string;
+  readonly outdoor: boolean;
   readonly corners: Corners;
   /** The room of the scene that it comes from, with all that stands in it. */
   readonly from: Room | null;
@@ -159,7 +160,7 @@ function tenable(draft: Draft): Draft | null {
 
 export function withRoom(draft: Draft, corners: Corners, type: string | null = null): { readonly draft: Draft; readonly id: string } | null {
   const id = freeId("room", new Set(draft.rooms.map((room) => room.id)));
-  const drawn = tenable({ ...draft, rooms: [...draft.rooms, { id, type, name: "", corners, from: null }] });
+  const drawn = tenable({ ...draft, rooms: [...draft.rooms, { id, type, name: "", outdoor: false, corners, from: null }] });
   return drawn && { draft: drawn, id };
 }
 
@@ -167,8 +168,8 @@ function withChanged(draft: Draft, id: string, change: (room: DraftRoom) => Draf
   return { ...draft, rooms: draft.rooms.map((room) => (room.id === id ? change(room) : room)) };
 }
 
-export function withType(draft: Draft, id: string, type: string | null): Draft {
-  return withChanged(draft, id, (room) => ({ ...room, type }));
+export function withType(draft: Draft, id: string, type: string | null, outdoor = false): Draft {
+  return withChanged(draft, id, (room) => ({ ...room, type, outdoor }));
 }
 
 export function withName(draft: Draft, id: string, name: string): Draft {

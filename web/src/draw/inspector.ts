@@ -1,5 +1,5 @@
 /** The panel beside the sheet: the chosen room or opening in exact numbers, all rooms, and the picture beneath. */
-import type { OpeningKind } from "../contract";
+import type { Catalog, OpeningKind } from "../contract";
 import { inWords } from "../panel/programme";
 import { roomNames } from "../panel/room";
 import { wallsOf, type Wall } from "./corners";
@@ -32,7 +32,7 @@ function namedWalls({ corners }: DraftRoom): { readonly wall: Wall; readonly wor
 
 export class Inspector {
   /** The types that a room can be of. */
-  types: readonly string[] = [];
+  types: NonNullable<Catalog["rooms"]> = {};
   #areas: ReadonlyMap<string, number> = new Map();
   /** The id of the room or opening that is shown. */
   #shown: string | undefined;
@@ -72,11 +72,11 @@ export class Inspector {
 
   #room(room: DraftRoom): HTMLElement[] {
     const name = draftNames(this.plan.draft).get(room.id) ?? room.id;
-    const types = [["", GUESS] as const, ...this.types.map((type) => [type, inWords(type)] as const)];
+    const types = [["", GUESS] as const, ...Object.keys(this.types).sort().map((type) => [type, inWords(type)] as const)];
     const title = `${capital(name)}, ${this.#area(room.id)}`;
     return [group(title,
       textField(say("Name"), room.name, (words) => this.plan.step(withName(this.plan.settled, room.id, words))),
-      choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null))),
+      choiceField(say("Type"), types, room.type ?? "", (type) => this.plan.step(withType(this.plan.settled, room.id, type || null, this.types[type]?.outdoor))),
       ...namedWalls(room).map(({ wall, words }) => this.#wall(room, wall, words)),
       row(button(say("Delete the room"), () => this.plan.step(withoutRoom(this.plan.settled, room.id)))),
     )];
@@ -126,7 +126,9 @@ export class Inspector {
   }
 
   #rooms(draft: Draft): HTMLElement {
-    const total = draft.rooms.reduce((sum, { id }) => sum + (this.#areas.get(id) ?? 0), 0);
+    const indoors = draft.rooms.filter(({ outdoor }) => !outdoor);
+    const total = sayArea(indoors.reduce((sum, { id }) => sum + (this.#areas.get(id) ?? 0), 0));
+    const area = indoors.length < draft.rooms.length ? say("{area} indoors", { area: total }) : total;
     const names = draftNames(draft);
     const list = document.createElement("div");
     list.className = "drawing-rooms";
@@ -136,6 +138,6 @@ export class Inspector {
       return choose;
     }));
     const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press “4 × 3 m”.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");
-    return group(say(draft.rooms.length === 1 ? "1 room, {area}" : "{count} rooms, {area}", { count: draft.rooms.length, area: sayArea(total) }), list, hint(words));
+    return group(say(draft.rooms.length === 1 ? "1 room, {area}" : "{count} rooms, {area}", { count: draft.rooms.length, area }), list, hint(words));
   }
 }

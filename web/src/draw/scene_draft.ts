@@ -53,7 +53,7 @@ export function draftOf(scene: Scene): Draft {
     const corners = (room.level ?? 0) === level ? draftCorners(room) : null;
     return corners ? [{ room, corners }] : [];
   });
-  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: room.name ?? "", corners, from: room }));
+  const rooms = drawn.map(({ room, corners }): DraftRoom => ({ id: room.id, type: room.type === UNTYPED ? null : room.type, name: room.name ?? "", outdoor: room.outdoor, corners, from: room }));
   const draft = { rooms, openings: openingsOf(drawn.map(({ room }) => room), null).map(draftOpening), base: scene };
   return { ...draft, openings: draft.openings.filter((opening) => wallsAt(draft, opening).length > 0) };
 }
@@ -91,10 +91,10 @@ function roomOf(draft: Draft, room: DraftRoom): Room {
   const [dx, dz] = room.from ? [room.from.x - x, room.from.z - z] : [0, 0];
   const outline = room.corners.length === 4 ? null : room.corners.map((corner) => [metres(corner.x - x0), metres(corner.z - z0)] as const);
   const { from } = room;
-  const plain = { flooring: null, accent: null, wall_flags: null, exterior_walls: null, outdoor: false, level: 0 };
+  const plain = { flooring: null, accent: null, wall_flags: null, exterior_walls: null, level: 0 };
   const sameWalls = from && cornersOf(from).length === room.corners.length;
   return {
-    ...plain, ...from, ...(sameWalls ? {} : { wall_thickness: null }), ...(room.name || from ? { name: room.name || undefined } : {}), id: room.id, type: room.type ?? UNTYPED, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
+    ...plain, ...from, ...(sameWalls ? {} : { wall_thickness: null }), ...(room.name || from ? { name: room.name || undefined } : {}), id: room.id, type: room.type ?? UNTYPED, outdoor: room.outdoor, x, z, width: metres(x1 - x0), depth: metres(z1 - z0), outline,
     exterior_walls: null, wall_flags: null,
     openings: draft.openings.flatMap((opening) => listed(draft, opening, room) ?? []),
     furniture: from?.furniture.map((piece) => relative(piece, dx, dz)) ?? [],
