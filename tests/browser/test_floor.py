@@ -16,7 +16,11 @@ def test_the_floor_shown_is_the_services(visit: Visit) -> None:
     wanted = sum(len(floor[zone]) for floor in floors for zone in ("free", "doors", "windows"))
     visit.page.wait_for_function("wanted => compose.state.floorZones === wanted", arg=wanted)
     assert wanted > len(floors)
+    shown = visit.page.locator("#floor_legend .swatch-zone")
+    expect(shown).to_have_count(sum(any(floor[zone] for floor in floors) for zone in ("free", "doors", "windows", "turning", "short")))
+    expect(visit.page.locator("#floor_legend")).to_be_visible()
     expect(visit.page.locator("#show_floor")).to_be_checked()
     visit.page.locator("#show_floor").uncheck()
     assert visit.state()["floorZones"] == 0
+    expect(shown).to_have_count(0)
     assert visit.console == []

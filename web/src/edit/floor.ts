@@ -1,18 +1,25 @@
 /** The floor as the service sees it, shown while something is dragged or on demand: what is free, what is kept free. */
 import { DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import type { FloorAnswer, RoomFloor, Scene } from "../contract";
+import { element } from "../element";
 import { disposeOf } from "../house/dispose";
 import { storeysOf } from "../house/frame";
 import { sharedMaterial } from "../house/shared_materials";
 import { mergeQuads, type ColoredQuad } from "../house/quad_mesh";
+import { legendItem } from "../panel/legend";
 import { isAbort } from "../service";
 import type { Stage } from "../stage";
+import { say, type Words } from "../words/language";
 
 export type AskFloor = (scene: Scene, rooms: readonly string[], signal: AbortSignal) => Promise<FloorAnswer>;
 
 /** What each kind of floor is drawn in; squares to turn in where a profile of access asks for them, and those that are too small. */
 export const ZONE_COLORS = { free: "#35d07f", doors: "#ff9f43", windows: "#6cb6ff", turning: "#14a05a", short: "#e5484d" } as const;
 type Zone = keyof typeof ZONE_COLORS;
+const ZONE_WORDS: Readonly<Record<Zone, Words>> = {
+  free: "Floor that is free", doors: "Before a door: kept clear", windows: "Before a window: only what is low",
+  turning: "Space to turn in, as the access profile asks", short: "The largest space there is to turn in: too small",
+};
 /** How far over the floor the zones lie, each kind over the one before, so that none fights for a pixel [m]. */
 const RISE: Readonly<Record<Zone, number>> = { free: 0.02, windows: 0.024, doors: 0.028, turning: 0.032, short: 0.032 };
 
@@ -55,6 +62,7 @@ export class FloorZones {
   #floors: readonly RoomFloor[] = [];
   #mesh: Mesh | null = null;
   #pending = new AbortController();
+  readonly #legend = element("floor_legend");
 
   constructor(readonly stage: Stage, readonly ask: AskFloor, readonly failed: (reason: unknown) => void) {}
 
@@ -83,6 +91,8 @@ export class FloorZones {
     const seen = scene && this.stage.storeys.drawn(scene);
     const quads = seen ? zonesOf(seen, this.#floors) : [];
     this.stage.floorZones = quads.length;
+    const meant = Object.keys(ZONE_COLORS).filter((zone): zone is Zone => quads.some(({ color }) => color === ZONE_COLORS[zone as Zone]));
+    this.#legend.replaceChildren(...meant.map((zone) => legendItem("zone", say(ZONE_WORDS[zone]), ZONE_COLORS[zone], ZONE_COLORS[zone])));
     this.stage.viewport.invalidate();
     if (quads.length === 0) return;
     this.#mesh = new Mesh(mergeQuads(quads), sharedMaterial("floor zone", () => zoneMaterial(0.3)));

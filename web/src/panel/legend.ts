@@ -1,6 +1,5 @@
 /** What colours and marks mean: those of the canvas, and the rooms shown, each as its floor and accent are drawn. */
 import type { Scene } from "../contract";
-import { ZONE_COLORS } from "../edit/floor";
 import { ENTRANCE_COLOR } from "../house/door_shapes";
 import { MARK_COLORS } from "../house/house";
 import { inWords } from "./programme";
@@ -14,15 +13,11 @@ const MARKS: readonly (readonly [string, Drawn, Words])[] = [
   [MARK_COLORS.error, "frame", "Has an issue, or is in conflict"],
   [MARK_COLORS.locked, "frame", "Locked: stays where it is"],
   [MARK_COLORS.settles, "frame", "Where a dragged piece will stand"],
-  [ZONE_COLORS.free, "zone", "Floor that is free"],
-  [ZONE_COLORS.doors, "zone", "Before a door: kept clear"],
-  [ZONE_COLORS.windows, "zone", "Before a window: only what is low"],
-  [ZONE_COLORS.turning, "zone", "Space to turn in, as the access profile asks"],
-  [ZONE_COLORS.short, "zone", "The largest space there is to turn in: too small"],
   [ENTRANCE_COLOR, "surface", "Main entrance"],
 ];
 
-function item(drawn: string, words: string, fill: string, line: string): HTMLLIElement {
+/** A colour and what it means. */
+export function legendItem(drawn: string, words: string, fill: string, line: string): HTMLLIElement {
   const entry = document.createElement("li");
   const swatch = document.createElement("span");
   swatch.className = `swatch swatch-${drawn}`;
@@ -47,10 +42,10 @@ export function roomColors(scene: Scene): RoomColors[] {
 
 export class Legend {
   constructor(marks: HTMLElement, readonly rooms: HTMLElement) {
-    marks.replaceChildren(...MARKS.map(([color, drawn, words]) => item(drawn, say(words), drawn === "frame" ? "" : color, color)));
+    marks.replaceChildren(...MARKS.map(([color, drawn, words]) => legendItem(drawn, say(words), drawn === "frame" ? "" : color, color)));
   }
 
   show(scene: Scene): void {
-    this.rooms.replaceChildren(...roomColors(scene).map(({ type, floor, accent }) => item("room", inWords(type), floor, accent)));
+    this.rooms.replaceChildren(...roomColors(scene).map(({ type, floor, accent }) => legendItem("room", inWords(type), floor, accent)));
   }
 }
