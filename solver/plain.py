@@ -63,23 +63,32 @@ def plain(value: Any, depth: int = 0) -> Any:
     kind = value.__class__
     if kind in _ATOMS or (kind is str and value.isascii()):
         return value
-    if isinstance(value, float):
-        return _finite(value)
-    if is_text(value):
-        return str.__str__(value)
-    if isinstance(value, int):
-        return int(value)
+    if kind is not dict and kind is not list:  # which nearly all others are
+        if isinstance(value, float):
+            return _finite(value)
+        if is_text(value):
+            return str.__str__(value)
+        if isinstance(value, int):
+            return int(value)
     if depth == MAX_NESTING:
         raise Wrong("is nested too deeply", f"{MAX_NESTING} levels")
     if kind is dict or isinstance(value, Mapping):
-        return {
-            key if key.__class__ is str and key.isascii() else _key(key): item
-            if (of := item.__class__) in _ATOMS or (of is str and item.isascii())
-            else _inside(key, item, depth)
-            for key, item in value.items()
-        }
+        mapping: Document = {}
+        for key, item in value.items():
+            of, name = item.__class__, key if key.__class__ is str and key.isascii() else _key(key)
+            try:
+                mapping[name] = item if of in _ATOMS or (of is str and item.isascii()) else plain(item, depth + 1)
+            except Wrong as wrong:
+                raise wrong.inside(key) from None
+        return mapping
     if isinstance(value, (list, tuple)):
-        return [item if item.__class__ in _ATOMS else _inside(index, item, depth) for index, item in enumerate(value)]
+        items: list[Any] = []
+        try:
+            for item in value:
+                items.append(item if item.__class__ in _ATOMS else plain(item, depth + 1))
+        except Wrong as wrong:
+            raise wrong.inside(len(items)) from None
+        return items
     raise Wrong(f"is a {type(value).__name__}", "a mapping, list, text, finite number, true, false or null")
 
 
@@ -97,10 +106,3 @@ def _key(key: object) -> str:
     if isinstance(key, int) and not isinstance(key, bool):
         return str(key)
     raise Wrong(f"has the key {key!r}", "keys that are texts")
-
-
-def _inside(step: str | int, value: object, depth: int) -> Any:
-    try:
-        return plain(value, depth + 1)
-    except Wrong as wrong:
-        raise wrong.inside(step) from None
