@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from solver.body_parts import BodyPart
 from solver.exports.model import Paint
-from solver.exports.paints import channels
+from solver.exports.paints import srgb
 from solver.exports.solid_meshes import surface_of
 
 Entity = Any
@@ -135,7 +135,7 @@ class IfcPieces:
     def painted(self, item: Entity, paint: Paint) -> Entity:
         """Returns a solid after giving it a colour."""
         if paint not in self._styles:
-            red, green, blue = (round(channel / 255, 4) for channel in channels(paint.color))
+            red, green, blue = (round(share, 4) for share in srgb(paint.color))
             color = self.new("IfcColourRgb", Red=red, Green=green, Blue=blue)
             shown = self.new(
                 "IfcSurfaceStyleRendering", SurfaceColour=color, Transparency=round(1 - paint.opacity, 4), ReflectanceMethod="NOTDEFINED"

@@ -13,6 +13,7 @@ from solver.exports.asset_files import fit_of
 from solver.exports.asset_surfaces import AssetSurface, surfaces_of
 from solver.exports.colliders import AXES, Collider, Triple, z_up
 from solver.exports.model import ModelBody, Paint
+from solver.exports.paints import srgb
 from solver.exports.solid_meshes import surface_of
 
 FOLDER: Final = "assets"
@@ -63,7 +64,7 @@ class AssetObjects:
 
 
 def _material(surface: AssetSurface, picture: str | None) -> bytes:
-    rgb = " ".join(f"{int(surface.paint.color[i : i + 2], 16) / 255:.4g}" for i in (1, 3, 5))
+    rgb = " ".join(f"{share:.4g}" for share in srgb(surface.paint.color))
     shown = f"map_Kd {picture}\n" if picture else ""
     return f"newmtl look\nKa {rgb}\nKd {rgb}\nKs 0 0 0\nd {surface.paint.opacity:.4g}\n{shown}".encode()
 

@@ -46,9 +46,15 @@ def channels(color: str) -> tuple[int, int, int]:
     return value >> 16 & 255, value >> 8 & 255, value & 255
 
 
+def srgb(color: str) -> tuple[float, float, float]:
+    """Returns red, green and blue of #rrggbb, 0 to 1, in sRGB."""
+    red, green, blue = channels(color)
+    return red / 255, green / 255, blue / 255
+
+
 def linear(color: str) -> tuple[float, float, float]:
     """Returns a colour's linear light, 0 to 1, as glTF and USD want it (IEC 61966-2-1)."""
-    red, green, blue = (_linear(channel / 255) for channel in channels(color))
+    red, green, blue = map(_linear, srgb(color))
     return red, green, blue
 
 

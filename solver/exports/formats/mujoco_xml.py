@@ -27,7 +27,7 @@ from solver.exports.moving_parts import (
     still_part,
 )
 from solver.exports.object_files import AssetObjects
-from solver.exports.paints import channels
+from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_numbers, xml_text
 from solver.free_names import FreeNames
@@ -311,14 +311,13 @@ class MujocoLooks:
     def assets(self) -> Iterator[str]:
         """Yields the materials and meshes of all that was shown."""
         for paint, name in self._materials.items():
-            red, green, blue = channels(paint.color)
-            rgba = xml_numbers(red / 255, green / 255, blue / 255, paint.opacity)
+            rgba = xml_numbers(*srgb(paint.color), paint.opacity)
             shine = xml_numbers(round(1 - paint.roughness, 3))
             yield f'<material name="{name}" rgba="{rgba}" specular="{shine}" shininess="{shine}" emission="{xml_numbers(paint.glow)}"/>'
         for (paint, picture), name in self._pictured.items():
-            rgb = xml_numbers(*(channel / 255 for channel in channels(paint.color)))
+            rgba = xml_numbers(*srgb(paint.color), paint.opacity)
             yield f'<texture name="{name}" type="2d" file="{xml_text(picture)}"/>'
-            yield f'<material name="{name}" texture="{name}" rgba="{rgb} {xml_numbers(paint.opacity)}"/>'
+            yield f'<material name="{name}" texture="{name}" rgba="{rgba}"/>'
         for (path, stretch), name in self._own.items():
             yield f'<mesh name="{name}" file="{xml_text(path)}" scale="{xml_numbers(*stretch)}" inertia="shell"/>'
         for (scale, ratio), name in self._meshes.items():

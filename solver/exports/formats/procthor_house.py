@@ -12,7 +12,7 @@ from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
 from solver.exports.model import FloorPlate, HouseModel, ModelBody, PlacedOpening
-from solver.exports.paints import PLAIN_WALL, channels
+from solver.exports.paints import PLAIN_WALL, srgb
 from solver.exports.wall_bands import NEGLIGIBLE
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import ALONG_X, FloorRectangle, rectangles_of, walls_round
@@ -88,7 +88,7 @@ def _at(x: float, y: float, z: float) -> HouseJson:
 
 
 def _material(color: str) -> HouseJson:
-    return {"name": SOLID, "color": dict(zip("rgb", (round(channel / 255, 4) for channel in channels(color)), strict=True))}
+    return {"name": SOLID, "color": dict(zip("rgb", (round(share, 4) for share in srgb(color)), strict=True))}
 
 
 def _room(room: FloorPlate) -> HouseJson:

@@ -11,7 +11,7 @@ from solver.exports.colliders import Collider, Triple, carriers, inertia_of, she
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
-from solver.exports.paints import channels
+from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 from solver.free_names import FreeNames
@@ -115,7 +115,7 @@ class _World:
 
     def _seen(self, form: Collider | StretchedMesh, paint: Paint) -> tuple[str, str]:
         if paint not in self._painted:
-            rgb = xml_numbers(*(channel / 255 for channel in channels(paint.color)))
+            rgb = xml_numbers(*srgb(paint.color))
             glow = f"<emissive>{rgb} 1</emissive>" if paint.glow else ""
             clear = f"<transparency>{xml_numbers(1 - paint.opacity)}</transparency>" if paint.opacity < 1 else ""
             material = f"<material><ambient>{rgb} 1</ambient><diffuse>{rgb} 1</diffuse>{glow}</material>"

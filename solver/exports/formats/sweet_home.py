@@ -12,7 +12,7 @@ from typing import Final
 
 from solver.body_parts import BodyPart
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint, PlacedOpening, WallPanel
-from solver.exports.paints import SURFACES, by_paint, channels
+from solver.exports.paints import SURFACES, by_paint, channels, srgb
 from solver.exports.plan_rooms import name_of, said_of_room, words_of
 from solver.exports.solid_meshes import surface_of
 from solver.exports.wall_panels import frame_parts
@@ -70,7 +70,7 @@ def _triangles(groups: Mapping[Paint, Sequence[BodyPart]], size: tuple[float, fl
 
 
 def _material(number: int, paint: Paint) -> str:
-    color = " ".join(f"{channel / 255:.4g}" for channel in channels(paint.color))
+    color = " ".join(f"{share:.4g}" for share in srgb(paint.color))
     return f"newmtl m{number}\nillum 1\nKa {color}\nKd {color}\nKs 0 0 0\nNs 0\nd {paint.opacity:g}\n"
 
 

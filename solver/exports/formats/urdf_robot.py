@@ -11,7 +11,7 @@ from solver.exports.colliders import Collider, Triple, carriers, inertia_of, she
 from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, MovingPart, StillPart, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import StretchedMesh, UnitMeshes
-from solver.exports.paints import channels
+from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 from solver.free_names import FreeNames
@@ -51,7 +51,7 @@ class _Robot:
         yield f'<robot name="{xml_text(model.name)}">'
         yield from (f"<!-- {xml_comment(words)} -->" for words in model.origin())
         for paint, name in self._materials.items():
-            rgba = xml_numbers(*(channel / 255 for channel in channels(paint.color)), paint.opacity)
+            rgba = xml_numbers(*srgb(paint.color), paint.opacity)
             yield f'<material name="{name}"><color rgba="{rgba}"/></material>'
         yield from links
         yield "</robot>"
