@@ -4,7 +4,7 @@ Comes in: shapes, texts, doors, the length of the unit. Goes out: shapes that ar
 """
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Final, NamedTuple
 
@@ -19,6 +19,8 @@ from solver.imports.walls_alone import NamedSpot, rooms_between
 
 MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
+MOST_BESIDE: Final = 60
+"""Of the lines beside one the nearest are looked at, so many."""
 MOST_LAYERS: Final = 6
 """Layers, each with closed shapes or open ones, among which walls are looked for: those with most on them."""
 THINNEST: Final = 40
@@ -107,17 +109,52 @@ def _rows(sides: Sequence[_Side], axis: str) -> np.ndarray:
 
 
 def _side_by_side(places: Sequence[int], shapes: Sequence[DrawnShape], scale: float) -> list[int]:
-    """Returns shapes but for single lines, longer than a wall is thick, beside which, so far away, no other runs: lengths, axes, frames."""
-    sides = list(_sides(shapes, places, scale))
-    rows = {axis: _rows(sides, axis) for axis in ("x", "z")}
-    alone = set()
-    for (axis, at, low, high), shape in sides:
-        ats, lows, highs, _ = rows[axis]
-        common = np.maximum(np.minimum(highs, high) - np.maximum(lows, low), 0)
-        beside = (np.abs(ats - at) >= THINNEST) & (np.abs(ats - at) <= THICKEST)
-        if len(shapes[shape].points) == 2 and high - low > THICKEST and 2 * common[beside].sum() < high - low:
-            alone.add(shape)
-    return [at for at in places if at not in alone]
+    """Returns shapes but for single lines, longer than a wall is thick, that are no face of a wall: lengths, axes, frames, worktops."""
+    kept = list(places)
+    for is_none in (_is_within, _is_alone):
+        sides = list(_sides(shapes, kept, scale))
+        rows = {axis: _rows(sides, axis) for axis in ("x", "z")}
+        single = [one for one in sides if len(shapes[one.shape].points) == 2 and one.line.high - one.line.low > THICKEST]
+        left_out = {one.shape for one in single if is_none(one.line, rows)}
+        kept = [at for at in kept if at not in left_out]
+    return kept
+
+
+def _is_within(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
+    """Tells whether a line runs in the middle of a wall, farther than walls are thick: an axis."""
+    away, lows, highs = _beside(line, rows[line.axis])
+    common = np.maximum(np.minimum.outer(highs, highs) - np.maximum.outer(lows, lows), 0)
+    faces = (np.subtract.outer(away, away) <= THICKEST) & (np.abs(np.add.outer(away, away)) <= SAME_LINE)
+    return common[faces & (away > 0)].sum() > THICKEST and not _is_side(line, rows)
+
+
+def _is_alone(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
+    """Tells whether no other face of a wall runs beside most of a line.
+
+    None is that of a line that ends at the side of another one, as a worktop does, if a nearer one runs behind it, too far for one wall.
+    """
+    away, lows, highs = _beside(line, rows[line.axis], 2 * THICKEST)
+    far = np.abs(away)
+    behind = np.subtract.outer(far, far).T
+    nearer = (np.multiply.outer(away, away) > 0) & (behind >= THINNEST) & (behind < far[:, None]) & (far > THICKEST)
+    overlap = np.minimum.outer(highs, highs) > np.maximum.outer(lows, lows)
+    is_face = (far <= THICKEST) & ~((nearer & overlap).any(axis=1) & (not _is_side(line, rows)))
+    return bool(2 * (highs - lows)[is_face].sum() < line.high - line.low)
+
+
+def _is_side(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
+    """Tells whether both ends of a line are corners, of an outline."""
+    ats, lows, highs, _ = rows["z" if line.axis == "x" else "x"]
+    ends_there = np.minimum(np.abs(lows - line.at), np.abs(highs - line.at)) <= SAME_LINE
+    return all((ends_there & (np.abs(ats - end) <= SAME_LINE)).any() for end in line[2:])
+
+
+def _beside(line: DrawnLine, row: np.ndarray, within: int = THICKEST) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Returns how far away the nearest lines run beside one, and from where to where they do."""
+    away, lows, highs = row[0] - line.at, np.maximum(row[1], line.low), np.minimum(row[2], line.high)
+    beside = np.flatnonzero((np.abs(away) >= THINNEST) & (np.abs(away) <= within) & (highs > lows))
+    near = beside[np.argsort(np.abs(away[beside]), kind="stable")[:MOST_BESIDE]]
+    return away[near], lows[near], highs[near]
 
 
 def _with_windows(shapes: Sequence[DrawnShape], scale: float) -> list[DrawnShape]:

@@ -105,10 +105,12 @@ def test_a_plan_is_read_by_its_form(layers: dict[str, str], closed: bool, turn: 
     assert f"layer '{layers['wall']}'" in [one["place"] for one in answer.unread if str(one["reason"]).startswith("it is taken as walls")]
 
 
-def test_lengths_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
+def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
     made = drawing(ONE)
     space = made.modelspace()
-    for a, b in (((300, 1800), (4400, 1800)), ((0, -900), (9000, -900)), ((0, -1000), (0, -800)), ((9000, -1000), (9000, -800))):
+    lengths = [((300, 1800), (4400, 1800)), ((0, -900), (9000, -900)), ((0, -1000), (0, -800)), ((9000, -1000), (9000, -800))]
+    axes, worktop = [((4450, -3000), (4450, 8000)), ((-3000, 4850), (12000, 4850))], [((300, 900), (4400, 900))]
+    for a, b in (*lengths, *axes, *worktop):
         space.add_line(a, b, dxfattribs={"layer": "0"})
     for x0, y0, x1, y1 in ((-3000, -3000, 12000, 8000), (1200, 1900, 3000, 2900), (330, 3000, 930, 4500)):
         space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "0"})
