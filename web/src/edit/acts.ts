@@ -26,9 +26,9 @@ export class Acts {
     return null;
   }
 
-  /** Whether anything chosen can be changed. */
+  /** Whether anything chosen can be changed, once it is unlocked. */
   get canChange(): boolean {
-    return this.#free(this.home.scene).length > 0;
+    return this.home.chosen.some((id) => this.home.find(id) ?? this.thing(id));
   }
 
   /** What is chosen and not locked: furniture and decorations. */
@@ -44,7 +44,7 @@ export class Acts {
     const { scene, chosen } = this.home;
     const held = chosen.flatMap((id) => this.home.find(id) ?? []).filter(({ piece }) => piece.locked);
     const room = held[0]?.room.id;
-    if (!scene || room === undefined || this.canChange) return false;
+    if (!scene || room === undefined || this.#free(scene).length > 0) return false;
     const conflicts = held.map(({ piece: { id, rotation } }) => ({
       ids: [id], message: say("{piece} is locked: it stays where it is", { piece: theWords(id) }),
       repairs: [{ action: "unlock", id, dx: 0, dz: 0, rotation: rotation ?? 0 } as const],
