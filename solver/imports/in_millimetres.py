@@ -39,8 +39,8 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     if chosen not in counts:
         raise FieldError("level", f"{chosen} has no rooms", ", ".join(map(str, sorted(counts))))
     for number in sorted(counts.keys() - {chosen}):
-        name = f" ({names[number]})" if names.get(number) else ""
-        notes.leave(f"level {number}{name}", f"{counts[number]} rooms: level {chosen} is taken, `level` takes another")
+        name, rooms = f" ({names[number]})" if names.get(number) else "", "1 room" if counts[number] == 1 else f"{counts[number]} rooms"
+        notes.leave(f"level {number}{name}", f"{rooms} left out: only level {chosen} was read; ask for level {number} to read this one")
     own: dict[str, Any] = {name: tuple(one for one in getattr(plan, name) if one.level == chosen) for name in OF_A_LEVEL}
     return replace(plan, **own, levels=tuple(one for one in plan.levels if one.number == chosen) or (DrawnLevel(chosen),))
 

@@ -40,7 +40,7 @@ def test_titles_tell_which_storey_is_which(left: str, right: str) -> None:
     assert [len(room.openings) for room in answer.scene.rooms] == [2, 2, 1]
     reasons = [str(one["reason"]) for one in answer.unread]
     assert reasons[0].startswith("lie in 2 groups apart from one another, or on layers of their own, which are taken as storeys")
-    assert reasons[1:] == ["3 rooms: level 0 is taken, `level` takes another"]
+    assert reasons[1:] == ["3 rooms left out: only level 0 was read; ask for level 1 to read this one"]
     assert [one["place"] for one in answer.unread] == ["rooms", f"level 1 ({left})"]
     above = drawn(both, level=1)
     assert names(above) == UPPER
