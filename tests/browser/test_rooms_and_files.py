@@ -233,6 +233,13 @@ def test_a_dropped_plan_is_told_of_and_furnished(visit: Visit) -> None:
     visit.after(lambda: page.get_by_role("button", name="Random").click())
     expect(page.locator("#imported")).to_be_hidden()
     assert visit.console == []
+    ring = [[x * 70, z * 70] for x, z in SQUARE]  # as large as a room in cm, and in inches
+    room = {"type": "Feature", "properties": {"name": "Salon"}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    page.evaluate(DROP, ["unsaid.geojson", json.dumps({"type": "FeatureCollection", "features": [room]})])
+    page.get_by_role("button", name="Read it in inches").click()
+    expect(page).to_have_title("Compose: unsaid.geojson")
+    visit.settle()
+    assert page.evaluate("compose.scene.rooms[0].width") == pytest.approx(280 * 0.0254, abs=0.002)
 
 
 def test_rooms_that_share_floor_are_not_furnished_until_they_do_not(visit: Visit) -> None:

@@ -266,7 +266,10 @@ class Page {
   }
 
   #openFile(file: GivenFile, history: History): void {
-    void this.#asking.run(say("Reading {file}", { file: file.name }), (signal) => this.#openGiven(file, history, signal));
+    void this.#asking.run(say("Reading {file}", { file: file.name }), (signal) => this.#openGiven(file, history, signal).catch((reason: unknown) => {
+      this.#imported.refused(reason, (asked) => this.#openFile({ ...file, ...asked }, history));
+      throw reason;
+    }));
   }
 
   /** Opens a home that the service keeps: what is changed of it may be saved as its next version. */
@@ -283,7 +286,7 @@ class Page {
     this.#home.select(null);
     this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");
     this.#saved.holds(saved);
-    this.#imported.show(read, (level) => this.#openFile({ ...file, level }, "push"));
+    this.#imported.show(read, file, (asked) => this.#openFile({ ...file, ...asked }, "push"));
     await this.#reads;
   }
 

@@ -190,12 +190,15 @@ export interface GivenFile {
   readonly content: string | ArrayBuffer;
   /** The storey of a plan that is to be read; without one the lowest is. */
   readonly level?: number;
+  /** The unit it is in; without one the service tells it. */
+  readonly unit?: string;
 }
 
 /** What a file holds, as the service reads it; what is wrong with the file is said with its name. */
-export async function readFile({ name, content, level }: GivenFile, signal: AbortSignal): Promise<ImportAnswer> {
+export async function readFile({ name, content, level, unit }: GivenFile, signal: AbortSignal): Promise<ImportAnswer> {
+  const asked = new URLSearchParams({ ...(level === undefined ? {} : { level: String(level) }), ...(unit === undefined ? {} : { unit }) });
   try {
-    return await ask(level === undefined ? "import" : `import?level=${level}`, { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
+    return await ask(asked.size > 0 ? `import?${asked}` : "import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
     throw new ServiceProblem(say("{name} cannot be read", { name }), reason.detail, reason);

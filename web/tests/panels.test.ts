@@ -202,6 +202,28 @@ describe("a file that was read", () => {
     expect(list.children).toHaveLength(0);
   });
 
+  it("may be read in another unit than was guessed or asked for, or in any where it was refused for the want of one", () => {
+    const { host, list, report } = reported();
+    const asked: unknown[] = [];
+    const offered = (): (string | null)[] => [...list.querySelectorAll("button")].map((one) => one.textContent);
+    report.show(answer({ guesses: [{ of: "plan", what: "unit", taken: "cm", message: "the file does not say its unit" }] }), {}, (one) => asked.push(one));
+    expect(offered()).toEqual(["Read it in metres", "Read it in millimetres", "Read it in inches", "Read it in feet"]);
+    list.querySelector("button")?.click();
+    expect(asked).toEqual([{ unit: "m" }]);
+    report.show(answer({}), { unit: "m" });
+    expect(offered()[0]).toBe("Read it in centimetres");
+    report.show(answer({}));
+    expect(offered()).toEqual([]);
+    const refusal = (field: string, allowed: string): ServiceProblem => new ServiceProblem("a cannot be read", "", { fields: [{ field, problem: "", allowed }] });
+    report.refused(refusal("rooms", "at least one room with an outline"), () => undefined);
+    expect(host.hidden).toBe(true);
+    for (const [field, allowed] of [["unit", "m, cm, or a number of metres"], ["rooms", "0.5 to 1000 m: `unit` says how long the file's unit is"]] as const) {
+      report.show(null);
+      report.refused(refusal(field, allowed), (one) => asked.push(one));
+      expect([host.hidden, offered().length]).toEqual([false, 5]);
+    }
+  });
+
   it("calls the plan so, and what was left out of a room as things are called", () => {
     const { list, report } = reported();
     report.show(answer({

@@ -1,8 +1,9 @@
 /** What became of a file that was read: what is to be checked, was guessed, left out and changed, each in the service's words. */
 import type { FurnishAnswer, ImportAnswer, Scene } from "../contract";
+import { ServiceProblem, type GivenFile } from "../service";
 import { inWords } from "./programme";
 import { roomNames } from "./room";
-import { capital, say, sayDecimals } from "../words/language";
+import { capital, say, sayDecimals, type Words } from "../words/language";
 import { tell, tellPlainly, tellSentence } from "../words/telling";
 
 /** What was said of a file; a plan that was drawn has nothing of it. */
@@ -10,6 +11,8 @@ type Read = Pick<ImportAnswer, "scene" | "changes" | "guesses" | "unread" | "iss
 
 /** A storey that was left out, as the service calls its place in the file. */
 const STOREY = /^level (-?\d+)(?: \(|$)/;
+/** The units that a plan may be in, as the service calls them. */
+const UNITS = { m: "metres", cm: "centimetres", mm: "millimetres", in: "inches", ft: "feet" } as const satisfies Readonly<Record<string, Words>>;
 const PLAN_RULES: ReadonlySet<string> = new Set(["rooms_overlap", "opening_wrong"]);
 
 /** Which rooms indoors nobody can come into, in words; of all at once where there is no door at all. */
@@ -57,22 +60,45 @@ export function guessLines({ guesses, entrance }: Pick<FurnishAnswer, "guesses" 
   return entrance ? [...rooms, say("One comes in by {door}: {room}", { door: tellPlainly(entrance.id), room: called(entrance.room) })] : rooms;
 }
 
-/** Which storeys of a file were left out, in the order in which that is told. */
-export function storeysLeft({ unread }: Pick<ImportAnswer, "unread">): number[] {
-  return unread.flatMap(({ place }) => STOREY.exec(place)?.[1] ?? []).map(Number);
+/** What else to ask for of a file. */
+type Asked = Pick<GivenFile, "level" | "unit">;
+type Way = readonly [words: string, asked: Asked];
+
+/** The storeys of a file that were left out, in the order in which that is told. */
+function storeysLeft({ unread }: Pick<ImportAnswer, "unread">): Way[] {
+  return unread.flatMap(({ place }) => STOREY.exec(place)?.[1] ?? []).map(Number).map((level) => [say("Open storey {level}", { level }), { level }]);
+}
+
+/** The units in which a file may be read, but the one it was read in. */
+function unitsBut(taken: string | null): Way[] {
+  return Object.entries(UNITS).filter(([unit]) => unit !== taken).map(([unit, words]) => [say("Read it in {unit}", { unit: say(words) }), { unit }]);
+}
+
+/** What else to ask for of a file that was read: another storey; another unit than was asked for or guessed. */
+function waysOf(read: ImportAnswer, { unit }: Asked): Way[] {
+  const taken = unit ?? read.guesses.find(({ of, what }) => of === "plan" && what === "unit")?.taken;
+  return [...storeysLeft(read), ...(taken === undefined ? [] : unitsBut(taken))];
 }
 
 export class ImportReport {
   #read: ImportAnswer | null = null;
-  /** Opens another storey of the file. */
-  #open: (level: number) => void = () => undefined;
+  #ways: readonly Way[] = [];
+  /** Reads the file with something else asked for. */
+  #open: (asked: Asked) => void = () => undefined;
 
   constructor(readonly host: HTMLElement, readonly list: HTMLElement) {}
 
-  /** Shows what there is to say of a file, another storey of which may be opened; null: nothing was read. */
-  show(answer: ImportAnswer | null, open: (level: number) => void = () => undefined): void {
-    [this.#read, this.#open] = [answer, open];
+  /** Shows what there is to say of a file, of which something else may be asked for than was; null: nothing was read. */
+  show(answer: ImportAnswer | null, asked: Asked = {}, open: (asked: Asked) => void = () => undefined): void {
+    [this.#read, this.#ways, this.#open] = [answer, answer ? waysOf(answer, asked) : [], open];
     this.#list(say("What the file became"), answer ? importLines(answer) : []);
+  }
+
+  /** Offers the units of a file that was refused for the want of one; says nothing of what else is refused. */
+  refused(reason: unknown, open: (asked: Asked) => void): void {
+    if (!(reason instanceof ServiceProblem) || !reason.fields.some(({ field, allowed }) => field === "unit" || allowed.includes("`unit`"))) return;
+    [this.#read, this.#ways, this.#open] = [null, unitsBut(null), open];
+    this.#list(reason.title, []);
   }
 
   /** Shows what was guessed of a plan that was furnished, before what was said of its file. */
@@ -87,13 +113,13 @@ export class ImportReport {
   #list(words: string, parts: ReturnType<typeof importLines>): void {
     for (const head of this.host.querySelectorAll("h2")) head.textContent = words;
     this.list.ariaLabel = words;
-    this.host.hidden = parts.length === 0;
-    const storeys = (this.#read ? storeysLeft(this.#read) : []).map((level) => {
-      const other = Object.assign(document.createElement("button"), { type: "button", textContent: say("Open storey {level}", { level }) });
-      other.addEventListener("click", () => this.#open(level));
+    this.host.hidden = this.#ways.length + parts.length === 0;
+    const others = this.#ways.map(([does, asked]) => {
+      const other = Object.assign(document.createElement("button"), { type: "button", textContent: does });
+      other.addEventListener("click", () => this.#open(asked));
       return other;
     });
-    this.list.replaceChildren(...storeys, ...parts.flatMap(({ title, lines }) => {
+    this.list.replaceChildren(...others, ...parts.flatMap(({ title, lines }) => {
       const [head, list] = [document.createElement("h3"), document.createElement("ul")];
       head.textContent = `${title} (${lines.length})`;
       list.append(...lines.map((line) => {
