@@ -19,6 +19,10 @@ FLOOR: Final = 0.05
 """How thick floors are, m; their tops are where the rooms' floors are."""
 AXES: Final[dict[Axis, Axis]] = {"x": "x", "y": "z", "z": "y"}
 """What the scene's axes are called where z is up; the scene's z points to -y."""
+RPY: Final[dict[Axis, str]] = {"x": "0 1.57079633 0", "y": "1.57079633 0 0", "z": "0 0 0"}
+"""Roll, pitch and yaw, radians, by which a form along z comes to lie along an axis, its far end where the scene's axis points."""
+EQUAL: Final = 1e-4
+"""Diameters that differ by less are one, m."""
 Touch = Literal["box", "cylinder", "capsule", "ellipsoid"]
 Triple = tuple[float, float, float]
 
@@ -32,11 +36,20 @@ class Collider(NamedTuple):
     axis: Axis = "z"
 
     @property
+    def across(self) -> tuple[float, float]:
+        """Its extents across its axis, m."""
+        one, other = (extent for name, extent in zip("xyz", self.size, strict=True) if name != self.axis)
+        return one, other
+
+    @property
+    def circular(self) -> bool:
+        """Whether those are one."""
+        return abs(self.across[0] - self.across[1]) < EQUAL
+
+    @property
     def round_size(self) -> tuple[float, float]:
         """The radius of a cylinder or capsule, and its length from end to end, m."""
-        along = "xyz".index(self.axis)
-        across = [extent for i, extent in enumerate(self.size) if i != along]
-        return sum(across) / 4, self.size[along]
+        return sum(self.across) / 4, self.size["xyz".index(self.axis)]
 
     @property
     def volume(self) -> float:
@@ -161,15 +174,18 @@ def shares_of(colliders: tuple[Collider, ...]) -> tuple[tuple[float, float], ...
 
 def collider_of(part: BodyPart) -> Collider:
     """Returns what a part collides as."""
-    (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
-    size = w, d, h
+    box = box_around(part)
     if part.form == "ball":
-        return Collider("ellipsoid", size, at)
+        return box._replace(form="ellipsoid")
     if is_round(part.form, part.axis, part.size):
-        length = size["xyz".index(axis)]
-        across = max(extent for name, extent in zip("xyz", size, strict=True) if name != axis)
-        return Collider("capsule" if part.form == "capsule" and length > across else "cylinder", size, at, axis)
-    return Collider("box", size, at)
+        return box._replace(form="capsule" if part.form == "capsule" and box.round_size[1] > max(box.across) else "cylinder")
+    return box
+
+
+def box_around(part: BodyPart) -> Collider:
+    """Returns the box around a part, with the part's axis."""
+    width, height, depth = part.size
+    return Collider("box", (width, depth, height), z_up(*part.at), AXES[part.axis])
 
 
 def inertia_of(colliders: Sequence[Collider], mass: float) -> Inertia:

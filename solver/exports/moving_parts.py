@@ -81,6 +81,9 @@ class StillPart(NamedTuple):
     paints: tuple[Paint, ...]
 
 
+Link = MovingPart | StillPart
+
+
 def still_part(body: ModelBody, carries: Collection[str]) -> StillPart:
     """Returns what of a body is not a front; `carries` are the ids of all that carry something."""
     if not body.fronts:

@@ -3,7 +3,7 @@
 Own assets: one a material, with its picture beside it. And forms that URDF and SDF have no element for, of size 1: cones, ovals, balls.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Final, NamedTuple
 
 from catalogs.assets.asset_entry import Asset
@@ -11,10 +11,11 @@ from catalogs.shapes import Axis, Form
 from solver.body_parts import BodyPart
 from solver.exports.asset_files import fit_of
 from solver.exports.asset_surfaces import AssetSurface, surfaces_of
-from solver.exports.colliders import AXES, Collider, Triple, z_up
+from solver.exports.colliders import Collider, Triple, box_around
 from solver.exports.model import ModelBody, Paint
+from solver.exports.moving_parts import Link
 from solver.exports.paints import srgb
-from solver.exports.solid_meshes import surface_of
+from solver.exports.solid_meshes import Points, SolidSurface, surface_of
 
 FOLDER: Final = "assets"
 LEAST_AREA: Final = 1e-12
@@ -59,7 +60,7 @@ class AssetObjects:
             head = f"mtllib {name}.mtl\nusemtl look\n"
             self.files[f"{FOLDER}/{name}.mtl"] = _material(surface, f"{name}.{surface.picture.ending}" if surface.picture else None)
         path = f"{FOLDER}/{name}.obj"
-        self.files[path] = head.encode() + object_text(surface)
+        self.files[path] = head.encode() + _object_text(surface, surface.places, 4)
         return path, surface.paint, picture
 
 
@@ -69,25 +70,23 @@ def _material(surface: AssetSurface, picture: str | None) -> bytes:
     return f"newmtl look\nKa {rgb}\nKd {rgb}\nKs 0 0 0\nd {surface.paint.opacity:.4g}\n{shown}".encode()
 
 
-def object_text(surface: AssetSurface) -> bytes:
-    """Returns a surface as OBJ, z up: (x, y, z) is (x, -z, y) there."""
+def _object_text(surface: AssetSurface | SolidSurface, places: Points | None, digits: int) -> bytes:
+    """Returns a surface as OBJ, z up: (x, y, z) is (x, -z, y) there; places on its picture; how many digits its normals have."""
     a, b, c = (surface.points[surface.triangles[:, k]] for k in range(3))
     extent = float((surface.points.max(axis=0) - surface.points.min(axis=0)).max())
     areas = (((b - a)[:, [1, 2, 0]] * (c - a)[:, [2, 0, 1]] - (b - a)[:, [2, 0, 1]] * (c - a)[:, [1, 2, 0]]) ** 2).sum(axis=1) ** 0.5
     triangles = surface.triangles[areas > LEAST_AREA * extent**2] + 1
     lines = [f"v {x:.6g} {0.0 - z:.6g} {y:.6g}" for x, y, z in surface.points.tolist()]
-    lines += [f"vn {x:.4g} {0.0 - z:.4g} {y:.4g}" for x, y, z in surface.normals.tolist()]
-    if surface.places is None:
+    lines += [f"vn {x:.{digits}g} {0.0 - z:.{digits}g} {y:.{digits}g}" for x, y, z in surface.normals.tolist()]
+    if places is None:
         lines += [f"f {i}//{i} {j}//{j} {k}//{k}" for i, j, k in triangles.tolist()]
     else:
-        lines += [f"vt {u:.6g} {v:.6g}" for u, v in surface.places.tolist()]
+        lines += [f"vt {u:.6g} {v:.6g}" for u, v in places.tolist()]
         lines += [f"f {i}/{i}/{i} {j}/{j}/{j} {k}/{k}/{k}" for i, j, k in triangles.tolist()]
     return "\n".join(lines).encode() + b"\n"
 
 
 UNITS: Final = "meshes"
-EQUAL: Final = 1e-4
-"""Radii that differ by less are one, m."""
 
 
 class StretchedMesh(NamedTuple):
@@ -104,28 +103,30 @@ class UnitMeshes:
     def __init__(self) -> None:
         self._forms: dict[tuple[Form, Axis, float], str] = {}
 
-    def shown(self, part: BodyPart) -> Collider | StretchedMesh:
+    def looks(self, seen: Link) -> Iterator[tuple[Collider | StretchedMesh, Paint]]:
+        """Yields what something looks like, in its paints."""
+        return zip(map(self._shown, seen.parts), seen.paints, strict=True)
+
+    def _shown(self, part: BodyPart) -> Collider | StretchedMesh:
         """Returns what a part looks like: a box, a round cylinder, else a mesh."""
-        (w, h, d), at = part.size, z_up(*part.at)
-        size, axis = (w, d, h), AXES[part.axis]
+        box = box_around(part)
         if part.form in ("box", "rounded"):
-            return Collider("box", size, at)
-        across = [extent for i, extent in enumerate(size) if "xyz"[i] != axis]
-        if part.form == "cylinder" and part.taper == 1 and abs(across[0] - across[1]) < EQUAL:
-            return Collider("cylinder", size, at, axis)
-        return self._mesh(part.form, part.axis, part.taper, size, at)
+            return box
+        if part.form == "cylinder" and part.taper == 1 and box.circular:
+            return box._replace(form="cylinder")
+        return self._mesh(part.form, part.axis, part.taper, box)
 
     def touched(self, solid: Collider) -> Collider | StretchedMesh:
         """Returns a collider, those that are round at their ends as a mesh."""
         if solid.form in ("box", "cylinder"):
             return solid
-        return self._mesh("ball", "y", 1.0, solid.size, solid.at)
+        return self._mesh("ball", "y", 1.0, solid)
 
-    def _mesh(self, form: Form, axis: Axis, taper: float, size: Triple, at: Triple) -> StretchedMesh:
+    def _mesh(self, form: Form, axis: Axis, taper: float, box: Collider) -> StretchedMesh:
         key: tuple[Form, Axis, float] = ("ball", "y", 1.0) if form in ("ball", "capsule") else (form, axis, round(taper, 3))
         if key not in self._forms:
             self._forms[key] = f"{UNITS}/{key[0]}_{len(self._forms)}.obj"
-        return StretchedMesh(self._forms[key], size, at)
+        return StretchedMesh(self._forms[key], box.size, box.at)
 
     def files(self) -> dict[str, bytes]:
         """Returns the meshes that were asked for, by path."""
@@ -134,12 +135,5 @@ class UnitMeshes:
 
 def _obj(form: Form, axis: Axis, taper: float) -> bytes:
     surface = surface_of(BodyPart(form, (1.0, 1.0, 1.0), (0.0, 0.0, 0.0), axis, taper, ""))
-    lines = [f"v {x:.6g} {y:.6g} {z:.6g}" for x, y, z in (_settled(point) for point in surface.points.tolist())]
-    lines += [f"vn {x:.6g} {y:.6g} {z:.6g}" for x, y, z in (_settled(normal) for normal in surface.normals.tolist())]
-    lines += [f"f {a}//{a} {b}//{b} {c}//{c}" for a, b, c in (surface.triangles + 1).tolist()]
-    return "\n".join(lines).encode() + b"\n"
-
-
-def _settled(point: Triple) -> Triple:
-    x, y, z = (round(value, 6) + 0.0 for value in z_up(*point))
-    return x, y, z
+    points, normals = (rows.round(6) + 0.0 for rows in surface[:2])
+    return _object_text(SolidSurface(points, normals, surface.triangles), None, 6)

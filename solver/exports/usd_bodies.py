@@ -53,7 +53,10 @@ def body_kind(body: ModelBody, boxed: bool) -> str:
 
 def body_guides(body: ModelBody, boxed: bool) -> str:
     """Returns what a body collides as that is shown as something else."""
-    solids = () if body.flat else colliders_of(body, () if boxed else (body.id,))
+    return "" if body.flat else _guides(colliders_of(body, () if boxed else (body.id,)))
+
+
+def _guides(solids: tuple[Collider, ...]) -> str:
     return "".join(guide(f"collider_{number}", solid) for number, solid in enumerate(solids))
 
 
@@ -98,9 +101,7 @@ _NO_TURN: Final = "(1, 0, 0, 0)"
 def door_text(leaf: DoorLeaf, name: str) -> str:
     """Returns a leaf, as far open as it stands, its origin at its hinge and its +x along its width; the joint is inside."""
     hung = moving_leaf(leaf)
-    several = zip(hung.parts, hung.paints, strict=True)
-    parts = "".join(part_text(f"part_{number}", part, paint, None) for number, (part, paint) in enumerate(several))
-    solids = "".join(guide(f"collider_{number}", solid) for number, solid in enumerate(hung.solids))
+    parts, solids = _parts(hung.parts, hung.paints, None), _guides(hung.solids)
     joint = _joint(hung, ("/House", f"/House/Doors/{name}"), leaf.mass if hung.slides else hung.damping)
     inside = f'float physics:mass = {leaf.mass:.6g}\ntoken[] semantics:labels:class = ["door"]\n{_stands(leaf)}{parts}{solids}{joint}'
     schemas = "PhysicsRigidBodyAPI", "PhysicsMassAPI", "SemanticsLabelsAPI:class"
@@ -115,8 +116,7 @@ def _stands(leaf: DoorLeaf) -> str:
 
 def front_text(front: MovingPart, body: ModelBody, name: str, path: str) -> str:
     """Returns a front, shut, its origin at its hinge; the joint to its furniture, the prim at `path`, is inside."""
-    several = zip(front.parts, front.paints, front.solids, strict=True)
-    parts = "".join(part_text(f"part_{number}", part, paint, solid) for number, (part, paint, solid) in enumerate(several))
+    parts = _parts(front.parts, front.paints, front.solids)
     at = moved_by(z_up(body.x, body.y, body.z), body.turn, front.hinge)
     inside = (
         f"rel physics:filteredPairs = <{path}>\nfloat physics:mass = {front.mass:.6g}\n"

@@ -6,8 +6,9 @@ from functools import lru_cache
 from math import cos, radians, sin
 from typing import TYPE_CHECKING, Final
 
+from catalogs.shapes import Form
 from solver.body_parts import BodyPart
-from solver.exports.colliders import AXES, Collider, Triple, z_up
+from solver.exports.colliders import Collider, Triple, box_around, z_up
 from solver.exports.model import Paint
 from solver.exports.paints import channels, linear
 from solver.exports.solid_meshes import SolidSurface, surface_of
@@ -130,42 +131,38 @@ def part_text(name: str, part: BodyPart, paint: Paint, solid: Collider | None) -
 
     `solid` is the prim itself where it is that solid, else a guide beside it; None: it does not collide.
     """
-    (width, height, depth), at, axis = part.size, z_up(*part.at), AXES[part.axis]
-    size = width, depth, height
+    box = box_around(part)
     if part.form == "box":
-        return cube(name, (size, at), paint, solid is not None)
+        return cube(name, (box.size, box.at), paint, solid is not None)
     if part.form == "rounded":
         return _mesh(name, part, paint, solid is not None)
     exact = False
     if part.form == "cone" or part.taper != 1:
         seen = _mesh(name, part, paint, False)
     else:
-        along = "xyz".index(axis)
-        across = [extent for i, extent in enumerate(size) if i != along]
-        exact = across[0] == across[1] and (part.form != "ball" or across[0] == size[2])
+        one, other = box.across
+        exact = one == other and (part.form != "ball" or one == box.size[2])
         exact = exact and solid is not None and part.form in ("ball", solid.form)
-        seen = _round(name, part, paint, exact)
+        seen = _round(name, part.form, box, paint, exact)
     return seen + guide(f"{name}_collider", solid) if solid and not exact else seen
 
 
-def _round(name: str, part: BodyPart, paint: Paint, collides: bool) -> str:
-    (width, height, depth), at, axis = part.size, z_up(*part.at), AXES[part.axis]
-    size = width, depth, height
+def _round(name: str, form: Form, box: Collider, paint: Paint, collides: bool) -> str:
+    _, size, at, axis = box
     schemas = ("MaterialBindingAPI", *(("PhysicsCollisionAPI",) if collides else ()))
-    if part.form == "ball":
+    if form == "ball":
         if collides:
             reach = size[0] / 2
             inside = f"float3[] extent = {triples(((-reach,) * 3, (reach,) * 3))}\ndouble radius = {reach:.6g}\n{_moved(at)}"
         else:
             inside = f"float3[] {_BLOCK}\ndouble radius = 0.5\n{stretched(at, size)}"
         return prim("Sphere", name, schemas, bound(paint) + inside)
-    along = "xyz".index(axis)
-    across = [extent for i, extent in enumerate(size) if i != along]
-    radius = min(across) / 2
-    inside = _long("capsule" if part.form == "capsule" else "cylinder", axis, radius, size[along])
-    scale = [1.0 if i == along else extent / (2 * radius) for i, extent in enumerate(size)]
-    place = _moved(at) if across[0] == across[1] else stretched(at, scale)
-    kind = "Capsule" if part.form == "capsule" and size[along] > 2 * radius else "Cylinder"
+    (one, other), length = box.across, box.round_size[1]
+    radius = min(one, other) / 2
+    inside = _long("capsule" if form == "capsule" else "cylinder", axis, radius, length)
+    scale = [1.0 if name == axis else extent / (2 * radius) for name, extent in zip("xyz", size, strict=True)]
+    place = _moved(at) if one == other else stretched(at, scale)
+    kind = "Capsule" if form == "capsule" and length > 2 * radius else "Cylinder"
     return prim(kind, name, schemas, bound(paint) + inside + place)
 
 

@@ -5,14 +5,16 @@ Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turn
 
 import json
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from functools import lru_cache
 from typing import Final, NamedTuple
 
 from solver.body_parts import BodyPart
-from solver.exports.colliders import AXES, FLOOR, Collider, Triple, box_between, carriers, floor_boxes, shares_of, wall_solids, z_up
+from solver.exports.colliders import FLOOR, Collider, Triple, box_around, box_between, carriers, floor_boxes, shares_of, wall_solids, z_up
 from solver.exports.model import Cuboid, DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import (
+    LEAF_DAMPING,
+    LEAF_FRICTION,
     SLIDE_DAMPING,
     SLIDE_FRICTION,
     TURN_DAMPING,
@@ -44,7 +46,7 @@ _HEAD: Final = f"""\
 <default class="collider"><geom type="box" group="3" conaffinity="3" rgba="0.5 0.6 0.8 1"/></default>
 <default class="flat"><geom type="box" group="3" contype="0" conaffinity="0"/></default>
 <default class="leaf"><geom type="box" group="3" contype="2" conaffinity="2"/>\
-<joint limited="true" damping="1.5" frictionloss="0.4" armature="0.05"/></default>
+<joint limited="true" damping="{LEAF_DAMPING:g}" frictionloss="{LEAF_FRICTION:g}" armature="0.05"/></default>
 <default class="turns"><joint limited="true" damping="{TURN_DAMPING:g}" frictionloss="{TURN_FRICTION:g}" armature="0.01"/></default>
 <default class="slides"><joint type="slide" limited="true" damping="{SLIDE_DAMPING:g}" frictionloss="{SLIDE_FRICTION:g}"/></default>
 <default class="use"><site type="cylinder" size="0.1 0.005" group="4" rgba="0.2 0.7 0.3 0.5"/></default>
@@ -330,23 +332,21 @@ def _shown(parts: tuple[BodyPart, ...]) -> tuple[_ShownPart, ...]:
 
 
 def _shown_part(part: BodyPart) -> _ShownPart:
-    (w, h, d), at, axis = part.size, z_up(*part.at), AXES[part.axis]
-    size = (w, d, h)
-    if part.form in ("box", "rounded"):
-        return _ShownPart(_begun(Collider("box", size, at), "visual"))
-    across, along = [size[i] for i in _LOCAL[axis][:2]], size[_LOCAL[axis][2]]
-    is_round = abs(across[0] - across[1]) < 1e-4
-    if part.form == "capsule" and is_round and along > across[0]:
-        return _ShownPart(_begun(Collider("capsule", size, at, axis), "visual"))
-    if part.form in ("ball", "capsule"):
-        return _ShownPart(_begun(Collider("ellipsoid", size, at), "visual"))
-    if part.form == "cylinder" and part.taper == 1 and is_round:
-        return _ShownPart(_begun(Collider("cylinder", size, at, axis), "visual"))
-    return _mesh((*across, along), at, axis, part.taper)
+    box = box_around(part)
+    if part.form == "capsule" and box.circular and box.round_size[1] > box.across[0]:
+        box = box._replace(form="capsule")
+    elif part.form in ("ball", "capsule"):
+        box = box._replace(form="ellipsoid")
+    elif part.form == "cylinder" and part.taper == 1 and box.circular:
+        box = box._replace(form="cylinder")
+    elif part.form not in ("box", "rounded"):
+        return _mesh(box, part.taper)
+    return _ShownPart(_begun(box, "visual"))
 
 
-def _mesh(local: Sequence[float], at: tuple[float, float, float], axis: str, taper: float) -> _ShownPart:
+def _mesh(box: Collider, taper: float) -> _ShownPart:
     """Returns the geom of a cone, a stump or an oval."""
     tipped = taper > 1
-    mesh = xml_numbers(*(extent / 2 for extent in local)), xml_numbers(round(1 / taper if tipped else taper, 3))
-    return _ShownPart(f' pos="{xml_numbers(*at)}"{(_TIPPED if tipped else _TURNED)[axis]}', mesh)
+    halves = (box.size[i] / 2 for i in _LOCAL[box.axis])
+    mesh = xml_numbers(*halves), xml_numbers(round(1 / taper if tipped else taper, 3))
+    return _ShownPart(f' pos="{xml_numbers(*box.at)}"{(_TIPPED if tipped else _TURNED)[box.axis]}', mesh)

@@ -5,11 +5,12 @@ Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turn
 
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from itertools import starmap
 from typing import Final
 
-from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
+from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, HeldThing, MovingPart, StillPart, held_in, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, HeldThing, Link, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
@@ -20,8 +21,6 @@ FORBIDDEN: Final = r"::|^__|__$|^world$"
 """What SDF keeps for itself in names."""
 WALLS, LEAVES, BODIES = 1, 2, 3
 """Bits of contacts: a leaf meets bodies, not the wall it hangs in."""
-_QUARTER: Final = f"{math.pi / 2:.9g}"
-_TURNED: Final = {"x": f"0 {_QUARTER} 0", "y": f"{_QUARTER} 0 0", "z": "0 0 0"}
 _LIGHT: Final = '<light name="sun" type="directional"><cast_shadows>true</cast_shadows><direction>0.3 0.4 -1</direction></light>'
 STATIC: Final = "<static>true</static>"
 
@@ -67,28 +66,29 @@ class _World:
                 at = tuple(own + hinge for own, hinge in zip(one.at, front.hinge, strict=True))
                 name, opened = self._opened(one.body.id, (at[0], at[1], at[2]), one.turn)
                 bits = None if one.body.flat else BODIES
-                link = self._link("link", still_part(one.body, carry), one.body, bits)
+                link = self._link("link", still_part(one.body, carry), bits, one.body)
                 found.setdefault(front.name, []).append((name, f"{opened}{link}</model>"))
         return found
 
-    def _body(self, body: ModelBody, still: StillPart, held: Mapping[str, list[tuple[str, str]]]) -> str:
+    def _body(self, body: ModelBody, still: Link, held: Mapping[str, list[tuple[str, str]]]) -> str:
         """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
         bits = None if body.flat else BODIES
-        links = self._link("link", still, body, bits)
+        links = self._link("link", still, bits, body)
         names = FreeNames(FORBIDDEN)
         names.take("link")
         for front in moving_parts(body):
             name = names.take(front.name)
-            links += self._link(name, front, body, BODIES, front.hinge) + _joint(front, f"{name}_joint", ("link", name))
+            links += self._link(name, front, BODIES, body, front.hinge) + _joint(front, f"{name}_joint", ("link", name))
             links += "".join(model + _held_joint(inside, name) for inside, model in held.get(front.name, ()))
         fixed = '<joint name="fixed" type="fixed"><parent>world</parent><child>link</child></joint>' if body.fronts else STATIC
         _, opened = self._opened(body.id, (body.x, body.y, body.z), body.turn)
         return f"{opened}{fixed if body.fixed else ''}{links}</model>"
 
-    def _link(self, name: str, seen: MovingPart | StillPart, body: ModelBody, bits: int | None, at: Triple = (0.0, 0.0, 0.0)) -> str:
-        parts = (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
-        shown = self._own(body) if body.asset else parts
-        touching = () if bits is None else (_touching(solid, bits, body.friction) for solid in seen.solids)
+    def _link(self, name: str, seen: Link, bits: int | None, body: ModelBody | None = None, at: Triple = (0.0, 0.0, 0.0)) -> str:
+        """Returns a link of a body or a leaf; `bits` are those of its contacts, if it has any."""
+        shown = self._own(body) if body and body.asset else starmap(self._seen, self.meshes.looks(seen))
+        friction = (body.friction,) if body else ()
+        touching = () if bits is None else (_touching(solid, bits, *friction) for solid in seen.solids)
         pose = f"<pose>{xml_numbers(*at)} 0 0 0</pose>" if any(at) else ""
         return f'<link name="{xml_text(name)}">{pose}{_inertial(seen.solids, seen.mass)}{"".join(_numbered((*touching, *shown)))}</link>'
 
@@ -102,10 +102,8 @@ class _World:
 
     def _leaf(self, leaf: DoorLeaf) -> str:
         part = moving_leaf(leaf)
-        seen = (self._seen(self.meshes.shown(shown), paint) for shown, paint in zip(part.parts, part.paints, strict=True))
-        touching = (_touching(solid, LEAVES) for solid in part.solids)
-        link = f'<link name="link">{_inertial(part.solids, part.mass)}{"".join(_numbered((*touching, *seen)))}</link>'
-        return f"{self._opened(leaf.id, leaf.hinge, leaf.closed)[1]}{link}{_joint(part, part.way, ('world', 'link'))}</model>"
+        opened = self._opened(leaf.id, leaf.hinge, leaf.closed)[1]
+        return f"{opened}{self._link('link', part, LEAVES)}{_joint(part, part.way, ('world', 'link'))}</model>"
 
     def _opened(self, called: str, at: Triple, turn: float) -> tuple[str, str]:
         """Returns the name of a model, and its begin: the name, its id, where it is."""
@@ -171,4 +169,4 @@ def _geometry(form: Collider | StretchedMesh) -> str:
     radius, length = form.round_size
     straight = length - (2 * radius if form.form == "capsule" else 0.0)
     said = f"<radius>{xml_numbers(radius)}</radius><length>{xml_numbers(straight)}</length>"
-    return f"<pose>{at} {_TURNED[form.axis]}</pose><geometry><{form.form}>{said}</{form.form}></geometry>"
+    return f"<pose>{at} {RPY[form.axis]}</pose><geometry><{form.form}>{said}</{form.form}></geometry>"

@@ -4,12 +4,12 @@ Frame: x east, y north, z up; (x, y, z) of the scene is (x, -z, y) here and turn
 """
 
 import math
-from collections.abc import Iterable, Iterator
-from typing import Final
+from collections.abc import Iterator
+from itertools import starmap
 
-from solver.exports.colliders import Collider, Triple, carriers, inertia_of, shell_solids, z_up
+from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, MovingPart, StillPart, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, Link, MovingPart, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
@@ -17,8 +17,6 @@ from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
 from solver.free_names import FreeNames
 
 LinkForm = Collider | StretchedMesh
-_QUARTER: Final = f"{math.pi / 2:.9g}"
-_TURNED: Final = {"x": f' rpy="0 {_QUARTER} 0"', "y": f' rpy="{_QUARTER} 0 0"', "z": ""}
 
 
 def write(model: HouseModel, _: ExportSettings) -> Files:
@@ -60,12 +58,10 @@ class _Robot:
         """Returns walls, what is fitted to them, and floors."""
         return (self._seen(solid, paint) if paint else self._touching(solid) for solid, paint in shell_solids(model))
 
-    def _body(self, body: ModelBody, still: StillPart, parent: str, placed: str) -> str:
+    def _body(self, body: ModelBody, still: Link, parent: str, placed: str) -> str:
         """Returns the link of a body, its fixed joint to the house or to the drawer it lies in, and its fronts."""
         link = self._links.take(body.id)
-        touching = () if body.flat else (self._touching(self.meshes.touched(solid)) for solid in still.solids)
-        made = self._link(link, still.solids, still.mass, (*touching, *self._looks(still)))
-        fronts = ""
+        made, fronts = self._link(link, still, not body.flat), ""
         for front in moving_parts(body):
             named, text = self._moving(front, link)
             self._fronts[body.id, front.name], fronts = named, f"{fronts}\n{text}"
@@ -74,21 +70,18 @@ class _Robot:
     def _moving(self, part: MovingPart, parent: str) -> tuple[str, str]:
         """Returns the name of the link of what moves; the link with its joint to what it hangs on."""
         link, (low, high) = self._links.take(part.id), part.reach
-        touching = (self._touching(self.meshes.touched(solid)) for solid in part.solids)
-        made = self._link(link, part.solids, part.mass, (*touching, *self._looks(part)))
+        made = self._link(link, part, True)
         limit = f'<limit lower="{low:.9g}" upper="{high:.9g}" effort="100" velocity="3"/>'
         dynamics = f'<dynamics damping="{part.damping:g}" friction="{part.friction:g}"/>'
         moving = f'{_origin(part.hinge, part.turn or 0.0)}<axis xyz="{UNIT[part.axis]}"/>{limit}{dynamics}'
         return link, made + self._joint(f"{part.id}/{part.way}", part.joint, (parent, link), moving)
 
-    def _looks(self, seen: MovingPart | StillPart) -> Iterator[str]:
-        return (self._seen(self.meshes.shown(part), paint) for part, paint in zip(seen.parts, seen.paints, strict=True))
-
-    def _link(self, name: str, solids: tuple[Collider, ...], mass: float, looks: Iterable[str]) -> str:
-        body = inertia_of(solids, mass)
+    def _link(self, name: str, seen: Link, touches: bool) -> str:
+        body, looks = inertia_of(seen.solids, seen.mass), starmap(self._seen, self.meshes.looks(seen))
+        touching = (self._touching(self.meshes.touched(solid)) for solid in seen.solids if touches)
         values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in body.named.items())
-        inertial = f'<inertial><origin xyz="{xml_numbers(*body.middle)}"/><mass value="{mass:.9g}"/><inertia {values}/></inertial>'
-        return f'<link name="{xml_text(name)}">{inertial}{"".join(looks)}</link>'
+        inertial = f'<inertial><origin xyz="{xml_numbers(*body.middle)}"/><mass value="{seen.mass:.9g}"/><inertia {values}/></inertial>'
+        return f'<link name="{xml_text(name)}">{inertial}{"".join((*touching, *looks))}</link>'
 
     def _joint(self, name: str, kind: str, ends: tuple[str, str], placed: str) -> str:
         parent, child = (xml_text(end) for end in ends)
@@ -113,6 +106,6 @@ def _geometry(form: LinkForm) -> str:
         return f'<origin {at}/><geometry><mesh filename="{form.path}" scale="{xml_numbers(*form.size)}"/></geometry>'
     if form.form == "cylinder":
         radius, length = form.round_size
-        turned = _TURNED[form.axis]
+        turned = "" if form.axis == "z" else f' rpy="{RPY[form.axis]}"'
         return f'<origin {at}{turned}/><geometry><cylinder radius="{xml_numbers(radius)}" length="{xml_numbers(length)}"/></geometry>'
     return f'<origin {at}/><geometry><box size="{xml_numbers(*form.size)}"/></geometry>'
