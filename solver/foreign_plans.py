@@ -6,7 +6,7 @@ from typing import Final
 
 def is_features(document: object) -> bool:
     """Tells whether a document is GeoJSON."""
-    return isinstance(document, Mapping) and document.get("type") == "FeatureCollection"
+    return isinstance(document, Mapping) and document.get("type") in ("FeatureCollection", "Feature")
 
 
 def is_procthor(document: object) -> bool:

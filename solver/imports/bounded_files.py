@@ -53,6 +53,8 @@ def said(error: Exception) -> str:
     """
     if isinstance(error, TypeError | AttributeError | IndexError | KeyError):
         return "a part of it is missing, or is of another sort"
+    if "missing ENDSEC" in str(error):
+        return "it is cut off"
     return f"{' '.join(str(error).split()).rstrip('.') or type(error).__name__:.100}"
 
 

@@ -114,10 +114,27 @@ def test_what_is_never_looked_at_does_not_keep_a_plan_from_being_read() -> None:
         read(spoilt.replace("I-FURN", "A-DOOR").encode(), "plan.dxf")
 
 
-def test_what_is_no_drawing_is_refused_in_one_line_without_the_name_of_a_class() -> None:
+@pytest.mark.parametrize(
+    ("content", "why"), [(b"rubbish\n", 'Invalid group code "rubbish " at line 3'), (b"2\nENTITIES\n0\nLINE\n", "it is cut off")]
+)
+def test_what_is_no_drawing_is_refused_in_one_line_without_the_name_of_a_class(content: bytes, why: str) -> None:
     with pytest.raises(FieldError) as refused:
-        read(b"0\nSECTION\nrubbish\n", "plan.dxf")
-    assert refused.value.problem == 'DXF that cannot be read: Invalid group code "rubbish " at line 3'
+        read(b"0\nSECTION\n" + content, "plan.dxf")
+    assert refused.value.problem == f"DXF that cannot be read: {why}"
+
+
+@pytest.mark.parametrize("kind", ["CIRCLE", "INSERT"])
+def test_a_drawing_without_rooms_or_layers_is_told_what_is_left_out_of_it(kind: str) -> None:
+    made = files.new()
+    if kind == "CIRCLE":
+        made.modelspace().add_circle((0, 0), 5)
+    else:
+        made.add_xref_def("plan.dwg", "OTHER")
+        made.modelspace().add_blockref("OTHER", (0, 0))
+    text = StringIO()
+    made.write(text)
+    with pytest.raises(FieldError, match=f"are none in this file; left out: 1 of {kind}, which is not read"):
+        read(text.getvalue().encode(), "plan.dxf")
 
 
 STAMPS = {

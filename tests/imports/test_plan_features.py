@@ -17,6 +17,11 @@ HOME = Path(__file__).parents[2] / "docs" / "plan.geojson"
 TWO = (box("Kitchen", 0, 0, 4, 3), box("Living room", 4, 0, 9, 3))
 
 
+def test_a_feature_alone_is_read() -> None:
+    made = read({"type": "Feature", "unit": "m", **TWO[0]}).scene
+    assert [(room.type, room.width, room.depth) for room in made.rooms] == [("kitchen", 4.0, 3.0)]
+
+
 def test_the_home_of_the_documents() -> None:
     answer = read(HOME.read_bytes())
     rooms = rooms_of(answer)

@@ -260,3 +260,9 @@ def test_shapes_are_counted_while_they_are_read() -> None:
     walls = "".join(f"<rect id='wall {at}' width='4' height='3'/>" for at in range(6_000))
     with pytest.raises(FieldError, match=r"shapes: are 5,001 \(allowed: at most 5,000\)"):
         read(f"<svg xmlns='http://www.w3.org/2000/svg'>{walls}</svg>".encode())
+
+
+def test_a_path_that_cannot_be_read_is_named_by_what_it_says() -> None:
+    with pytest.raises(FieldError) as refused:
+        drawn("<path class='room' d='M0 0 L x'/>")
+    assert (refused.value.field, refused.value.problem, refused.value.allowed) == ("path[0].d", "is 'M0 0 L x'", "the data of a path")

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { DEFAULTS } from "../src/address";
-import { fieldWords } from "../src/panel/field_words";
+import { fieldWords, refusalWords } from "../src/panel/field_words";
 import { brokenOf, countsOf, totalMs, unfurnishedOf, unfurnishedWords } from "../src/panel/status";
 import type { Issue } from "../src/contract";
 import { generate, problemFrom, ServiceProblem, view } from "../src/service";
@@ -68,6 +68,14 @@ describe("words of a field", () => {
     expect(fieldWords({ field: "width", problem: "is 1", allowed: "2 to 1000" })).toBe("is 1; allowed: 2 to 1000");
     expect(fieldWords({ field: "width", problem: "must be 2 to 1000", allowed: "2 to 1000" })).toBe("must be 2 to 1000");
     expect(fieldWords({ field: "width", problem: "is wrong", allowed: "" })).toBe("is wrong");
+  });
+
+  it.each([
+    ["; left out: 1 of CIRCLE, which is not read", " Left out: 1 of CIRCLE, which is not read."],
+    [", whose layers are 'A'", " Its layers are 'A'."], ["; its walls: enclose no room", " Its walls enclose no room."], ["", ""],
+  ])("say why a plan has no rooms%s", (why, said) => {
+    const field = { field: "rooms", problem: `are none in this file${why}`, allowed: "a room" };
+    expect(refusalWords(new ServiceProblem("A field is wrong", "", { fields: [field] })).lines).toEqual([`It holds no rooms.${said} What is needed: a room.`]);
   });
 });
 

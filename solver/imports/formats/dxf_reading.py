@@ -239,7 +239,7 @@ def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_
         if said and sort_within(inner) == "room":
             continue
         is_block = kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY)
-        fits = is_block and every and 2 * (made + one.mcount * len(one.block() or ())) <= MOST_POINTS
+        fits = is_block and every and 0 < one.mcount * len(one.block() or ()) <= MOST_POINTS // 2 - made
         if is_block and (sort_within(inner) or holds(inner, one.dxf.name, depth) or (fits and not known.is_passed(inner))):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()

@@ -54,7 +54,7 @@ TOLD: Final = {
 
 
 def read_features(document: Mapping[str, Any]) -> DrawnPlan:
-    """Reads a FeatureCollection.
+    """Reads a FeatureCollection, or one Feature.
 
     Raises:
         FieldError: something in it cannot be read; names its place.
@@ -123,7 +123,7 @@ def _with_wide_doors(plan: DrawnPlan, widths: Mapping[str, float]) -> DrawnPlan:
 
 def _features(document: Mapping[str, Any], unread: list[Unread]) -> Iterator[tuple[Mapping[str, Any], Mapping[str, Any], str]]:
     """Yields what each feature says of itself, its geometry, its place; those of several geometries as often as they have."""
-    features = a_list(document.get("features"), "features")
+    features = [document] if document.get("type") == "Feature" else a_list(document.get("features"), "features")
     levels = levels_of(features)
     for number, feature in enumerate(features):
         where = f"features[{number}]"

@@ -303,8 +303,8 @@ def _lines(tag: str, said: Mapping[str, str], where: str) -> Iterator[SvgLine]:
 def _path(data: str, where: str) -> Iterator[SvgLine]:
     try:
         segments = list(parse_path(data))
-    except (ValueError, IndexError, TypeError, ArithmeticError, AttributeError, AssertionError) as error:
-        raise FieldError(f"{where}.d", f"cannot be read: {type(error).__name__}", "the data of a path") from None
+    except (ValueError, IndexError, TypeError, ArithmeticError, AttributeError, AssertionError):
+        raise FieldError(f"{where}.d", f"is {data!r:.40}", "the data of a path") from None
     points: list[Spot] = []
     swing, closed = None, False
     for segment in segments:

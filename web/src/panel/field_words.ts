@@ -9,8 +9,8 @@ const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
 /** What the service says of a file that is none of its formats. */
 const UNKNOWN_FILE = /^(is in none of the formats|the text is not UTF-8)/;
 
-/** What the service says of a plan without rooms, with what its walls do, or its layers. */
-const ROOMLESS = /^are none in this file(?:; its walls: (.*)|, whose layers are (.*))?$/;
+/** What the service says of a plan without rooms, with what its walls do, its layers, or what was left out. */
+const ROOMLESS = /^are none in this file(?:; its walls: (.*)|, whose layers are (.*)|; left out: (.*))?$/;
 
 type Field = HTMLInputElement | HTMLSelectElement;
 
@@ -71,9 +71,12 @@ function fileWords({ problem }: FieldProblem): string {
   return `${capital(tellPlainly(problem))}.`;
 }
 
-/** That a plan has no rooms, why its walls or layers tell of none, and what would. */
-function roomlessWords(allowed: string, walls?: string, layers?: string): string {
-  const why = walls ? ` ${say("Its walls {why}.", { why: tellPlainly(walls) })}` : layers ? ` ${say("Its layers are {names}.", { names: layers })}` : "";
+/** That a plan has no rooms, why its walls, its layers or what was left out tell of none, and what would. */
+function roomlessWords(allowed: string, [, walls, layers, leftOut]: readonly (string | undefined)[]): string {
+  const why = [
+    walls && say("Its walls {why}.", { why: tellPlainly(walls) }), layers && say("Its layers are {names}.", { names: layers }),
+    leftOut && say("Left out: {why}.", { why: tellPlainly(leftOut) }),
+  ].map((words) => (words ? ` ${words}` : "")).join("");
   return `${say("It holds no rooms.")}${why} ${say("What is needed: {allowed}.", { allowed: tellPlainly(allowed) })}`;
 }
 
@@ -81,7 +84,7 @@ function roomlessWords(allowed: string, walls?: string, layers?: string): string
 function wholeWords(field: FieldProblem): string | null {
   if (field.field === "file") return fileWords(field);
   const roomless = field.field === "rooms" && ROOMLESS.exec(field.problem);
-  if (roomless) return roomlessWords(field.allowed, roomless[1], roomless[2]);
+  if (roomless) return roomlessWords(field.allowed, roomless);
   const most = field.field === "body" && /^at most \d+ bytes \((\d+ MB)\)$/.exec(field.allowed)?.[1];
   return most ? say("It is larger than {most}, the most that is read here.", { most }) : null;
 }
