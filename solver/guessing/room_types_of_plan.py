@@ -182,10 +182,14 @@ def is_shaft(room: Room, scene: Scene) -> bool:
     return not (room.furniture or room.outdoor) and min(room.width, room.depth) - scene.wall_thickness < robot_width_of(scene)
 
 
-def with_types(scene: Scene, guesses: Sequence[RoomGuess]) -> Scene:
-    """Returns a scene whose rooms have the types that were guessed."""
-    types = {guess.room: guess.type for guess in guesses}
-    return replace(scene, rooms=tuple(replace(room, type=types.get(room.id, room.type)) for room in scene.rooms))
+def with_types(scene: Scene, types: Mapping[str, str], catalogs: Catalogs) -> Scene:
+    """Returns a scene with types of rooms by their ids, outdoors those whose type lies there: a garden, a balcony."""
+
+    def typed(room: Room) -> Room:
+        told = types.get(room.id)
+        return room if told is None else replace(room, type=told, outdoor=room.outdoor or catalogs.rooms[told].outdoor)
+
+    return replace(scene, rooms=tuple(map(typed, scene.rooms)))
 
 
 def _said(room: Room) -> tuple[str, ...]:

@@ -88,7 +88,7 @@ def furnish(  # noqa: PLR0913 - keyword-only options of a public function
     counted = None if program is None else program_counts(program, known)
     named = understood(_typed(scene, types or {}, known), known)
     guesses = guessed_types(named.scene, known, counted)
-    plan, entrance = with_entrance(with_types(named.scene, guesses), known)
+    plan, entrance = with_entrance(with_types(named.scene, {guess.room: guess.type for guess in guesses}, known), known)
     asked = set(rooms) or {room.id for room in plan.rooms if keep != "all" or not room.furniture}
     told = {"style": _style_of(plan, style, known, drawn), "decorate": decorate, **walked_by(plan, access, known)}
     plan = _with_request(_of_seed(plan, drawn, known), known, program, told)
@@ -107,7 +107,7 @@ def _typed(scene: Scene, types: Mapping[str, str], known: Catalogs) -> Scene:
     for name, told in types.items():
         if told not in known.rooms:
             raise RequestError(f"types.{name}", f"unknown room type {told!r:.60}", ", ".join(sorted(known.rooms)))
-    return replace(scene, rooms=tuple(replace(room, type=types.get(room.id, room.type)) for room in scene.rooms))
+    return with_types(scene, types, known)
 
 
 def _of_seed(scene: Scene, seed: int, known: Catalogs) -> Scene:

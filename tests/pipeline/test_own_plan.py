@@ -153,6 +153,12 @@ def test_a_told_type_wins_over_name_and_guess() -> None:
     assert "desk" in {piece.name for piece in made.scene.rooms[0].furniture}
 
 
+@pytest.mark.parametrize(("name", "told"), [("Garten", {}), (None, {"plot": "backyard"})])
+def test_a_room_that_is_called_or_told_a_garden_lies_outdoors(name: str | None, told: dict[str, str]) -> None:
+    rooms = (Room("plot", type="room", name=name, width=2.5, depth=2.5), Room("inside", type="office", x=5.0, width=2.5, depth=2.5))
+    assert [room.outdoor for room in furnish(Scene(rooms=rooms), types=told).scene.rooms] == [True, False]
+
+
 def test_foreign_names_stay_foreign() -> None:
     piece = replace(BED, name="Doppelbett")
     (room,) = furnish(Scene(rooms=(replace(BEDROOM, type="", furniture=(piece,)),)), ["a"], seed=1).scene.rooms
