@@ -19,7 +19,7 @@ from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_fronts, with_walker
 from solver.pipeline.inhabited import arranged, decorated, home_catalogs, inhabited, needed, parted
-from solver.pipeline.insisted import demanded, insisted_in, insisting
+from solver.pipeline.insisted import dear_in, demanded, insisted_in, insisting
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.room_spaces import as_joined, cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
@@ -38,8 +38,6 @@ SMALL_ROOMS = 40
 """Rooms of a house, too small for their type, whose doors are tried elsewhere and whose missing pieces are explained in lengths."""
 SHIFTS = 6
 """Places tried for each door of a room whose required or dear piece does not fit."""
-DEAR = 20.0
-"""What leaving a piece out costs, from which on doors are shifted for it, too."""
 
 _Asked = tuple[Staying, Space, tuple[Piece, ...]]
 """What stays in a room, and what is wanted around that."""
@@ -214,9 +212,8 @@ def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], s
     return {**arrangements, **{room.id: with_lengths(*_wished(room, setting), arrangements[room.id]) for room in lacking}}
 
 
-def _dear(room: Room, arrangement: Arrangement, setting: _Setting) -> set[str]:
-    kind, gone = setting.catalogs.rooms.get(room.type), {label for label, _ in arrangement.left_out}
-    return {f"{one.piece}_1" for one in kind.pieces if one.skip_cost >= DEAR} & gone if kind and gone else set()
+def _dear(room: Room, arrangement: Arrangement, setting: _Setting) -> frozenset[str]:
+    return dear_in(setting.catalogs, room.type).intersection([label for label, _ in arrangement.left_out])
 
 
 def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:

@@ -5,14 +5,25 @@ Not here: whose rooms: a plan's, those that ask what stands elsewhere, and those
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, Final
 
+from catalogs import Catalogs
 from solver.pieces import Arrangement, Piece, Space
 from solver.placement import needed, place
 
 MATTERS: Final = 10.0
 """What leaving a piece out costs, from which on it is insisted on."""
+DEAR: Final = 20.0
+"""What leaving a piece out costs, from which on doors are shifted for it, too."""
+
+
+@lru_cache(maxsize=1024)
+def dear_in(catalogs: Catalogs, name: str) -> frozenset[str]:
+    """Returns the labels of what is dear to leave out in rooms of a type."""
+    kind = catalogs.rooms.get(name)
+    return frozenset(f"{one.piece}_1" for one in kind.pieces if one.skip_cost >= DEAR) if kind else frozenset()
 
 
 def insisting(space: Space, wanted: Sequence[Piece], arrangement: Arrangement, mattering: Collection[str] = ()) -> Arrangement:
