@@ -45,6 +45,8 @@ class _Colourings(dict[str, _Colouring]):
 
 _colourings: Final = lru_cache(maxsize=64)(_Colourings)
 """Those of catalogs."""
+_flooring, _finish = lru_cache(maxsize=1024)(Flooring), lru_cache(maxsize=1024)(WallFinish)
+"""One for all rooms with the same one."""
 
 
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
@@ -148,8 +150,8 @@ def with_materials(room: Room, catalogs: Catalogs, style: Style | None, seed: in
     flooring, finish = room.flooring, room.walls
     if floors:
         floor = Stream(seed, "floor", known.flooring).pick(floors)
-        flooring = Flooring(floor.type or known.flooring, floor.color)
+        flooring = _flooring(floor.type or known.flooring, floor.color)
     if walls:
         wall = Stream(seed, "wall", room.index).pick(walls)
-        finish = WallFinish(wall.type, wall.color)
+        finish = _finish(wall.type, wall.color)
     return changed(room, flooring=flooring, walls=finish)

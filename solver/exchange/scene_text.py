@@ -18,7 +18,7 @@ from solver.exchange.writer import shape_of, write, write_degrees, write_number,
 from solver.fields import EXTRA
 from solver.plain import Wrong, plain
 from solver.records import LATER, MadeOnce
-from solver.scene import Decoration, Furniture, Opening, Scene, Sides
+from solver.scene import Decoration, Flooring, Furniture, Opening, Scene, Sides, WallFinish
 
 Key = TypeVar("Key", bound=Hashable)
 MOST_TEXTS: Final = 4096
@@ -167,16 +167,16 @@ def _whole(value: Any) -> str:
     return "null" if value is None else repr(int(value))
 
 
-class _Sides(dict[int, tuple[Sides, str]]):
-    """Yes or no by wall as JSON, by identity: rooms share what they say."""
+class _Shared(dict[int, tuple[Any, str]]):
+    """Records that rooms share as JSON, by identity."""
 
-    def text(self, sides: Sides) -> str:
-        """Returns what is written of them."""
-        kept = self.get(id(sides))
-        if kept is None or kept[0] is not sides:
+    def text(self, record: Any) -> str:
+        """Returns what is written of one."""
+        kept = self.get(id(record))
+        if kept is None or kept[0] is not record:
             if len(self) >= MOST_TEXTS:
                 self.clear()
-            kept = self[id(sides)] = sides, _record(sides)
+            kept = self[id(record)] = record, _record(record)
         return kept[1]
 
 
@@ -197,9 +197,11 @@ _ENCODED: Final = MadeOnce[str | None, bytes](lambda text: _TEXTS[text].encode()
 _NUMBERS: Final = MadeOnce[Any, str](_number, MOST_TEXTS)
 """Numbers as JSON. Zero is zero, whatever its sign, and has a point."""
 _LOOKS: Final = MadeOnce(_look_text, MOST_TEXTS)
+_SHARED: Final = _Shared().text
 _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     type(None): lambda _: "null", bool: {False: "false", True: "true"}.__getitem__, int: repr, float: _number, tuple: _items,
-    Furniture: _record, Opening: _record, Sides: _Sides().text, FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
+    Furniture: _record, Opening: _record, Sides: _SHARED, Flooring: _SHARED, WallFinish: _SHARED,
+    FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
 }  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
     write_number: _NUMBERS.__getitem__, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,

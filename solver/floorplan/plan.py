@@ -95,7 +95,7 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
         width=to_m(rect.width),
         depth=to_m(rect.depth),
         outdoor=kind.outdoor,
-        flooring=Flooring(kind.flooring, drawing.catalogs.floorings[kind.flooring].color),
+        flooring=_flooring(kind.flooring, drawing.catalogs.floorings[kind.flooring].color),
         accent=kind.accent,
         wall_thickness=tuple(to_m(walls.outer) if wall in outside else None for wall in CLOCKWISE) if own else None,
         exterior_walls=_sides(*(wall in outside for wall in WALLS)),
@@ -104,12 +104,11 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     )
 
 
-def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike: Mapping[str, Any]) -> Opening:
+def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike: Opening) -> Opening:
     """Writes an opening as one of its rooms sees it; `alike` is what both say."""
     wall, partner = cut.wall_of(room), cut.other if room == cut.room else cut.room
     return changed(
-        _OPENING,
-        **alike,
+        alike,
         wall=wall,
         position=to_m(cut.centre - drawing.rects[room].along(wall)[0]),
         connects_to=ids[partner] if partner is not None else EXTERIOR,
@@ -118,15 +117,15 @@ def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike:
     )
 
 
-def _alike(drawing: Drawing, cut: Cut) -> dict[str, Any]:
-    """Returns what all rooms at an opening say of it."""
+def _alike(drawing: Drawing, cut: Cut) -> Opening:
+    """Returns an opening with what all rooms at it say."""
     height, sill = (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
     if cut.kind == "window":
         pane = pane_of(drawing.catalogs.rooms[drawing.types[cut.room]])
         height, sill = to_m(pane.height), to_m(pane.sill)
     hinge = _hinge(cut, drawing) if cut.kind == "door" else None
     sizes = {"width": to_m(cut.width), "height": height, "sill": sill}
-    return {"id": cut.id, "kind": cut.kind, **sizes, "hinge": hinge, "main_entrance": cut.main}
+    return changed(_OPENING, id=cut.id, kind=cut.kind, **sizes, hinge=hinge, main_entrance=cut.main)
 
 
 def _hinge(cut: Cut, drawing: Drawing) -> str:
@@ -157,6 +156,7 @@ def _wall_flags(layout: Layout) -> list[Sides]:
 
 _ROOM: Final = Room("")
 _OPENING: Final = Opening("")
+_flooring: Final = lru_cache(maxsize=1024)(Flooring)
 _sides: Final = lru_cache(maxsize=16)(Sides)
 """Every set of walls once, in the order of WALLS."""
 

@@ -137,7 +137,7 @@ def _line_among(lines: Rect, edges: Sequence[WallLine], opening: Opening) -> Wal
 
 def outline_edges(room: Room) -> list[WallLine]:
     """Returns the edges of a room's outline, from its first point on; empty without an outline."""
-    return list(walls_round([(to_mm(x), to_mm(z)) for x, z in room.outline or ()]))
+    return list(walls_round([(to_mm(x), to_mm(z)) for x, z in room.outline])) if room.outline else []
 
 
 def opening_zone(opening: Opening, line: WallLine, room: Rect) -> Zone | None:

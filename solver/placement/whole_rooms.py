@@ -5,7 +5,6 @@ Not here: what is wanted (furnish). The rows are those of solver/core/rooms/made
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from math import inf
 from struct import Struct, pack
 from typing import Final, NamedTuple
@@ -133,11 +132,12 @@ class _Placing:
 
 
 def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None) -> Arrangement:
-    made, data = answer.made, answer.rows
-    ends = [_MADE.size]
-    for row, count in ((_NAME, made.names), (_PLACED, made.placed), (BODY, made.placed), (_LEFT_OUT, made.left_out)):
-        ends.append(ends[-1] + row.size * count)
-    names, ways, bodies, missing = (data[start:end] for start, end in pairwise(ends))
+    made, data, begin = answer.made, answer.rows, _MADE.size
+    ways_at = begin + _NAME.size * made.names
+    bodies_at = ways_at + _PLACED.size * made.placed
+    missing_at = bodies_at + BODY.size * made.placed
+    names, ways, bodies = data[begin:ways_at], data[ways_at:bodies_at], data[bodies_at:missing_at]
+    missing = data[missing_at : missing_at + _LEFT_OUT.size * made.left_out]
     standing = StandingRows(bodies, room.kinds, [room.looks[kind] for (kind,) in KIND.iter_unpack(bodies)])
     placing = _Placing(room, names, ways, standing)
     left_out = tuple(_reasons(room, placing, [*_LEFT_OUT.iter_unpack(missing)], made.placed)) if made.left_out else ()
