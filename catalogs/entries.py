@@ -140,7 +140,7 @@ class Synonym(Entry):
 
 
 DrawnName = Literal[
-    "garage_door", "window", "door", "passage", "opening", "wall", "room", "label", "furniture", "outdoors",
+    "no_door", "garage_door", "window", "door", "passage", "opening", "wall", "room", "label", "furniture", "outdoors",
     "basement", "ground", "first", "second", "attic", "storey", "storey_layer",
 ]  # fmt: skip
 """What drawings name: what is drawn, in the order in which it counts, and storeys from the lowest on, last those with a number."""

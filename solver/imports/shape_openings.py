@@ -18,7 +18,7 @@ SLIM: Final = 1.5
 MEET: Final = 0.1
 """Two leaves of a door, shut, are no farther from one another than this share of the wider."""
 SORTS: Final[dict[str, OpeningKind]] = {
-    "window": "window", "garage_door": "garage_door", "passage": "passage", "opening": "passage", "door": "door",
+    "window": "window", "garage_door": "garage_door", "no_door": "passage", "passage": "passage", "opening": "passage", "door": "door",
 }  # fmt: skip
 """What a shape is told to be -> what it is at first; those before count before those after."""
 SAME: Final = 0.6

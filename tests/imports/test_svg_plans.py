@@ -36,6 +36,12 @@ def test_groups_name_shapes_and_texts_name_rooms() -> None:
     assert (door.wall, door.width, door.connects_to) == ("east", 0.9, answer.scene.rooms[1].id)
 
 
+@pytest.mark.parametrize(("said", "kind"), [("Door None", "passage"), ("Door Swing Beside", "door")])
+def test_a_door_that_is_called_none_is_a_passage(said: str, kind: str) -> None:
+    answer = drawn(TWO_ROOMS.replace("id='doors'", f"id='Door' class='{said}'"), unit="0.05")
+    assert [one.kind for one in answer.scene.rooms[0].openings] == [kind]
+
+
 @pytest.mark.parametrize("scale", [20, 50, 100])
 def test_a_sheet_of_paper_is_to_the_scale_that_makes_doors_doors(scale: int) -> None:
     wide, high = 200 * 50 / scale, 120 * 50 / scale
