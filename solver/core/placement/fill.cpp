@@ -31,15 +31,6 @@ static bool may_cover(const Room& room, const PieceRow& row) {
   return false;
 }
 
-// Tells whether what a piece stands at is not there, in any of its ways.
-static bool fatherless(const Room& room, const Decisions& decisions, const PieceRow& row) {
-  for (i64 candidate = row.candidates[0]; candidate < row.candidates[1]; candidate++) {
-    const i64 parent = room.candidates[candidate].parent;
-    if (parent < 0 || decisions[parent] != ABSENT) return false;
-  }
-  return true;
-}
-
 // Adds an optional group to the decisions; says what became of it.
 static Fate add_group(
     const Engine& engine, const Decisions& decisions, Costs& costs, const Group& group, const RoomLimits& limits, bool walk) {
@@ -49,7 +40,6 @@ static Fate add_group(
   f64 skip = 0.0;
   for (i64 member = group.first; member < group.last; member++) skip += room.skip_costs[member];
   if (tree.budget[0] <= 0) return SPENT;
-  if (row.empty != 0 && fatherless(room, decisions, row)) return NO_WAY;
   const i64 cover = room.space->cover;
   if (cover > 0 && may_cover(room, row) && covered(room, decisions) >= cover) return COVERED;
   costs.ceiling = costs.all + skip;
