@@ -89,16 +89,12 @@ struct FreeRow {
   f64 rest;
 };
 
-// Whether the first sweep over the fixed rows changed anything: it is made once for all nodes of a search.
-enum class Swept : i32 { NOT_YET, SAME, CHANGED };
-
 // The quadratic programme of an axis over its free variables; see program.hpp. Rows by free variable are `width` long: an even number with
 // room for what does not move, and noughts there.
 struct Program {
   i32 variables, size;  // how many there are, and how many of them are free
   i32 width;
   i32 fixed_rows, most_rows;
-  Swept swept;
   f64 start_cost;
   Span<i32> column;  // of a variable, the last one the origin: its number among the free ones
   Span<f64> value;   // of a fixed variable, m; of others 0
@@ -107,7 +103,6 @@ struct Program {
   Span<FreeRow> rows;  // first the lower and the upper bound of every free variable
   Span<f64> low, high;    // bounds of each free variable, m
   Span<f64> least, most;  // how far the rows let each free variable go, m
-  Span<f64> swept_least, swept_most;  // the same once the fixed rows were swept over
   Table<f64> columns, factor;
   Span<f64> rates;
 };

@@ -139,7 +139,6 @@ bool prepare(const Engine& engine) {
     spread(program, program.start, positions);
     program.start_cost = cost_at(work, axis, positions);
     program.fixed_rows = 0;
-    program.swept = Swept::NOT_YET;
   }
   for (i64 k = 0; k < work.counts->rows; k++) {
     if (!fix_row(engine, work.rows[k])) return false;

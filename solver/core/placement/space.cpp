@@ -133,8 +133,6 @@ static Program new_program(const Sizes& sizes) {
   program.high = new_span<f64>(wide);
   program.least = new_span<f64>(wide);
   program.most = new_span<f64>(wide);
-  program.swept_least = new_span<f64>(wide);
-  program.swept_most = new_span<f64>(wide);
   program.columns = new_table<f64>(v + 1, wide);
   program.factor = new_table<f64>(v + 1, wide);
   program.rates = new_span<f64>(v);
