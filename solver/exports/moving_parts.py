@@ -81,7 +81,7 @@ class StillPart(NamedTuple):
     paints: tuple[Paint, ...]
 
 
-Link = MovingPart | StillPart
+LinkPart = MovingPart | StillPart
 
 
 def still_part(body: ModelBody, carries: Collection[str]) -> StillPart:

@@ -13,7 +13,7 @@ from solver.exports.asset_files import fit_of
 from solver.exports.asset_surfaces import AssetSurface, surfaces_of
 from solver.exports.colliders import Collider, Triple, box_around
 from solver.exports.model import ModelBody, Paint
-from solver.exports.moving_parts import Link
+from solver.exports.moving_parts import LinkPart
 from solver.exports.paints import srgb
 from solver.exports.solid_meshes import Points, SolidSurface, surface_of
 
@@ -103,7 +103,7 @@ class UnitMeshes:
     def __init__(self) -> None:
         self._forms: dict[tuple[Form, Axis, float], str] = {}
 
-    def looks(self, seen: Link) -> Iterator[tuple[Collider | StretchedMesh, Paint]]:
+    def looks(self, seen: LinkPart) -> Iterator[tuple[Collider | StretchedMesh, Paint]]:
         """Yields what something looks like, in its paints."""
         return zip(map(self._shown, seen.parts), seen.paints, strict=True)
 

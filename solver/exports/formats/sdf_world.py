@@ -10,7 +10,7 @@ from typing import Final
 
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, HeldThing, Link, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, HeldThing, LinkPart, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
@@ -70,7 +70,7 @@ class _World:
                 found.setdefault(front.name, []).append((name, f"{opened}{link}</model>"))
         return found
 
-    def _body(self, body: ModelBody, still: Link, held: Mapping[str, list[tuple[str, str]]]) -> str:
+    def _body(self, body: ModelBody, still: LinkPart, held: Mapping[str, list[tuple[str, str]]]) -> str:
         """Returns a model, static or free; one with fronts that does not move itself hangs on the world: all of a static model is still."""
         bits = None if body.flat else BODIES
         links = self._link("link", still, bits, body)
@@ -84,7 +84,7 @@ class _World:
         _, opened = self._opened(body.id, (body.x, body.y, body.z), body.turn)
         return f"{opened}{fixed if body.fixed else ''}{links}</model>"
 
-    def _link(self, name: str, seen: Link, bits: int | None, body: ModelBody | None = None, at: Triple = (0.0, 0.0, 0.0)) -> str:
+    def _link(self, name: str, seen: LinkPart, bits: int | None, body: ModelBody | None = None, at: Triple = (0.0, 0.0, 0.0)) -> str:
         """Returns a link of a body or a leaf; `bits` are those of its contacts, if it has any."""
         shown = self._own(body) if body and body.asset else starmap(self._seen, self.meshes.looks(seen))
         friction = (body.friction,) if body else ()

@@ -9,7 +9,7 @@ from itertools import starmap
 
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, Link, MovingPart, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, LinkPart, MovingPart, held_things, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
@@ -58,7 +58,7 @@ class _Robot:
         """Returns walls, what is fitted to them, and floors."""
         return (self._seen(solid, paint) if paint else self._touching(solid) for solid, paint in shell_solids(model))
 
-    def _body(self, body: ModelBody, still: Link, parent: str, placed: str) -> str:
+    def _body(self, body: ModelBody, still: LinkPart, parent: str, placed: str) -> str:
         """Returns the link of a body, its fixed joint to the house or to the drawer it lies in, and its fronts."""
         link = self._links.take(body.id)
         made, fronts = self._link(link, still, not body.flat), ""
@@ -76,7 +76,7 @@ class _Robot:
         moving = f'{_origin(part.hinge, part.turn or 0.0)}<axis xyz="{UNIT[part.axis]}"/>{limit}{dynamics}'
         return link, made + self._joint(f"{part.id}/{part.way}", part.joint, (parent, link), moving)
 
-    def _link(self, name: str, seen: Link, touches: bool) -> str:
+    def _link(self, name: str, seen: LinkPart, touches: bool) -> str:
         body, looks = inertia_of(seen.solids, seen.mass), starmap(self._seen, self.meshes.looks(seen))
         touching = (self._touching(self.meshes.touched(solid)) for solid in seen.solids if touches)
         values = " ".join(f'{name}="{value + 0.0:.9g}"' for name, value in body.named.items())
