@@ -12,7 +12,7 @@ constexpr i64 FRONT_MM = 300;
 // How much wider than asked the ways through a room are kept where its furniture leaves them so wide, the widest first: 0.8 m is what a
 // person with a tray or a wheelchair takes, 0.7 m a robot with a margin.
 constexpr i64 WIDER_MM[] = {200, 100, 50};
-// How far rugs that lie under pieces end before walls, and in how many steps they become smaller where the floor ends. Our choice.
+// How far rugs that lie under pieces end before walls, and in how many parts of their reach they become smaller. Our choice.
 constexpr i64 RUG_OFF_WALL_MM = 100;
 constexpr i64 RUG_PARTS = 4;
 // Between rugs that lie one behind another. Our choice.
@@ -45,7 +45,7 @@ class Floor {
   bool is_at_wall(const Piece& piece) const;
   NearestPlace rug_place(const Stands& row, const Rect& wish) const;
   List<Rect> not_under(const Stands* row) const;
-  Rect cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const;
+  Rect cut_at_furniture(const Stands& row, const Piece& holder, const Rect& wish, Extent beyond) const;
   List<Spot> spots_of(const Stands& row);
   void add_beside(const Stands& row, List<Spot>& spots);
   Spot at_wall(Wall wall, i64 along) const;
@@ -182,16 +182,26 @@ bool Floor::is_named(const Stands& row, const Piece& piece) const {
   return has(part_of(room_.known.words, row.of), piece.word);
 }
 
-// Cuts off a rug what would lie under furniture at the walls that is not named, or under a door's leaf, at the side that leaves most of it;
-// never what lies under its own piece.
-Rect Floor::cut_at_furniture(const Stands& row, const Piece& holder, Rect place) const {
+// Takes as much off a rug on one side of its piece as on the other, where it still reaches so far beyond it.
+static Rect evened(const Rect& own, Rect place, Extent beyond) {
+  const i64 x = least(own.x0 - place.x0, place.x1 - own.x1), z = least(own.z0 - place.z0, place.z1 - own.z1);
+  if (x >= beyond.x) place.x0 = own.x0 - x, place.x1 = own.x1 + x;
+  if (z >= beyond.z) place.z0 = own.z0 - z, place.z1 = own.z1 + z;
+  return place;
+}
+
+// Cuts off a rug what would lie under furniture at the walls that is not named, or under a door's leaf, at the side that leaves most of
+// it once evened; never what lies under its own piece.
+Rect Floor::cut_at_furniture(const Stands& row, const Piece& holder, const Rect& wish, Extent beyond) const {
+  Rect place = evened(holder.rect, wish, beyond);
   const Rect own = holder.rect.common(place);
   for (const Rect& off : not_under(&row)) {
     if (!place.overlaps(off)) continue;
     const Rect left[] = {{off.x1, place.z0, place.x1, place.z1}, {place.x0, place.z0, off.x0, place.z1},
                          {place.x0, off.z1, place.x1, place.z1}, {place.x0, place.z0, place.x1, off.z0}};
     Rect best{0, 0, 0, 0};
-    for (const Rect& part : left) {
+    for (const Rect& cut : left) {
+      const Rect part = evened(holder.rect, cut, beyond);
       if (part.contains(own) && part.width() * part.depth() > best.width() * best.depth()) best = part;
     }
     if (best.width() > 0) place = best;
@@ -210,17 +220,23 @@ static Rect rug_under(const Stands& row, const Piece& piece, i64 beyond) {
   return grown;
 }
 
-// Lays a rug under a piece, so far beyond it as the row reaches and the floor goes; in a corner of a room that is no rectangle a
-// smaller one.
+// Lays a rug under a piece, so far beyond it as the row reaches and the floor goes, on both sides alike where that leaves a part of
+// its reach, and what else it lies under; in a corner of a room that is no rectangle a smaller one.
 void Floor::lay_under(const Stands& row, const Choice& choice) {
   const Piece* piece = first_named(row);
   if (piece == nullptr) return;
   const Rect inner = clear_.shrunk(RUG_OFF_WALL_MM);
   for (i64 part = RUG_PARTS; part > 0; part--) {
-    const Rect grown = rug_under(row, *piece, floor_div(row.reach * part, RUG_PARTS));
+    const i64 beyond = floor_div(row.reach * part, RUG_PARTS);
+    const Rect grown = rug_under(row, *piece, beyond);
     Rect place = grown.common(inner);
     if (place.x1 <= place.x0 || place.z1 <= place.z0) continue;
-    place = cut_at_furniture(row, *piece, place);
+    Extent evenly{floor_div(beyond, RUG_PARTS), floor_div(beyond, RUG_PARTS)};
+    for (const Piece& other : room_.pieces) {
+      const Rect apart = piece->rect.common(other.rect);
+      if (is_named(row, other) && other.rect.overlaps(grown)) evenly = {most(evenly.x, -apart.width()), most(evenly.z, -apart.depth())};
+    }
+    place = cut_at_furniture(row, *piece, place, evenly);
     place.x1 -= floor_mod(place.width(), 10);
     place.z1 -= floor_mod(place.depth(), 10);
     if (place.width() <= 0 || place.depth() <= 0 || !has_floor(place)) continue;
