@@ -81,7 +81,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     others = other_placements(task, found, alternatives - 1)
     timing.lap("alternatives")
     if found.score[0]:  # what a distance from the walls, or its habit to stand at them, keeps out has a place
-        task = in_room(pieces, setting=setting._replace(flush=True, roaming=_roaming(task, found, pieces)))
+        task = in_room(pieces, setting=setting._replace(flush=True, roaming=_bound(pieces)))
     conflicts = _conflicts(task, best, found, partial(in_room, setting=task.setting))
     timing.lap("reasons")
     return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
@@ -91,7 +91,7 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     """Returns the best placement, and the task that it solves.
 
     Where not all can stand it counts what matters most: before all, that of the list which is required and was left out first. Where one
-    cannot, no distance from the walls counts, then that or what has to stand by something may stand free of walls, and then no wish.
+    cannot, no distance from the walls counts, then that what has to stand by something may do so free of walls, and then no wish.
     """
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
@@ -107,7 +107,7 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
         other = quick_placement(listed, listed.pieces)
         if other.score < found.score and not other.breaking:
             task, found = listed, replace(other, whole=False)
-    setting = task.setting._replace(flush=True, roaming=_roaming(task, found, pieces))
+    setting = task.setting._replace(flush=True, roaming=_bound(pieces))
     if found.score[0] and setting.roaming and not is_call_spent():
         listed = in_room(pieces, setting=setting)
         other = best_placement(listed, listed.pieces)
@@ -163,13 +163,6 @@ def _with_these(
 def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:
     """Returns the ids of pieces of which a relation must hold."""
     return frozenset(piece.id for piece in pieces if any(spec.required for spec in piece.relations))
-
-
-def _roaming(task: PlaceTask, found: Round, pieces: Sequence[PieceRequest]) -> frozenset[str]:
-    """Returns the ids of pieces that may stand free of walls: by a relation that must hold, or as they are required and find no place."""
-    gone = {label for label, _ in found.arrangement.left_out if task.kinds[label].at_walls}
-    missing = {piece.id for piece in pieces if piece.required and not gone.isdisjoint(piece.labels)}
-    return task.setting.roaming | _bound(pieces) | missing
 
 
 def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Asking) -> tuple[Conflict, ...]:

@@ -191,11 +191,11 @@ def test_what_has_its_place_at_what_has_none_is_said_to() -> None:
 
 
 def test_of_what_stands_at_walls_it_is_said_that_it_is_for_there() -> None:
-    """Two sofas fit in the middle of the room, one behind the other, clear of its door, but out of reach; a table is for the middle."""
+    """Two sofas fit in the middle of the room, one behind the other, clear of its door; a table is for the middle."""
     door = Opening("door", "door", "east", 1.0, 0.9, connects_to="EXTERIOR")
     den = Room("den", width=2.97, depth=2.87, openings=(door,))
     (conflict,) = placed(PieceRequest("a", "sofa"), PieceRequest("b", "sofa"), room=den).conflicts
-    assert conflict.message.endswith("ways between all doors and to them, with a at walls")
+    assert conflict.message.endswith("in the 2.87 x 2.77 m of den, clear of its doors and windows, with a and b at walls")
     assert has_form(conflict.message)
     (conflict,) = placed(PieceRequest("t", "dining_table", width=2.9, depth=2.9, height=0.75), room=den).conflicts
     assert conflict.message.endswith("windows")

@@ -53,15 +53,3 @@ def test_relations_are_to_what_leaves_the_room_too(z: float, rotation: int) -> N
     beside = PieceRequest("side_table", relations=(RelationSpec(type="beside", of=("sofa",), required=True),))
     answer = place(Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(stands,)), [beside])
     assert [one.held for one in answer.best.relations] == [True]
-
-
-def test_what_no_outer_wall_is_free_for_stands_elsewhere() -> None:
-    """A T whose bar has a door and a table before its walls, and whose stem is 1.7 m wide with a chair at its end."""
-    stem = ((0, 0), (4.3, 0), (4.3, 1.25), (3.0, 1.25), (3.0, 3.6), (1.3, 3.6), (1.3, 1.25), (0, 1.25))
-    door = Opening("door", "door", position=1.84, width=0.9, height=2.0, edge=0, connects_to="EXTERIOR", main_entrance=True)
-    table = Furniture("table", "dining_table", x=3.09, z=0.45, rotation=180, width=1.6, depth=0.9, height=0.75)
-    chair = Furniture("chair", "dining_chair", x=2.2, z=3.0, rotation=180, width=0.46, depth=0.5, height=0.9)
-    room = Room("den", width=4.3, depth=3.6, outline=stem, openings=(door,), furniture=(table, chair))
-    answer = place(room, [PieceRequest("desk", width=1.4, depth=0.7, height=0.75)])
-    assert answer.best.unplaced == ()
-    assert errors(answer.best.scene) == set()
