@@ -127,7 +127,7 @@ def test_the_tool_bar_does_what_its_buttons_say(visit: Visit) -> None:
     assert [piece["locked"] for piece in bench.scene()["rooms"][0]["furniture"]] == [True, False]
     assert visit.state()["marks"]["locked"] == [ONE]
     for name in ("Turn left", "Turn right", "Delete"):
-        expect(bench.page.get_by_role("button", name=name, exact=True)).to_be_hidden()
+        assert click(name) == 90
     bench.press("ArrowRight", "Delete")
     assert poses(bench.scene())[ONE] == (1, 1, 90)
     bench.press("k")
