@@ -125,7 +125,7 @@ def _is_within(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
     away, lows, highs = _beside(line, rows[line.axis])
     common = np.maximum(np.minimum.outer(highs, highs) - np.maximum.outer(lows, lows), 0)
     faces = (np.subtract.outer(away, away) <= THICKEST) & (np.abs(np.add.outer(away, away)) <= SAME_LINE)
-    return common[faces & (away > 0)].sum() > THICKEST and not _is_side(line, rows)
+    return common[faces & (away > 0)[:, None]].sum() > THICKEST and not any(_corners(line, rows))
 
 
 def _is_alone(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
@@ -138,15 +138,15 @@ def _is_alone(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
     behind = np.subtract.outer(far, far).T
     nearer = (np.multiply.outer(away, away) > 0) & (behind >= THINNEST) & (behind < far[:, None]) & (far > THICKEST)
     overlap = np.minimum.outer(highs, highs) > np.maximum.outer(lows, lows)
-    is_face = (far <= THICKEST) & ~((nearer & overlap).any(axis=1) & (not _is_side(line, rows)))
+    is_face = (far <= THICKEST) & ~((nearer & overlap).any(axis=1) & (not all(_corners(line, rows))))
     return bool(2 * (highs - lows)[is_face].sum() < line.high - line.low)
 
 
-def _is_side(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> bool:
-    """Tells whether both ends of a line are corners, of an outline."""
+def _corners(line: DrawnLine, rows: Mapping[str, np.ndarray]) -> tuple[bool, ...]:
+    """Tells of either end of a line whether it is a corner, of an outline."""
     ats, lows, highs, _ = rows["z" if line.axis == "x" else "x"]
     ends_there = np.minimum(np.abs(lows - line.at), np.abs(highs - line.at)) <= SAME_LINE
-    return all((ends_there & (np.abs(ats - end) <= SAME_LINE)).any() for end in line[2:])
+    return tuple(bool((ends_there & (np.abs(ats - end) <= SAME_LINE)).any()) for end in line[2:])
 
 
 def _beside(line: DrawnLine, row: np.ndarray, within: int = THICKEST) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -130,7 +130,37 @@ def test_blocks_are_opened_while_they_fit_where_no_name_tells_anything(layers: d
     made.modelspace()[-1].grid((30, 30))
     sofa = in_block(made, layers["other"])
     sofa.add_lwpolyline([(6000, 1000), (8000, 1000), (8000, 1900), (6000, 1900)], close=True)
+    chair = in_block(made, layers["other"])
+    corners = [(0, 0), (400, 0), (400, 50), (400, 400), (350, 400), (50, 400), (0, 400), (0, 50)]
+    chair.add_lwpolyline([(5000 + x, 4000 + y, 0.41 * (at % 2)) for at, (x, y) in enumerate(corners)], format="xyb", close=True)
+    for at in range(90):
+        made.modelspace().add_blockref(chair.name, (at, 0), dxfattribs={"layer": layers["other"]})
     assert seen(imported(made)) == WANTED
+
+
+def test_what_is_said_on_a_layer_called_as_rooms_are_keeps_no_block_shut() -> None:
+    assert seen(imported(drawing({**NUMBERS, "text": "ROOM-NAMES", "block": "0"}))) == WANTED
+
+
+@pytest.mark.parametrize("thick", [240, 300, 400])
+def test_faces_of_walls_that_end_at_a_door_without_jambs_are_no_axes(thick: int) -> None:
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space, inner = made.modelspace(), (thick, thick, 9000 - thick, 5000 - thick)
+    for x0, y0, x1, y1 in ((0, 0, 9000, 5000), inner):
+        for a, b in (((x0, y0), (1500, y0)), ((2400, y0), (x1, y0)), ((x1, y0), (x1, y1)), ((x1, y1), (x0, y1)), ((x0, y1), (x0, y0))):
+            space.add_line(a, b)
+    for a, b in (
+        ((thick, 2 * thick), (1500, 2 * thick)),
+        ((2400, 2 * thick), (9000 - thick, 2 * thick)),
+        ((1500, thick), (1500, thick + 900)),
+    ):
+        space.add_line(a, b)
+    for x in (3000, 6000):
+        space.add_line((x, thick), (x, 5000 - thick))
+    space.add_arc((1500, thick), 900, 0, 90)
+    space.add_text("Kitchen", height=150, dxfattribs={"insert": (4000, 2500)})
+    assert seen(imported(made)) == [("kitchen", [("door", 0.9)])]
 
 
 def test_without_names_of_rooms_most_rooms_tell() -> None:

@@ -57,6 +57,8 @@ BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
 """Areas: of walls they are taken as outlines."""
+SAYS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION", "INSERT"})
+"""What draws no wall or room, whatever its layer is called."""
 PARTS: Final = frozenset({"SECTION", "ENDSEC", "VERTEX", "ATTRIB", "SEQEND"})
 """What is no entity of its own."""
 MULTI: Final = "MLINE"
@@ -215,7 +217,15 @@ class _Blocks:
 def _drawn(space: Any, known: DrawnNames) -> Iterator[_Entity]:
     """Yields what is drawn; where nothing is called a room or a wall, blocks are opened whatever their names are."""
     found = list(_opened(space, known))
-    return iter(found) if any(one.sort in ("room", "wall") for one in found) else _opened(space, known, every=True)
+    drawn = (one for one in found if one.it.dxftype() not in SAYS)
+    return iter(found) if any(one.sort in ("room", "wall") for one in drawn) else _opened(space, known, every=True)
+
+
+def _lines_at_most(part: Any) -> int:
+    """Returns how many lines of two points each hold as many as part of a drawing has."""
+    if part.dxftype() not in ("LWPOLYLINE", "POLYLINE"):
+        return 1
+    return (CHORDS if part.has_arc else 1) * len(part) // 2 + 1
 
 
 def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_Entity]:
@@ -239,12 +249,12 @@ def _opened(space: Any, known: DrawnNames, *, every: bool = False) -> Iterator[_
         if said and sort_within(inner) == "room":
             continue
         is_block = kind == "INSERT" and depth < DEEPEST and not one.has_attrib(BODY)
-        fits = is_block and every and 0 < one.mcount * len(one.block() or ()) <= MOST_POINTS // 2 - made
+        fits = is_block and every and 0 < one.mcount * sum(map(_lines_at_most, one.block() or ())) <= MOST_POINTS // 2 - made
         if is_block and (sort_within(inner) or holds(inner, one.dxf.name, depth) or (fits and not known.is_passed(inner))):
             made += one.mcount
             copies = (one,) if one.mcount == 1 else one.multi_insert() if made <= MOST_ENTITIES else ()
             parts = list(islice((part for copy in copies for part in copy.virtual_entities()), MOST_ENTITIES))
-            made += len(parts)
+            made += sum(map(_lines_at_most, parts)) if every else len(parts)
             if made > MOST_ENTITIES:
                 raise SyntaxFault(f"{MANY_ENTITIES}, each as often as its block is inserted")
             for part in reversed(parts):

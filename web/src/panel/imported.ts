@@ -104,6 +104,7 @@ export class ImportReport {
   /** Shows what was guessed of a plan that was furnished, before what was said of its file. */
   guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance" | "issues">, plan: Scene): void {
     const lines = guessLines(answer, plan);
+    if (!this.#read) this.#ways = [];
     if (lines.length === 0 && toCheck(answer.issues, plan).length === 0) return;
     const known = new Set(answer.guesses.map(({ room }) => room));
     const { guesses, ...read } = this.#read ?? { scene: plan, changes: [], guesses: [], unread: [] };
