@@ -46,7 +46,7 @@ class _Colourings(dict[str, _Colouring]):
 _colourings: Final = lru_cache(maxsize=64)(_Colourings)
 """Those of catalogs."""
 _flooring, _finish = lru_cache(maxsize=1024)(Flooring), lru_cache(maxsize=1024)(WallFinish)
-"""One for all rooms with the same one."""
+"""Each flooring and finish is one object, which rooms share."""
 
 
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:

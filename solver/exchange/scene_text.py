@@ -171,7 +171,9 @@ class _Shared(dict[int, tuple[Any, str]]):
     """Records that rooms share as JSON, by identity."""
 
     def text(self, record: Any) -> str:
-        """Returns what is written of one."""
+        """Returns what is written of one; not kept with keys of its sender's, which may be many and change."""
+        if getattr(record, EXTRA, None):
+            return _record(record)
         kept = self.get(id(record))
         if kept is None or kept[0] is not record:
             if len(self) >= MOST_TEXTS:

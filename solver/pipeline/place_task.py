@@ -186,7 +186,7 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     room = task.words.in_their_words(Scene(rooms=(room,))).rooms[0]
     levels = () if task.setting.height is None else (Level(room.level, height=task.setting.height),)
     scene = Scene(request=request, wall_thickness=task.setting.wall_thickness, rooms=(room,), levels=levels, certificate=document)
-    stands = {piece.id for piece in task.room.furniture}
+    stands = {piece.id for piece in task.room.furniture} | {piece.label for piece in task.listing.there}
     unplaced = tuple(Unplaced(label, reason) for label, reason in arrangement.left_out if label not in stands)
     bodies = {one.id: standing(one, task.space.clear, _heights(task.kinds[one.id])) for one in room.furniture}
     seen = replace(task.bare, bodies=bodies)

@@ -71,7 +71,7 @@ def _carriers(things: Iterable[Decoration]) -> dict[str, str]:
 def around(staying: Staying, space: Space, wanted: Sequence[Piece], catalogs: Catalogs) -> tuple[Staying, Space, tuple[Piece, ...]]:
     """Returns a room's wanted pieces, as for an empty room, around those that stay."""
     blocked, standing = obstacles(staying.room, space, catalogs)
-    blocked = replace(blocked, zones=space.zones)  # somebody has to be able to be there
+    blocked = replace(blocked, zones=space.zones)  # what stands is in the way as pieces, not as walls
     sent = {piece.id: piece for piece in staying.room.furniture}
     takes = _matched(staying.room.furniture, wanted, catalogs)
     names = {piece.label for piece in wanted}
@@ -204,8 +204,11 @@ def obstacles(room: Room, space: Space, catalogs: Catalogs, entrances: Collectio
     if not walkable_when_empty(taken):
         taken = replace(taken, doorways=tuple(door._replace(walked="not") for door in space.doorways))
     held = [_held(body, named, used.get(body.name, ((), False))) for body in bodies]
-    there = tuple(piece if walkable_when_empty(taken, [piece]) else replace(piece, stands=()) for piece in held)
-    return replace(space, doorways=taken.doorways) if walkable_when_empty(taken) else taken, there
+    there = held if walkable_when_empty(taken, held) else [replace(piece, stands=()) for piece in held]
+    for k, piece in enumerate(held):
+        if piece is not there[k] and piece.stands and walkable_when_empty(taken, more := [*there[:k], piece, *there[k + 1 :]]):
+            there = more
+    return replace(space, doorways=taken.doorways) if walkable_when_empty(taken) else taken, tuple(there)
 
 
 def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Piece:

@@ -27,7 +27,7 @@ from solver.exchange import (
     write_scene,
 )
 from solver.request import Request
-from solver.scene import Furniture, Room, Scene
+from solver.scene import Flooring, Furniture, Room, Scene
 from tests.exchange.documents import PLAIN, SCENES, piece, room, scene
 
 SCHEMA = Draft202012Validator(scene_schema())
@@ -235,6 +235,14 @@ def test_scenes_of_python_s_other_numbers_and_texts_are_written_as_their_documen
 def deep(levels: int) -> Any:
     """Returns lists within lists."""
     return [] if levels == 1 else [deep(levels - 1)]
+
+
+def test_what_a_sender_adds_to_a_floor_is_written_as_it_is_now() -> None:
+    own: dict[str, list[int]] = {"own": [1]}
+    told = Scene(rooms=(Room("den", width=3.0, depth=3.0, flooring=Flooring(extra=own)),))
+    assert json.loads(dump_scene(told, "json"))["rooms"][0]["flooring"]["own"] == [1]
+    own["own"].append(2)
+    assert json.loads(dump_scene(told, "json"))["rooms"][0]["flooring"]["own"] == [1, 2]
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from random import Random
 
 import pytest
 
 from catalogs.schema import RelationSpec
 from solver import place
+from solver.pieces import Piece, Space
+from solver.placement import walkable_when_empty
 from solver.requested import PieceRequest
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.validator import validate
@@ -53,3 +56,20 @@ def test_relations_are_to_what_leaves_the_room_too(z: float, rotation: int) -> N
     beside = PieceRequest("side_table", relations=(RelationSpec(type="beside", of=("sofa",), required=True),))
     answer = place(Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(stands,)), [beside])
     assert [one.held for one in answer.best.relations] == [True]
+
+
+def test_a_room_in_which_all_can_be_come_to_is_walked_no_oftener_with_more_in_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    walks = list[int]()
+
+    def counted(space: Space, there: Sequence[Piece] = ()) -> bool:
+        walks.append(len(there))
+        return walkable_when_empty(space, there)
+
+    monkeypatch.setattr("solver.pipeline.staying.walkable_when_empty", counted)
+    made = list[int]()
+    for count in (2, 12):
+        beds = (Furniture(f"bed_{k}", "bed", x=1.5 + 3 * k, z=1.2, width=1.6, depth=2.0, height=0.9) for k in range(count))
+        answer = place(Room("hall", width=40.0, depth=6.0, openings=(DOOR,), furniture=tuple(beds)), [PieceRequest("armchair")])
+        assert (answer.best.unplaced, answer.best.issues) == ((), ())
+        made.append(len(walks))
+    assert made[1] == 2 * made[0]
