@@ -3,7 +3,7 @@
 import gc
 import os
 import sys
-from argparse import ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
+from argparse import Action, ArgumentParser, ArgumentTypeError, BooleanOptionalAction, _SubParsersAction
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any, Final, TypeAlias
@@ -58,18 +58,14 @@ def outline(text: str) -> str | list[list[float]]:
         raise ArgumentTypeError(f"{text!r:.60} is no word and not corners, such as '0,0 8,0 8,6 0,6'") from None
 
 
-def _whole(least: int, most: int) -> Callable[[str], int]:
-    """Returns what reads a whole number from `least` to `most`."""
-
-    def read(text: str) -> int:
-        if not text.isdecimal() or not least <= int(text) <= most:
-            raise ArgumentTypeError(f"{text!r} is not a whole number from {least} to {most}")
-        return int(text)
-
-    return read
+def _whole(least: int, most: int, text: str) -> int:
+    """Reads a whole number from `least` to `most`."""
+    if not text.isdecimal() or not least <= int(text) <= most:
+        raise ArgumentTypeError(f"{text!r} is not a whole number from {least} to {most}")
+    return int(text)
 
 
-_COUNT: Final = _whole(1, 10**9)
+_COUNT: Final = partial(_whole, 1, 10**9)
 
 
 def _task(tasks: tuple[str, ...], text: str) -> str:
@@ -87,20 +83,26 @@ def seeds(text: str) -> tuple[int, int]:
     return int(first), int(last)
 
 
-def _listed(words: Any) -> Callable[[str], tuple[str, ...]]:
-    """Returns what reads several words of some, with commas between."""
-
-    def read(text: str) -> tuple[str, ...]:
-        given = tuple(dict.fromkeys(text.split(",")))
-        if unknown := [word for word in given if word not in words]:
-            raise ArgumentTypeError(f"{unknown[0]!r} is none of {', '.join(words)}")
-        return given
-
-    return read
+def _listed(words: Any, text: str) -> tuple[str, ...]:
+    """Reads several words of `words`, with commas between."""
+    given = tuple(dict.fromkeys(text.split(",")))
+    if unknown := [word for word in given if word not in words]:
+        raise ArgumentTypeError(f"{unknown[0]!r} is none of {', '.join(words)}")
+    return given
 
 
 def _command(commands: Commands, name: str, words: str) -> ArgumentParser:
     return commands.add_parser(name, help=words, description=words, epilog=STATUSES, allow_abbrev=False)
+
+
+class _Version(Action):
+    """Says which version this is, and ends; looked up late, since `--help` loads nothing."""
+
+    def __call__(self, parser: ArgumentParser, *_: object) -> None:
+        from solver.version import VERSION
+
+        print(parser.prog, VERSION)
+        parser.exit()
 
 
 class _ExportWords:
@@ -330,11 +332,11 @@ def _add_dataset(commands: Commands) -> None:
     add("--seeds", type=seeds, metavar="A-B", help="the first and the last seed")
     formats: Any = _ExportWords("EXPORTERS", "json", "yaml")
     words = "json (default), and formats of export; of make: yaml or json (by the output's name, else json)"
-    add("-f", "--format", "--formats", dest="formats", type=_listed(formats), metavar="F,...", help=words)
+    add("-f", "--format", "--formats", dest="formats", type=partial(_listed, formats), metavar="F,...", help=words)
     add("--request", metavar="FILE", help="a request, YAML or JSON; options win over it")
     _add_request_keys(command, "of make: the home's", "on")
     add("--vary", metavar="FILE", help="how requests differ: weights by key, YAML or JSON (docs/datasets.md)")
-    add("--shard-size", type=_whole(1, 100_000), default=250, metavar="N", help="homes that are made and written together (250)")
+    add("--shard-size", type=partial(_whole, 1, 100_000), default=250, metavar="N", help="homes that are made and written together (250)")
     _add_workers(command)
     add("--ray", nargs="?", const="local", metavar="ADDRESS", help="spread over a Ray cluster (this machine's own)")
     add("--sample", type=_COUNT, metavar="N", help="of check: homes that are made again and validated (100)")
@@ -350,6 +352,7 @@ def parser(everything: bool = True) -> ArgumentParser:
     """
     words = "Lays out whole furnished homes and proves they work."
     whole = ArgumentParser("compose", description=words, epilog=STATUSES, allow_abbrev=False)
+    whole.add_argument("--version", action=_Version, nargs=0, help="show the version and exit")
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
     for add in (
         _add_generate,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -121,6 +122,13 @@ def test_a_reader_that_leaves_is_no_failure() -> None:
         assert run.stderr
         words = run.stderr.read().decode()
     assert words == ""
+
+
+def test_version_is_the_newest_of_the_changelog(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--version"])
+    newest = re.findall(r"^## .([\d.]+). - ", (ROOT / "CHANGELOG.md").read_text(), re.M)[0]
+    assert capsys.readouterr().out == f"compose {newest}\n"
 
 
 def test_help_loads_nothing_heavy() -> None:
