@@ -13,22 +13,19 @@ from solver.body_parts import BodyPart
 from solver.exports.model import Paint
 from solver.exports.paints import srgb
 from solver.exports.solid_meshes import surface_of
+from solver.exports.step_file import Entity, StepFile, value_of
 
-Entity = Any
-"""An entity of ifcopenshell, whose types are made when it runs."""
 _ROUND: Final = 6
 """Decimals of a metre that are written."""
 
 
 class IfcPieces:
-    """Makes the entities of one empty `ifcopenshell.file` of IFC4; `house`, part of every identity, tells it from others."""
+    """Makes the entities of one empty file of IFC4; `house`, part of every identity, tells it from others."""
 
-    def __init__(self, file: Any, house: str) -> None:
+    def __init__(self, file: StepFile, house: str) -> None:
         import ifcopenshell.guid  # noqa: PLC0415 (an extra)
 
-        self.file, self._house, self._compress = file, house, ifcopenshell.guid.compress
-        self._places: dict[tuple[str, str], int] = {}
-        """Which of an entity's fields has a name."""
+        self.new, self._house, self._compress = file.new, house, ifcopenshell.guid.compress
         self._styles: dict[Paint, Entity] = {}
         self._points: dict[tuple[float, ...], Entity] = {}
         self._directions: dict[tuple[float, ...], Entity] = {}
@@ -50,16 +47,6 @@ class IfcPieces:
             ParentContext=self.model,
             TargetView="MODEL_VIEW",
         )
-
-    def new(self, kind: str, **fields: Any) -> Entity:
-        """Returns a new entity, sooner than `create_entity` does: fields are looked for once, and there is nothing to be undone."""
-        made = self.file.create(kind, -1)
-        for name, value in fields.items():
-            place = self._places.get((kind, name))
-            if place is None:
-                place = self._places[kind, name] = made.get_argument_index(name)
-            made.set_attribute_value_py(place, value)
-        return made
 
     def rooted(self, kind: str, role: str, identity: str, **fields: Any) -> Entity:
         """Returns a new entity with an identity, the same for the same house, role and id."""
@@ -150,7 +137,7 @@ class IfcPieces:
 
     def representation(self, items: Sequence[Entity]) -> Entity:
         """Returns a body's representation, named by what it is made of."""
-        kinds = {item.is_a() for item in items}
+        kinds = {item.kind for item in items}
         name = {"IfcExtrudedAreaSolid": "SweptSolid", "IfcTriangulatedFaceSet": "Tessellation", "IfcMappedItem": "MappedRepresentation"}
         word = name[kinds.pop()] if len(kinds) == 1 else "SurfaceOrSolidModel"
         return self.new(
@@ -169,12 +156,13 @@ class IfcPieces:
             "IfcRelDefinesByProperties", f"{role} said {title}", identity, RelatedObjects=[product], RelatingPropertyDefinition=made
         )
 
-    def _value(self, value: object) -> Entity:
+    @staticmethod
+    def _value(value: object) -> Entity:
         if isinstance(value, tuple):
-            return self.file.create_entity(*value)
+            return value_of(*value)
         if isinstance(value, bool):
-            return self.file.create_entity("IfcBoolean", value)
-        return self.file.create_entity("IfcLabel" if len(str(value)) <= 255 else "IfcText", printable(str(value)))
+            return value_of("IfcBoolean", value)
+        return value_of("IfcLabel" if len(str(value)) <= 255 else "IfcText", printable(str(value)))
 
 
 @lru_cache(maxsize=1 << 11)
