@@ -44,7 +44,7 @@ class Measures:
         self._work = Counter("compose_work", "Work of calls, in searches of a small room.", ("path",), registry=self.registry)
         self._issues = Counter("compose_issues", "Issues listed in answers.", ("severity",), registry=self.registry)
         self._traps = Counter("compose_core_restarts", "Calls begun again on a fresh instance of the core.", registry=self.registry)
-        self._gauge("compose_process_restarts", "Processes that died and were replaced.", lambda: workers.restarts)
+        self._gauge("compose_process_restarts", "Processes that died or had grown, and were replaced.", lambda: workers.restarts)
         for name, lane in (("heavy", workers.heavy), ("light", workers.light)):
             self._gauge(f"compose_{name}_running", f"Calls that run in the {name} lane.", _running(lane))
             self._gauge(f"compose_{name}_waiting", f"Calls that wait in the {name} lane.", _waiting(lane))

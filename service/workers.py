@@ -28,10 +28,15 @@ from service.problems import Busy, ProcessLost, TooLong
 from service.service_settings import Settings
 from solver import pipeline
 
+if sys.platform != "win32":
+    import resource
+
 T = TypeVar("T")
 
 SIZE_BYTES: Final = 8
 """Before each answer stands how long it is."""
+GROWN: Final = 1 << 29
+"""Memory that a process had at its most when another takes its place, bytes: libraries that read files of others do not give all back."""
 _CAN_FORK: Final = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES: Final[Any] = multiprocessing.get_context("forkserver" if _CAN_FORK else "spawn")
 _FLOWS: Final = ("drag", "explain", "export", "fix", "generate", "import_plan", "own_plan", "place", "restyle")
@@ -91,7 +96,7 @@ class WorkerProcess:
 
 
 def _make_calls(called: socket.socket, nice: int) -> None:
-    """Makes calls until the service has gone, however that ends; a call that runs then ends with it.
+    """Makes calls until the service has gone, however that ends, or this process has grown; a call that runs then ends with it.
 
     Its parent does not: the server of forks lives on while one of its forks does. Ctrl-C is for the service, which ends its processes
     itself.
@@ -101,7 +106,7 @@ def _make_calls(called: socket.socket, nice: int) -> None:
     if sys.platform != "win32":
         os.nice(nice)
     with suppress(EOFError, OSError), called.makefile("rb") as asked:
-        while True:
+        while _most_memory() < GROWN:
             work, given = pickle.load(asked)
             try:
                 found = work(*given)
@@ -110,6 +115,14 @@ def _make_calls(called: socket.socket, nice: int) -> None:
             written = pickle.dumps(found)
             called.sendall(len(written).to_bytes(SIZE_BYTES, "big"))
             called.sendall(written)
+
+
+def _most_memory() -> int:
+    """Returns how much memory this process had at its most, bytes."""
+    if sys.platform == "win32":
+        return 0
+    most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return most if sys.platform == "darwin" else most << 10
 
 
 Given = TypeVarTuple("Given")
@@ -152,7 +165,7 @@ class Workers:
         self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting, GIVES_WAY, [], set())
         self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, 0, [], set())
         self.restarts = 0
-        """Processes that died and were replaced."""
+        """Processes that ended and were replaced."""
         self._first: tuple[Callable[..., object], tuple[object, ...]] | None = None
 
     def check(self) -> None:

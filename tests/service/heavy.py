@@ -79,6 +79,12 @@ def hungry() -> str:
         return f"{done.status_code} refused"
 
 
+def grows(size: int) -> int:
+    """Has so much memory for a moment, bytes; returns its process."""
+    kept = b"x" * size
+    return os.getpid() if kept else 0
+
+
 def fails(_: Job) -> Failure:
     """A call that breaks."""
     from service.work import Failure

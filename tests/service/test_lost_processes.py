@@ -13,6 +13,7 @@ from starlette.testclient import TestClient
 from service import workers
 from service.app import ComposeApp
 from service.problems import Busy, ProcessLost
+from service.service_settings import Settings
 from service.workers import Workers
 from tests.service import apart, heavy
 from tests.service.problems import entry_of
@@ -29,6 +30,18 @@ def test_a_process_that_dies_is_replaced_once(tmp_path: Path) -> None:
         with pytest.raises(ProcessLost):
             await bench.run(heavy.dies, str(tmp_path), 9)
         assert bench.restarts == 1 + workers.TRIES
+
+    apart.run(scene)
+
+
+def test_a_process_that_has_grown_makes_way_for_another_and_no_other_does() -> None:
+    """A library that never gives back all memory would have it end in refusals of calls that take little."""
+
+    async def scene() -> None:
+        bench = Workers(Settings(processes=1))
+        first = await bench.run(heavy.grows, 1 << 20)
+        assert await bench.run(heavy.grows, workers.GROWN) == first
+        assert await bench.run(os.getpid) != first
 
     apart.run(scene)
 
