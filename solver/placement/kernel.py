@@ -103,7 +103,7 @@ def hand_over(engine: Engine, solution: Solution) -> None:
 def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk: bool, tidy: bool) -> tuple[int, float]:
     """Puts the assembled problem on whole millimetres, which are left in grid.positions.
 
-    Positions are the final solve's, by axis and variable, m; the search's own are snapped where the walk hangs on the last millimetre.
+    Positions are the final solve's, by axis and variable, m.
     Returns WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
     """
     hand_over(engine, solution)

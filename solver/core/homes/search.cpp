@@ -81,14 +81,17 @@ class Search {
   // The cheapest home; of a rectangle drawn even where its strips do not come out, but where its extents are less than a hallway's width.
   const Seen& run() {
     Seen& best = best_of_all_;
+    const SearchKind* kind_of_best = nullptr;
     for (const SearchKind& kind : request_.kinds) {
       search(kind);
-      if (best_of_kind_.cost < best.cost) best = best_of_kind_;
+      if (best_of_kind_.cost < best.cost) {
+        best = best_of_kind_;
+        kind_of_best = &kind;
+      }
       if (best_of_kind_.drawn && !best_of_kind_.verdict.short_rooms && !best_of_kind_.verdict.unreached) break;
     }
-    if (!best.drawn && request_.outline == Outline::rectangle) {
-      const SearchKind& kind = kind_of(best.draft);
-      best.drawn = Drawer(columns_, kind.frame, request_.wished).draw(best.draft, true, best.sheet).fits;
+    if (!best.drawn && kind_of_best != nullptr && request_.outline == Outline::rectangle) {
+      best.drawn = Drawer(columns_, kind_of_best->frame, request_.wished).draw(best.draft, true, best.sheet).fits;
       if (best.drawn) best.verdict = judge_.verdict(best.sheet);
     }
     return best;
@@ -97,13 +100,6 @@ class Search {
  private:
   static Taste taste(Outline outline) {
     return outline == Outline::given ? GIVEN_TASTE : outline == Outline::rectangle ? TASTE : BENT_TASTE;
-  }
-
-  const SearchKind& kind_of(const Draft& draft) const {
-    for (const SearchKind& kind : request_.kinds) {
-      if (kind.kind == static_cast<i64>(draft.kind)) return kind;
-    }
-    fail(Failure::bad_request);
   }
 
   void search(const SearchKind& kind) {

@@ -17,13 +17,11 @@ void hand_over(const Desk& desk);
 
 // Puts the assembled problem on whole millimetres.
 //
-//   desk: positions in desk.finals, of the final solve, and in desk.owns, of the search, m; in desk.taken the rows taken, so many as
-//     desk.handed says.
+//   desk: positions in desk.finals, m; in desk.taken the rows taken, so many as desk.handed says.
 //   walk: whether all is walkable at the search's positions.
 //   slide: whether slivers are tidied away.
 //
-// Where the walk hangs on the last millimetre, the search's own positions are snapped instead of the final solve's. The result is left
-// in grid.positions, and in desk.added by how much the terms cost more once tidied.
+// The result is left in grid.positions, and in desk.added by how much the terms cost more once tidied.
 Settled settle(const Desk& desk, bool walk, bool slide);
 
 }  // namespace placement
