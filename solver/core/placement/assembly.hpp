@@ -1,4 +1,4 @@
-// From decisions to a problem: what each piece adds (parts.hpp), and the choices between its parts and those before.
+// From decisions to a problem: what each piece adds, and the choices between its parts and those before.
 #pragma once
 
 #include "placement/engine.hpp"

@@ -3,10 +3,69 @@
 #include "placement/dual.hpp"
 #include "placement/nodes.hpp"
 #include "placement/program.hpp"
-#include "placement/reach.hpp"
 #include "placement/widen.hpp"
+#include "plain/pairs.hpp"
 
 namespace placement {
+
+constexpr f64 ROUNDING = 1e-7;  // an option is given up only if it misses by more than this, m
+
+// A variable's number among the free ones, and where it is if it is fixed.
+struct Place {
+  i32 column;
+  f64 value;
+};
+
+inline Place place_of(const Program& program, i64 variable) {
+  const i64 at = variable == ORIGIN ? program.column.size - 1 : variable;
+  return {program.column[at], program.value[at]};
+}
+
+// Tells whether a row over all variables is within reach.
+inline bool possible(const Engine& engine, const DifferenceRow& row) {
+  if (row.i == row.j) return row.s <= 0;
+  const Program& program = engine.programs[row.axis];
+  const Place i = place_of(program, row.i), j = place_of(program, row.j);
+  const f64 room = static_cast<f64>(-row.s) / 1000 + (program.most[j.column] + j.value) - (program.least[i.column] + i.value);
+  return room >= -ROUNDING;
+}
+
+// Narrows how far variables go by the rows from one to before another; tells whether that changed anything.
+static bool sweep(const Program& program, i32 first, i32 end) {
+  const i32 n = program.size;
+  const Span<f64> &least = program.least, &most = program.most;
+  bool changed = false;
+  for (i32 r = first; r < end; r++) {
+    const auto [i, j, rest] = program.rows[r];
+    const f64 lowest = least[i] - rest, highest = most[j] + rest;
+    const bool is_higher = least[j] < lowest - ROUNDING, is_lower = most[i] > highest + ROUNDING;
+    if (!is_higher && !is_lower) continue;
+    if (is_higher && j < n) {
+      least[j] = lowest;
+      changed = true;
+    }
+    if (is_lower && i < n) {
+      most[i] = highest;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+// Bound propagation over difference rows, as in disjunctive scheduling (Carlier & Pinson, Management Science 35, 1989): no QP is spent on
+// options that are out of reach.
+//
+// Writes to `least` and `most` the positions of an axis's free variables that its first `count` rows behind the bounds leave.
+static void propagate(Program& program, i32 count) {
+  const Span<f64> &least = program.least, &most = program.most;
+  const i32 first = 2 * program.size, end = first + count;
+  for (i32 v = 0; v < program.width; v += 2) {
+    pair_at(least, v) = pair_at(program.low, v);
+    pair_at(most, v) = pair_at(program.high, v);
+  }
+  // More than two sweeps sharpen the bounds for more than that saves (measured).
+  if (sweep(program, first, end)) sweep(program, first, end);
+}
 
 constexpr f64 VIOLATED = 1e-8;  // an option holds when it misses by less than this, m
 // Puts choices with fewer options within reach before those violated more; more than any slack in steps.

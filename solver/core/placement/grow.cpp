@@ -2,13 +2,74 @@
 
 #include "placement/assembly.hpp"
 #include "placement/beside.hpp"
-#include "placement/heap.hpp"
 #include "placement/memo.hpp"
 #include "placement/nodes.hpp"
 #include "placement/options.hpp"
 #include "placement/search.hpp"
 
 namespace placement {
+
+constexpr i64 EXPANDED = -1;  // decision of a heap entry that stands for the state itself
+
+static bool before(const Tree& tree, i64 a, i64 b) {
+  const HeapEntry &one = tree.heap[a], &two = tree.heap[b];
+  if (one.rank != two.rank) return one.rank < two.rank;
+  if (one.bound != two.bound) return one.bound < two.bound;
+  if ((one.decision == EXPANDED) != (two.decision == EXPANDED)) return one.decision == EXPANDED;
+  return one.age < two.age;
+}
+
+static void exchange(const Tree& tree, i64 a, i64 b) {
+  swap(tree.heap[a], tree.heap[b]);
+  swap(tree.heap_cost[a], tree.heap_cost[b]);
+}
+
+static void sift_up(const Tree& tree, i64 at) {
+  while (at > 0 && before(tree, at, (at - 1) / 2)) {
+    exchange(tree, at, (at - 1) / 2);
+    at = (at - 1) / 2;
+  }
+}
+
+// Adds an entry; false where the heap is full.
+static bool push(const Tree& tree, f64 bound, i64 state, i64 decision, f64 cost, i64 depth) {
+  Counters& counters = *tree.counters.data;
+  const i64 at = counters.heaped;
+  if (at >= tree.heap.size) return false;
+  tree.heap[at] = {counters.diving ? -depth : 0, in_steps(bound), counters.order, state, decision};
+  tree.heap_cost[at] = cost;
+  counters.order++;
+  counters.heaped++;
+  sift_up(tree, at);
+  return true;
+}
+
+// Moves the least entry to the place behind the heap's end.
+static void pop(const Tree& tree) {
+  const i64 last = tree.counters->heaped - 1;
+  exchange(tree, 0, last);
+  tree.counters->heaped = last;
+  i64 at = 0;
+  while (true) {
+    i64 first = at;
+    for (i64 child = 2 * at + 1; child < least(2 * at + 3, last); child++) {
+      if (before(tree, child, first)) first = child;
+    }
+    if (first == at) return;
+    exchange(tree, at, first);
+    at = first;
+  }
+}
+
+// Sorts the heap by depth first from now on.
+static void dive(const Tree& tree) {
+  tree.counters->diving = 1;
+  tree.counters->closed = 0;
+  for (i64 k = 0; k < tree.counters->heaped; k++) {
+    tree.heap[k].rank = -tree.depths[tree.heap[k].state];
+    sift_up(tree, k);
+  }
+}
 
 constexpr f64 CUBIC_FROM = 5;  // from so many times 20 variables an axis on factors cost the most; measured
 constexpr f64 MANY_ZONES = 5;  // beyond so many times 20 zones the walk costs more than a QP; measured
