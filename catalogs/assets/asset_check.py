@@ -18,6 +18,7 @@ from catalogs.assets.asset_measures import KindTable, fitting_units, kind_table,
 from catalogs.assets.glb_file import GlbFault, bounds_of, read_glb
 from catalogs.faults import CatalogError, ComposeError
 from catalogs.schema import Catalogs
+from catalogs.synonyms import words_of
 
 FRONTS: Final[tuple[Front, ...]] = ("+z", "+x")
 """Fronts that are guessed: glTF's, or the one across it where only that gives a kind's proportions."""
@@ -25,7 +26,6 @@ MOST_FILES: Final = 20_000
 """Most files that a folder is searched for, in it and below. Our choice."""
 LEVEL: Final = 0.02
 """A surface of an asset is one of its kind's if it is so near, m, once the asset is as high as the kind."""
-_WORD: Final = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 _ORDER: Final = ("file", "kinds", "front", "size", "surfaces", "mass", "license", "source", "author", "guessed")
 
 
@@ -109,11 +109,11 @@ def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> A
     """Returns the entry of a file of which nothing is said; a GlbFault where it is refused, or no kind can be guessed."""
     entry = AssetEntry(file=file, kinds=("?",), guessed=("kinds", "front", "license"))
     bounds = bounds_of(read_glb(folder / file))
-    words = words_of(file.rpartition(".")[0])
+    words = set(words_of(file.rpartition(".")[0]))
     best: dict[str, int] = {}
     for key, spec in kinds.specs.items():
         names = (key, getattr(spec, "name", None) or key, *spec.labels)
-        fit = max((len(parts) for name in names if (parts := words_of(name)) and parts <= words), default=0)
+        fit = max((len(parts) for name in names if (parts := set(words_of(name))) and parts <= words), default=0)
         if fit:
             best[key] = fit
     most = max(best.values(), default=0)
@@ -124,11 +124,6 @@ def _guessed(folder: Path, file: str, kinds: KindTable, catalogs: Catalogs) -> A
     front = next((front for front, keys in fits.items() if keys), entry.front)
     called = tuple(dict.fromkeys(catalogs.name_of(key) for key in fits[front] or named))
     return entry.model_copy(update={"kinds": called, "front": front, "license": UNSAID})
-
-
-def words_of(name: str) -> frozenset[str]:
-    """Returns the words of a name, of whatever case and with whatever between them, without plurals' s."""
-    return frozenset(word.lower().removesuffix("s") if len(word) > 3 else word.lower() for word in _WORD.findall(name))
 
 
 def _remarks(asset: Asset, kinds: KindTable) -> list[str]:

@@ -8,7 +8,7 @@ import pytest
 import yaml
 
 from catalogs import Catalogs, add_assets, load_catalogs
-from catalogs.assets.asset_check import checked_folder, words_of
+from catalogs.assets.asset_check import checked_folder
 from service.cli import main
 from solver.exports.asset_surfaces import levels_of
 from tests.assets.makers import folder, shape, under
@@ -69,19 +69,6 @@ def test_every_kind_s_own_file_is_guessed(tmp_path: Path) -> None:
     found = checked_folder(folder(tmp_path, {f"{key}.glb": shape(key) for key in keys}), catalogs)
     assert found.refused == {}
     assert [key for key in keys if catalogs.name_of(key) not in found.entries[key].kinds] == []
-
-
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [
-        ("barStool_2", {"bar", "stool"}),
-        ("TV Stands", {"tv", "stand"}),
-        ("kitchen/big-BookShelf01", {"kitchen", "big", "book", "shelf"}),
-        ("012", set()),
-    ],
-)
-def test_words_of_names(name: str, words: set[str]) -> None:
-    assert words_of(name) == words
 
 
 def test_a_front_that_looks_aside_shows_in_the_proportions(tmp_path: Path) -> None:

@@ -82,6 +82,8 @@ def test_words() -> None:
     assert words_of("TVStands_03") == ("tv", "stand")
     assert words_of("Fridge & Freezer") == ("fridge", "freezer")
     assert words_of("Bücherregale") == ("bucherregale",)
+    assert words_of("kitchen/big-BookShelf01") == ("kitchen", "big", "book", "shelf")
+    assert words_of("012") == ()
 
 
 def test_names_of_ones_own(tmp_path: Path) -> None:
