@@ -343,11 +343,7 @@ def least_moved_from_last(problem: RoomProblem, pieces: Sequence[Piece]) -> Arra
     if not jumped and not free.left_out and not free.notes:
         return free
     alone = [(label,) for label in jumped[:MOST_FREED] if len(jumped) > 1]
-    restricted = [near for near in map(last.near, [(), *alone]) if near is not None]
-    answers = [least_moved(space, near, Budget(work)) for near in restricted]
-    stood = last.places()
-    draft = moved_back(space, [piece for piece, _ in stood], [place for _, place in stood]) if stood else None
-    answers += [finish([draft], "search")[0]] if draft else []
+    answers = [least_moved(space, near, Budget(work)) for near in map(last.near, [(), *alone]) if near is not None]
     return min([*answers, free], key=lambda answer: (len(answer.left_out), len(answer.notes), _cost(answer, last)))
 
 

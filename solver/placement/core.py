@@ -195,16 +195,15 @@ class Core:
             raise AssertionError(f"{self.encoded.space.room}: {problem}")
         return settled == layout.WALKABLE, added
 
-    def pulled_back(self, places: Sequence[Rect | None]) -> Solution | None:
+    def pulled_back(self, places: Sequence[Rect]) -> Solution | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
 
-        One that stands where another takes it has no place. None where the pieces could not stand and be walked between at those given.
+        None where the pieces could not stand and be walked between there.
         """
         positions = self.engine.grid.positions
         for part, place in zip(self.engine.work.parts[self.engine.work.body_part[: len(places)]].tolist(), places, strict=True):
             _, _, x, z, off_x, off_z, *_ = part
-            if place is not None:
-                positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
+            positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
         return self.solution() if self.engine.instance.call("pull_back", self.engine.desk) else None
 
     def rotation(self, piece: int) -> int:

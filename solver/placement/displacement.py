@@ -52,11 +52,8 @@ def can_be_used(space: Space, pieces: Sequence[Piece], budget: Budget) -> bool:
     return _Question(space, pieces, budget).is_answered()
 
 
-def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect | None]) -> SolvedRoom | None:
-    """Moves pieces, one candidate each, back from their places to where they are wished; None if they cannot be used between there.
-
-    One that stands where another takes it has no place.
-    """
+def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect]) -> SolvedRoom | None:
+    """Moves pieces, one candidate each, back from their places to where they are wished; None if they cannot be used between there."""
     core = Core(encode(space, pieces, "test"))
     decisions = core.first_decisions()
     if decisions is None or not core.assemble(decisions):

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from solver.answers import Pose
-from solver.geometry import Rect, rotate, turned
+from solver.geometry import Rect, rotate
 from solver.pieces import Arrangement, Candidate, Piece
 from solver.repair.bodies import squared
 
@@ -45,23 +45,6 @@ class LastAnswer:
         here = [placed for placed in answer.placed if placed.label in self.bound and placed.chosen.attach is None]
         return tuple(p.label for p in here if _is_elsewhere(p.footprint, p.rotation, self.poses[p.label]))
 
-    def places(self) -> tuple[tuple[Piece, Rect | None], ...] | None:
-        """Returns every piece in the way it stood in, and its place; none for those that stand where another takes them.
-
-        In the pieces' order, those without a pose where they are wished; None where one has no such way.
-        """
-        found = []
-        for piece in self.pieces:
-            ways = self._near(piece) if piece.label in self.poses else piece.candidates[:1]
-            way = next((own for own in piece.candidates for near in ways if replace(own, within=near.within) == near), None)
-            if way is None:
-                return None
-            x, z = way.anchor_mm
-            pose = self.poses.get(piece.label, Pose(piece.label, x / 1000, z / 1000))
-            place = None if _is_carried(way) else _rect(way, pose)
-            found.append((replace(piece, candidates=(way,)), place))
-        return tuple(found)
-
     def _near(self, piece: Piece) -> tuple[Candidate, ...]:
         """Returns the ways that hold at a pose: at the parent's side where it was there, else near where it was."""
         ways, pose = piece.candidates, self.poses[piece.label]
@@ -71,17 +54,6 @@ class LastAnswer:
             return there
         free = (_around(way, self.clear, pose) for way in ways if way.attach is None)
         return tuple(way for way in free if way is not None)
-
-
-def _is_carried(way: Candidate) -> bool:
-    """Tells whether a way leaves a piece one place in the frame of another."""
-    return way.attach is not None and all(low == high for low, high in (way.attach.across_mm, way.attach.along_mm))
-
-
-def _rect(way: Candidate, pose: Pose) -> Rect:
-    width, depth = way.extent if way.attach is None else turned(*way.size_mm[:2], squared(pose.rotation))
-    x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
-    return Rect(x, z, x + width, z + depth)
 
 
 def _is_elsewhere(own: Rect, rotation: int, pose: Pose) -> bool:
@@ -108,5 +80,6 @@ def _around(way: Candidate, clear: Rect, pose: Pose) -> Candidate | None:
         return way
     if way.rotation != squared(pose.rotation):
         return None
-    near = _rect(way, pose).shrunk(-REACH_MM).common(bounds)
+    x, z = round(pose.x * 1000 - width / 2), round(pose.z * 1000 - depth / 2)
+    near = Rect(x, z, x + width, z + depth).shrunk(-REACH_MM).common(bounds)
     return replace(way, within=near) if near.width >= width and near.depth >= depth else None
