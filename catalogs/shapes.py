@@ -172,20 +172,8 @@ def heights(part: ShapePart, surfaces: Mapping[str, float]) -> tuple[float, floa
 
 def images(part: ShapePart, y: tuple[float, float]) -> list[Solid]:
     """Returns a part and its mirror images, each as one solid; `y` are its ends in height."""
-    taper = 0.0 if part.form == "cone" else part.taper
-    made = [
-        Solid(
-            form=part.form,
-            x=part.x,
-            y=y,
-            z=part.z,
-            axis=part.axis,
-            taper=taper,
-            material=part.material,
-            opens=part.opens,
-            must_open=part.must_open,
-        )
-    ]
+    alike = {key: getattr(part, key) for key in ("form", "x", "z", "axis", "material", "opens", "must_open")}
+    made = [Solid(**alike, y=y, taper=0.0 if part.form == "cone" else part.taper)]
     for axis in part.mirror or "":
         made += [_mirrored(solid, axis) for solid in made]
     return made

@@ -124,14 +124,8 @@ class BodyRows:
             _, _, _, _, rotation, _, _, _, x0, z0, x1, z1, low, *_ = row
             body = object.__new__(of)
             own = body.__dict__  # a frozen dataclass's own `__init__` takes three times as long
-            own["id"], own["name"], own["rotation"], own["color"], own["kind"], own["extra"] = (
-                name,
-                look.name,
-                rotation,
-                color,
-                look.kind,
-                {},
-            )
+            own["id"], own["name"], own["kind"] = name, look.name, look.kind
+            own["rotation"], own["color"], own["extra"] = rotation, color, {}
             own["x"], own["y"], own["z"] = (x0 + x1) / 2000, low / 1000, (z0 + z1) / 2000
             own["width"], own["depth"], own["height"] = look.size
             own.update(others)

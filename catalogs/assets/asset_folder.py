@@ -57,9 +57,5 @@ def _check_kinds(path: Path, name: str, entry: AssetEntry, kinds: KindTable) -> 
     for number, word in enumerate(entry.kinds):
         if not kinds.keys_of((word,)):
             known = [*kinds.specs, *kinds.named]
-            raise located(
-                path,
-                Fault(
-                    "", (name, "kinds", number), f"unknown kind {word!r}{near(word, known)}", "a key of furniture.yaml or decorations.yaml"
-                ),
-            )
+            problem = f"unknown kind {word!r}{near(word, known)}"
+            raise located(path, Fault("", (name, "kinds", number), problem, "a key of furniture.yaml or decorations.yaml"))
