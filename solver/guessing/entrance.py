@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Final
 
 from catalogs import Catalogs
-from solver.guessed import ChosenEntrance
+from solver.answers import ChosenEntrance
 from solver.guessing.doors_between import doors_between, joined_rooms
 from solver.scene import EXTERIOR, Opening, Room, Scene
 

@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 
 from catalogs import Catalogs
 from catalogs.synonyms import RoomMeaning, room_names_of
-from solver.guessed import RoomGuess
+from solver.answers import RoomGuess
 from solver.guessing.doors_between import doors_between, joined_rooms
-from solver.guessing.room_marks import RoomMarks, marks_of
-from solver.guessing.room_numbers import SEVERAL, Costs, Counts, RoomNumbers
-from solver.guessing.suiting import NEVER, Suiting
+from solver.guessing.suiting import NEVER, SEVERAL, Costs, Counts, RoomMarks, RoomNumbers, Suiting, marks_of
 from solver.plain import quoted
 from solver.scene import EXTERIOR, Room, Scene, robot_width_of
 

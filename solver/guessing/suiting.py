@@ -3,14 +3,102 @@
 Areas, sides and what one may walk through are those of the room types; what each mark costs is said in guessing.yaml.
 """
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence, Set
+from dataclasses import dataclass, replace
 from math import log
 from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from catalogs import Catalogs
-from catalogs.entries import Evidence, Mark
+from catalogs.entries import Evidence, Mark, OfType
 from catalogs.schema import RoomType
-from solver.guessing.room_marks import RoomMarks
+from solver.guessing.doors_between import WAYS, doors_between
+from solver.scene import EXTERIOR, Opening, Room
+
+SMALL_WINDOW: Final = (1.2, 0.6)
+"""A window with so high a sill, m, or of no more area, m2, is one of a bathroom."""
+LEAST_M: Final = 0.001
+"""As how long a side of a room counts that is shorter, m: there is a logarithm for every area."""
+
+
+@dataclass(frozen=True)
+class RoomMarks:
+    """What can be told of a room without its type.
+
+    Args:
+        area: of its floor between wall lines, m2.
+        short, long: sides of its bounding rectangle, m; `short` is that of its floor spread over the long side, where it has an outline.
+        ways: the rooms it leads to, by their place in the list, and whether an opening without a leaf leads there.
+        front: how its doors lead outside: "main", "door", or "" where none does.
+        large, small: numbers of windows.
+        pieces: what stands there, by the catalogs' names.
+        behind: the one room through which one comes here from outside, by its place in the list; None where it is not one.
+    """
+
+    area: float
+    short: float
+    long: float
+    ways: tuple[tuple[int, bool], ...]
+    front: str
+    large: int
+    small: int
+    garage_door: bool
+    outdoor: bool
+    pieces: frozenset[str]
+    behind: int | None = None
+
+
+def marks_of(rooms: Sequence[Room]) -> list[RoomMarks]:
+    """Returns what can be told of each room; its furniture is under the catalogs' names."""
+    joints = list(doors_between(rooms))
+    ways, inner = _ways(joints, len(rooms)), {opening.id for _, _, opening in joints}
+    found = [_marks(room, ways[k], inner) for k, room in enumerate(rooms)]
+    return [replace(one, behind=behind) for one, behind in zip(found, _behind(found), strict=True)]
+
+
+def _behind(marks: Sequence[RoomMarks]) -> list[int | None]:
+    """Returns of each room the only one of its neighbours that is nearer to the main entrance, else to a door that leads outside."""
+    fronts = [{k for k, one in enumerate(marks) if one.front == front} for front in ("main", "door")]
+    steps: dict[int, int] = {}
+    here = fronts[0] or fronts[1]
+    while here:
+        steps |= dict.fromkeys(here, len({*steps.values()}))
+        here = {there for k in here for there, _ in marks[k].ways} - steps.keys()
+    nearer = [[there for there, _ in one.ways if steps.get(there, k) < steps[k]] if k in steps else [] for k, one in enumerate(marks)]
+    return [those[0] if len(those) == 1 else None for those in nearer]
+
+
+def _ways(joints: Iterable[tuple[int, int, Opening]], count: int) -> list[dict[int, bool]]:
+    """Returns where each room leads to: doors that one of two rooms lists lead both ways."""
+    found: list[dict[int, bool]] = [{} for _ in range(count)]
+    for here, there, opening in joints:
+        is_open = opening.kind == "passage"
+        for a, b in ((here, there), (there, here)):
+            found[a][b] = found[a].get(b, False) or is_open
+    return found
+
+
+def _marks(room: Room, ways: dict[int, bool], inner: Set[str]) -> RoomMarks:
+    """Returns what can be told of a room; a door between two rooms leads to the other, even where it says outside."""
+    area = max(room.floor_m2, LEAST_M * LEAST_M)
+    long = max(room.width, room.depth, LEAST_M)
+    windows = Counter(_is_small(opening) for opening in room.openings if opening.kind == "window")
+    outside = [opening for opening in room.openings if opening.connects_to == EXTERIOR and opening.id not in inner]
+    doors = [opening for opening in outside if opening.kind in WAYS]
+    front = "main" if any(opening.main_entrance for opening in doors) else "door" if doors else ""
+    short = max(min(room.width, room.depth, area / long), LEAST_M)
+    return RoomMarks(
+        area, short, long, tuple(sorted(ways.items())), front, windows[False], windows[True],
+        any(opening.kind == "garage_door" for opening in room.openings), room.outdoor, frozenset(piece.name for piece in room.furniture),
+    )  # fmt: skip
+
+
+def _is_small(window: Opening) -> bool:
+    return window.sill >= SMALL_WINDOW[0] or window.width * window.height <= SMALL_WINDOW[1]
+
 
 NEVER: Final = 1000.0
 """A cost that no preference reaches."""
@@ -162,3 +250,71 @@ def _front(marks: RoomMarks, kind: RoomType) -> Amounts:
     if marks.front == "main":
         return found | ({"front": 1.0} if place is None else {"entrance": float(place)})
     return found | ({"side_door": 1.0} if place is None else {"side_entrance": float(place)})
+
+
+Costs = NDArray[np.float64]
+Counts = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+ONE_MORE: Final[tuple[Mark, Mark]] = ("again", "first")
+SEVERAL: Final = 3
+"""A home of so many rooms indoors has what is wanted."""
+UNCOUNTED: Final = "hallway"
+"""The word of a programme that nobody counts."""
+
+
+class RoomNumbers:
+    """Costs of how many rooms there are of each type, in the catalogs' order, in a home with so many indoors.
+
+    `program` says how many rooms of each word there are, where that is known; the types of a word count as one.
+    """
+
+    def __init__(self, catalogs: Catalogs, indoors: int, program: Mapping[str, int] | None) -> None:
+        self._is_several = indoors >= SEVERAL
+        self._kinds, self._told = catalogs.rooms, catalogs.guessing
+        self._names, usual = list(self._kinds), self._of_types("usual")
+        self._usual = np.array([1 + (int(indoors // usual[name]) if name in usual else 0) for name in self._names])
+        self._one_more, self._rare = (np.array([self._of_types(mark).get(name, 0.0) for name in self._names]) for mark in ONE_MORE)
+        homes = [kind.home for kind in self._kinds.values()]
+        self._word_of = [(home.word if home else None) or name for name, home in zip(self._names, homes, strict=True)]
+        self._first = np.array([bool(home and home.once) for home in homes])
+        self._turn = np.array([home.turn if home else 0 for home in homes])
+        self._program: Counts | None = None
+        if program is not None:
+            words = sorted({*self._word_of, *program} - {UNCOUNTED})
+            self._program = np.array([program.get(word, 0) for word in words])
+            self._words = np.array([[word == own for word in words] for own in self._word_of], dtype=np.int64)
+
+    def _of_types(self, mark: Mark) -> OfType:
+        return self._told.get(mark, UNSAID).types
+
+    def _cost(self, mark: Mark) -> float:
+        return self._told.get(mark, UNSAID).cost
+
+    def more(self, counts: Counts) -> Costs:
+        """Returns the cost of one more room of each type in homes of so many rooms; a row a home."""
+        if self._program is None:
+            return np.where(counts >= self._usual, self._one_more, 0.0) + np.where(counts == 0, self._rare, 0.0)
+        wrong = self._cost("miscounted")
+        wants = np.where(counts @ self._words < self._program, -wrong, wrong)
+        return np.asarray(wants @ self._words.T, dtype=np.float64)
+
+    def missing(self, counts: Counts) -> Costs:
+        """Returns the cost of what whole homes lack, one each."""
+        found = np.zeros(len(counts))
+        if self._program is not None or not self._is_several:
+            return found
+        for name, cost in self._of_types("missing").items():
+            found += np.where(counts[:, self._alike(self._word_of[self._names.index(name)])].sum(axis=1) == 0, cost, 0.0)
+        for word in sorted({word for word, first in zip(self._word_of, self._first, strict=True) if first}):
+            found += self._out_of_turn(counts, self._alike(word))
+        return found
+
+    def _alike(self, word: str) -> Flags:
+        return np.array([one == word for one in self._word_of])
+
+    def _out_of_turn(self, counts: Counts, alike: Flags) -> Costs:
+        """Returns the cost of rooms of one word whose first is not the one that comes first, or that are all of the last turn."""
+        every = counts[:, alike].sum(axis=1)
+        first, last = (counts[:, alike & turn].sum(axis=1) for turn in (self._first, self._turn == self._turn[alike].max()))
+        lacking = np.where((every > 1) & (first == 0), self._cost("no_first"), 0.0)
+        return lacking + np.where((last > 0) & (last == every), self._cost("later_alone"), 0.0)

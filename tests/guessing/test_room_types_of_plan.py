@@ -16,9 +16,7 @@ from catalogs import Catalogs, load_catalogs
 from catalogs.entries import Mark
 from solver import generate
 from solver.guessing import guessed_types
-from solver.guessing.room_marks import RoomMarks, marks_of
-from solver.guessing.room_numbers import RoomNumbers
-from solver.guessing.suiting import Suiting
+from solver.guessing.suiting import RoomMarks, RoomNumbers, Suiting, marks_of
 from solver.request import Request
 from solver.scene import EXTERIOR, Furniture, Opening, Room, Scene
 from tests.guessing.plans import as_plan
