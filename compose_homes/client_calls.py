@@ -15,10 +15,9 @@ from typing import Any, Generic, TypeVar
 
 from service.contract import FloorAnswer, Lines, PlaceAnswer, ValidateAnswer
 from service.kept_contract import HomeHead, HomeList, HomeVersions, HomeWithScene, JobHead, JobList
-from solver.answers import Fixed, Generated
+from solver.answers import Fixed, FurnishedPlan, Generated
 from solver.exchange import read, write_request, write_scene
 from solver.explained import Explained
-from solver.guessed import FurnishedPlan
 from solver.imported import PlanImport
 from solver.request import Request
 from solver.scene import Scene

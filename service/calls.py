@@ -17,12 +17,11 @@ from catalogs import Catalogs
 from service import contract
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, made_house
-from solver.answers import Fixed, Generated
+from solver.answers import Fixed, FurnishedPlan, Generated
 from solver.errors import FieldError
 from solver.exchange import FORMATS, misspelt, read, scene_schema, write
 from solver.explained import Explained
 from solver.export_formats import EXPORTERS, Freedom
-from solver.guessed import FurnishedPlan
 from solver.imported import ImportSettings, PlanImport
 from solver.plain import Document
 from solver.request import NO_ACCESS, Request

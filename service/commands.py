@@ -87,7 +87,7 @@ def _generate_many(options: Namespace, request: Mapping[str, Any], catalogs: "Ca
 
 def _stats(options: Namespace) -> int:
     """Makes many houses, of one request or of every preset, and writes what they are like."""
-    from service.survey import survey
+    from service.many import survey
     from service.tables import report
 
     catalogs, request = _catalogs(options), {"decorate": True, **_request(options)}

@@ -1,12 +1,12 @@
 """Many houses, of successive seeds, made in some processes: the number of processes changes neither their order nor a byte.
 
 A folder holds a file a house, each whole or not there, and `made_from.json`, which says what they were made from; so the same command goes
-on where it was ended.
+on where it was ended. A survey keeps none of them: it says what they show.
 """
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import tee
 from pathlib import Path
@@ -17,10 +17,13 @@ from service.generating import made_house
 from service.packed_catalogs import packed, unpacked, warm
 from service.pool import spread
 from service.progress import progress
+from solver import generate
 from solver.errors import ComposeError, FieldError
-from solver.exchange import dump_scene, write
+from solver.exchange import dump_scene, read_request, write
 from solver.plain import Document
-from solver.request import MAX_SEED
+from solver.request import MAX_SEED, Request
+from solver.statistics import House, house_of, summary
+from solver.validator import RULES, metrics
 from solver.version import VERSION
 from solver.whole_files import write_whole
 
@@ -106,3 +109,38 @@ def _file_made(houses: HouseSet, catalogs: bytes, seed: int) -> list[Document] |
         return error
     write_whole(houses.file(seed), dump_scene(made.scene, houses.format))
     return [write(issue) for issue in made.issues]
+
+
+def survey(requests: Sequence[Mapping[str, Any]], count: int, workers: int, catalogs: Catalogs) -> Document:
+    """Makes sets of `count` houses and returns what they show; the number of processes changes nothing in it.
+
+    A request's `seed` is that of the first house of its set (0), the others follow.
+
+    Raises:
+        FieldError: a request is wrong, or no house can meet it.
+    """
+    read = [read_request(request) for request in requests]
+    jobs = (replace(one, seed=((one.seed or 0) + k) % (MAX_SEED + 1)) for one in read for k in range(count))
+    houses = list(in_processes(_house, jobs, len(read) * count, workers, catalogs))
+    sets = []
+    for k, request in enumerate(requests):
+        shown = {name: value for name, value in request.items() if name != "seed"}
+        found = summary(houses[k * count : (k + 1) * count], RULES)
+        sets.append({"name": _name(read[k]), "request": shown, "first_seed": read[k].seed or 0, **found})
+    return {"catalog": catalogs.fingerprint, "sets": sets}
+
+
+def _name(request: Request) -> str:
+    """Says in a few words what a set's houses were asked to be."""
+    words = [f"{request.area:g} m2"] if request.area is not None else []
+    if isinstance(request.program, str):
+        return ", ".join([request.program, *words])
+    words = [f"{number} {word}" for word, number in (request.program or {}).items()] + words
+    return ", ".join(words) if request.planned else "{:g} x {:g} m".format(*request.extents)
+
+
+def _house(catalogs: bytes, request: Request) -> House:
+    """Makes a house and returns what it shows."""
+    known = unpacked(catalogs)
+    made = generate(request, catalogs=known)
+    return house_of(made.scene, made.issues, metrics(made.scene, known))

@@ -9,10 +9,10 @@ from dataclasses import replace
 from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import KEEPS, FurnishedPlan
 from solver.errors import RequestError, SceneError
 from solver.floorplan import program_counts, program_of
 from solver.furnished import chosen_style, recoloured, with_materials
-from solver.guessed import KEEPS, FurnishedPlan
 from solver.guessing import guessed_types, is_shaft, with_entrance, with_types
 from solver.pipeline.accessible import walked_by, with_access
 from solver.pipeline.generate import generator, reroll_plan

@@ -348,6 +348,5 @@ def least_moved_from_last(problem: RoomProblem, pieces: Sequence[Piece]) -> Arra
 
 
 def _cost(answer: Arrangement, last: LastAnswer) -> float:
-    """Returns what an answer costs, its jumps counted."""
     jumps = len(last.jumped(answer))
     return answer.cost * (1 + JUMP_SHARE * jumps) + JUMP_COST * jumps

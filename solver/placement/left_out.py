@@ -17,7 +17,6 @@ _STRETCHES = "longest free stretches of wall at that depth and height: " + ", ".
 
 
 def _least(piece: Piece) -> Candidate:
-    """Returns the smallest candidate of a piece."""
     return min(piece.candidates, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
 
 

@@ -40,7 +40,6 @@ def written_back(problem: RoomProblem, placed: Iterable[Placed]) -> Room:
 
 
 def _posed(body: Body, to: Placed, carried: bool) -> Body:
-    """Returns the body at its placed pose."""
     pose = replace(body, x=half_m(to.footprint.x0 + to.footprint.x1), z=half_m(to.footprint.z0 + to.footprint.z1), rotation=to.rotation)
     if not isinstance(pose, Furniture) or pose.wall is None or carried:
         return pose

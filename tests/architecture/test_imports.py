@@ -29,7 +29,6 @@ GROUND_FLOOR = {
     "imported",
     "body_parts",
     "answers",
-    "guessed",
     "fields",
     "records",
     "plain",

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from catalogs import load_catalogs
-from service.survey import survey
+from service.many import survey
 from solver import generate
 from solver.answers import Issue
 from solver.exchange import write_scene
