@@ -13,7 +13,7 @@ from compose_homes import Request, generate
 from solver.exchange import write_scene
 from tests.assets.makers import dense, folder, shape, textured, under
 from tests.browser.service_process import ServiceProcess, running
-from tests.browser.visit import POLL_MS, Visit, intercept
+from tests.browser.visit import Visit, first, intercept
 
 pytestmark = pytest.mark.own_page
 
@@ -83,9 +83,8 @@ def test_the_page_goes_on_while_an_asset_is_awaited_and_without_one_that_does_no
     furnished.held("ArrowLeft")
     wanted = furnished.state()["assets"]["wanted"]
     for _ in range(wanted):
-        while not held:
-            furnished.page.wait_for_timeout(POLL_MS)
-        held.pop().abort()
+        first(furnished.page, held).abort()
+        del held[0]
     count = come(furnished)
     assert count["come"] == 0 < count["missing"]
     expect(furnished.page.locator("#assets_shown")).to_contain_text("plain shapes stand for them")

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.test_diagnose import errors, spoiled
-from tests.browser.visit import SMALL, Document, Visit, furniture_of, intercept
+from tests.browser.visit import SMALL, Document, Visit, first, furniture_of, intercept
 
 
 def held(page: Page, call: str, act: Callable[[], object]) -> Route:
@@ -20,10 +20,9 @@ def held(page: Page, call: str, act: Callable[[], object]) -> Route:
     intercept(page, f"**/{call}", hold)
     with page.expect_request(lambda request: request.url.endswith(call)):
         act()
-    while not routes:
-        page.wait_for_timeout(10)
+    taken = first(page, routes)
     page.unroute(f"**/{call}")
-    return routes[0]
+    return taken
 
 
 def shown(visit: Visit) -> dict[str, Document]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeAlias
 
 from playwright.sync_api import Locator, Page, Request, Response, Route, ViewportSize
@@ -259,6 +259,15 @@ def intercept(page: Page, calls: str, handler: Callable[[Route], object]) -> Non
     page.route(f"**{PROBE}", lambda route: route.fulfill(body="taken"))
     if page.url.startswith("http"):  # a page that comes is intercepted from its first call
         page.evaluate(UNTIL_TAKEN)
+
+
+def first(page: Page, taken: Sequence[Route]) -> Route:
+    """The first call that a handler has taken; one that the page does not make in as long as an answer may take never comes."""
+    for _ in range(ANSWER_MS // POLL_MS):
+        if taken:
+            break
+        page.wait_for_timeout(POLL_MS)
+    return taken[0]
 
 
 def said(name: str) -> str:

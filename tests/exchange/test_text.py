@@ -16,6 +16,7 @@ from catalogs import yaml_reading
 from solver.core import CoreFailed
 from solver.errors import SceneError, SyntaxFault
 from solver.exchange import FORMATS, dump_text, load_text, read_scene
+from tests.every import every
 
 PATIENCE_S = 60.0
 """What a refusal may take of the processor: they take less than a second; what they guard against would take hours."""
@@ -27,7 +28,7 @@ def refused(text: bytes | str, name: str) -> str:
     return str(caught.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "name"),
     [
         ("", "json"),

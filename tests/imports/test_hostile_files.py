@@ -274,7 +274,9 @@ def test_a_long_name_is_told_in_quotes_that_end() -> None:
     assert told == [f"it is called '{name[:57]}…'"]
 
 
-@pytest.mark.parametrize(("drawn", "words"), [(dxf_line(0, 0, 1, 1) * 50_001, "50,000 entities"), (MANY_POINTS, "100,000 points")])
+@pytest.mark.parametrize(
+    ("drawn", "words"), [(dxf_line(0, 0, 1, 1) * 50_001, "50,000 entities"), (MANY_POINTS, "100,000 points")], ids=["entities", "points"]
+)
 def test_what_is_drawn_is_counted_before_the_drawing_is_built(drawn: str, words: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ezdxf.filemanagement, "read", None)
     with pytest.raises(SyntaxFault, match=words):
