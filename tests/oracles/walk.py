@@ -18,6 +18,9 @@ from scipy import ndimage
 from solver.geometry import Rect
 from solver.pieces import Doorway, Space
 
+CROSS = ndimage.generate_binary_structure(2, 1)
+"""Pieces hang together that have an edge in common."""
+
 
 class Flood:
     """The free floor of a room.
@@ -39,7 +42,7 @@ class Flood:
         free = np.ones([2 * len(cuts) - 1 for cuts in self.cuts], dtype=bool)
         for x0, z0, x1, z1 in map(self._inner, taken):
             free[x0:x1, z0:z1] = False
-        self.parts, _ = ndimage.label(free)
+        self.parts, _ = ndimage.label(free, CROSS)
         """By piece along x and z: the number of its part, 0 where it is taken."""
 
     def _grown(self, rect: Rect) -> tuple[int, int, int, int]:
@@ -135,8 +138,7 @@ def missed(space: Space, solids: Sequence[Rect], uses: Sequence[tuple[str, Rect,
     """
     flood = Flood(space, solids, [rect for _, rect, _, _ in uses] + [door.square for door in space.doorways])
     goals: list[tuple[str, list[list[int]], bool]] = []
-    lines = [(door, flood.line(entry(space, door))) for door in space.doorways]
-    outer = [line for door, line in lines if door.walked == "in"]
+    outer = [flood.line(entry(space, door)) for door in space.doorways if door.walked == "in"]
     if outer:
         joined = {part for line in outer for part in line}
         flood.parts[np.isin(flood.parts, list(joined))] = min(joined, default=0)
