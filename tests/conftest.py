@@ -37,8 +37,8 @@ BROWSERS = 2
 BROWSER_TESTS = Path(__file__).parent / "browser"
 GENERATED_CALLS = Path(__file__).parent / "service" / "test_openapi_cases.py"
 """The longest file beside the browser's."""
-SOURCES_TESTS = Path(__file__).parent / "architecture"
-"""They read all sources of the project, which a process does once."""
+TOGETHER = ("architecture", "exports")
+"""Folders whose tests read, or make, and load once in a process what is much: all sources; described homes and what reads their files."""
 ONCE = {"client": "service", "native": "native build"}
 """Fixtures that one worker makes for all, and what the group of their tests is called."""
 
@@ -90,16 +90,16 @@ def opens_a_page(item: pytest.Item) -> bool:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> Generator[None]:
     """Share the tests, file by file, among the workers of a parallel run, so that what a file makes for its tests is made once.
 
-    The browser's files go to few workers, those that call the application to one: each of these starts a service of its own. They take
-    longest and are begun first, as are other long ones: whoever began one last would go on alone when all else is done. Those that read
-    all sources go to one too.
+    The browser's files go to few workers, dealt there and back, those that call the application to one: each starts a service. They take
+    longest and are begun first, as are other long ones: whoever began one last would go on alone when all else is done. Files of a folder
+    that have much in common go to one too.
 
     Among the browser's, those that hand a page on go before those that open their own. A wrapper comes before pytest-xdist, which reads
     the marks in the same hook.
     """
     paths = sorted({item.path for item in items})
-    groups = {path: f"browser {at % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
-    groups |= dict.fromkeys((path for path in paths if path.parent == SOURCES_TESTS), "sources")
+    groups = {path: f"browser {(at + 1) // 2 % BROWSERS}" for at, path in enumerate(path for path in paths if path.parent == BROWSER_TESTS)}
+    groups |= {path: f"folder {path.parent.name}" for path in paths if path.parent.name in TOGETHER}
     groups[GENERATED_CALLS] = "generated calls"
     for item in items:
         for fixture in ONCE.keys() & getattr(item, "fixturenames", ()):
