@@ -141,7 +141,7 @@ class BodyMaker:
 
     def _made(self, body: BodyOfScene, sort: Sort, room: Room, facts: KindFacts, hung: bool = False) -> ModelBody:
         carrier = body.parent if isinstance(body, Decoration) else body.on
-        width, depth, height = size = body.width, body.depth, body.height
+        width, depth, height = size = float(body.width), float(body.depth), float(body.height)
         sits = sort == "dynamic" and carrier is not None and facts.key
         asset = None if isinstance(body, Dynamic) else self._known_assets.get(body.asset or "")
         weighs, volume = (asset.mass, prod(asset.size)) if asset and asset.mass else (facts.mass, facts.volume)
@@ -159,7 +159,7 @@ class BodyMaker:
             x=x,
             y=round(self._elevations.get(room.level, 0.0) + body.y, 6),
             z=z,
-            turn=body.rotation,
+            turn=float(body.rotation),
             width=width,
             depth=depth,
             height=height,
