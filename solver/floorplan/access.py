@@ -5,7 +5,7 @@ Not here: where in the wall a door stands (openings.py).
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from heapq import heappop, heappush
+from heapq import heapify, heappop, heappush
 from typing import Final
 
 from catalogs.schema import RoomType
@@ -67,16 +67,24 @@ def _dominating(layout: Layout, by_room: list[list[Joint]]) -> AccessPlan:
 
 def _grow(root: int, spared: int, rooms: Sequence[Rect], by_room: list[list[Joint]]) -> AccessPlan:
     parent: list[int | None] = [None] * len(rooms)
-    seen, inner = {root}, [root]
-    edge = _open(root, parent, seen, by_room)
+    seen = {root}
+
+    def rank(room: int) -> tuple[bool, bool, int, float, int]:
+        fresh = sum(joint.other(room) not in seen for joint in by_room[room])
+        return fresh == 0, room == spared, -fresh, -rooms[room].area_m2, room
+
+    edge = [rank(room) for room in _open(root, parent, seen, by_room)]
+    heapify(edge)
     while edge and len(seen) < len(rooms):
-        fresh = {i: sum(j.other(i) not in seen for j in by_room[i]) for i in edge}
-        chosen = max(edge, key=lambda i: (fresh[i] > 0, i != spared, fresh[i], rooms[i].area_m2, -i))
-        if fresh[chosen] == 0:
+        known = heappop(edge)
+        now = rank(known[-1])  # never better than what is known: seen only grows
+        if now != known:
+            heappush(edge, now)
+        elif now[0]:
             break
-        edge.remove(chosen)
-        inner.append(chosen)
-        edge += _open(chosen, parent, seen, by_room)
+        else:
+            for room in _open(now[-1], parent, seen, by_room):
+                heappush(edge, rank(room))
     return AccessPlan(tuple(parent), frozenset(p for p in parent if p is not None))
 
 

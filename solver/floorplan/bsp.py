@@ -18,8 +18,8 @@ from solver.streams import Stream
 
 SHARES: Final = (0.4, 0.6)
 """A cut falls in this part of a side; chosen for the number of rooms that plain requests come to."""
-MAX_ROOMS: Final = 256
-"""Cutting stops here, the largest rectangles having been cut first: more rooms than anyone furnishes in seconds."""
+MAX_ROOMS: Final = 2048
+"""Cutting stops here, the largest rectangles having been cut first. Our choice: two seconds of work, as a call of normal effort may do."""
 ROUND_MM: Final = 50
 """Cuts fall on multiples of 5 cm from the house's edge: dimensions a person would draw."""
 

@@ -3,6 +3,7 @@
 Cells stand at corners of the house only, so that front and back have daylight.
 """
 
+from collections import defaultdict
 from collections.abc import Iterator
 from heapq import heappop, heappush
 from math import sqrt
@@ -47,6 +48,8 @@ class Books:
         self.suite_mm = self.bath_mm2 // self.least
         """Widest column whose back room, as shallow as may be, is still a bathroom, mm."""
         self.hallways: list[Rect] = []
+        self.beside = defaultdict[tuple[str, int], list[tuple[int, int]]](list)
+        """By the axis and line of a hallway's sides: from where to where they go."""
         self.rooms: dict[str, Rect] = {}
         self.behind: dict[str, str] = {}
         self.left = {"suite": SUITES, "public": PUBLIC}
@@ -94,6 +97,9 @@ class Books:
     def add_hallway(self, rect: Rect) -> None:
         """Books a hallway."""
         self.hallways.append(rect)
+        for axis, across in OTHER.items():
+            for line in span(rect, axis):
+                self.beside[axis, line].append(span(rect, across))
         self.floor -= rect.width * rect.depth
 
     def corner(self, plot: Plot, end: int) -> bool:
@@ -233,8 +239,7 @@ class Columns:
         """Returns the end of a column where an alcove meets neither the outside nor another hallway, or -1."""
         across = span(plot.rect, OTHER[plot.run])
         for end, line in enumerate(span(plot.rect, plot.run)):
-            lines = [span(hall, OTHER[plot.run]) for hall in self.books.hallways if line in span(hall, plot.run)]
-            met = any(max(across[0], low) < min(across[1], high) for low, high in lines)
+            met = any(max(across[0], low) < min(across[1], high) for low, high in self.books.beside[plot.run, line])
             if not met and not self.books.corner(plot, end):
                 return end
         return -1

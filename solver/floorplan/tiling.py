@@ -1,9 +1,9 @@
 """What every step of the floor plan speaks of: room rectangles, the walls they share, the sides that lie outside."""
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property, partial
 from typing import Any, Final, NamedTuple
 
 from solver.geometry import EDGES, OPPOSITE, Rect, gaps_between
@@ -125,9 +125,9 @@ class Layout:
         by = self.walls.outer - self.walls.thickness
         if by <= 0:
             return self.exposed
-        found = []
+        ahead, found = cache(partial(_ends_ahead, self.rooms)), []
         for rect, exposed in zip(self.rooms, self.exposed, strict=True):
-            free = {wall: tuple(_beside_corners(self.rooms, rect, wall, stretches, by)) for wall, stretches in exposed.items()}
+            free = {wall: tuple(_beside_corners(stretches, ahead(rect.line(wall), wall), by)) for wall, stretches in exposed.items()}
             found.append({wall: stretches for wall, stretches in free.items() if stretches})
         return tuple(found)
 
@@ -155,14 +155,19 @@ def exposures(layout: Layout) -> tuple[Mapping[str, Stretches], ...]:
     return tuple(found)
 
 
-def _beside_corners(rooms: Sequence[Rect], rect: Rect, wall: str, stretches: Stretches, by: int) -> Iterator[tuple[int, int]]:
+def _beside_corners(stretches: Stretches, ahead: tuple[Set[int], Set[int]], by: int) -> Iterator[tuple[int, int]]:
     """Yields stretches of a wall, each so much shorter at an end where another room comes forward, beyond the wall's line."""
-    ahead = [room.along(wall) for room in rooms if _comes_forward(room, rect.line(wall), wall)]
+    starts, ends = ahead
     for low, high in stretches:
-        first = low + by * any(end == low for _, end in ahead)
-        last = high - by * any(start == high for start, _ in ahead)
+        first, last = low + by * (low in ends), high - by * (high in starts)
         if first < last:
             yield first, last
+
+
+def _ends_ahead(rooms: Sequence[Rect], line: int, wall: str) -> tuple[Set[int], Set[int]]:
+    """Returns where along a line the rooms that come forward there start, and where they end."""
+    ahead = [room.along(wall) for room in rooms if _comes_forward(room, line, wall)]
+    return {start for start, _ in ahead}, {end for _, end in ahead}
 
 
 def _comes_forward(room: Rect, line: int, wall: str) -> bool:

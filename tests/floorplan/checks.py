@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache
+from itertools import takewhile
 
 from solver.scene import Opening, Room
 from tests.floorplan import silhouettes
@@ -36,12 +37,15 @@ def tiling(rooms: Sequence[Room], width: float, depth: float, bent: bool = False
     for i, (w, n, e, s) in enumerate(boxes):
         if w < 0 or n < 0 or e > mm(width) or s > mm(depth) or w >= e or n >= s:
             faults.append(f"{rooms[i].id} leaves the house")
-        for j in range(i):
-            ow, on, oe, os = boxes[j]
-            if min(e, oe) > max(w, ow) and min(s, os) > max(n, on):
-                faults.append(f"{rooms[i].id} overlaps {rooms[j].id}")
-    if not bent and sum((e - w) * (s - n) for w, n, e, s in boxes) != mm(width) * mm(depth):
-        faults.append("the rooms do not cover the house")
+    eastwards = sorted(range(len(rooms)), key=lambda i: boxes[i])
+    for at, i in enumerate(eastwards):
+        _, n, e, s = boxes[i]
+        for j in takewhile(lambda j: boxes[j][0] < e, eastwards[at + 1 :]):  # noqa: B023 - used at once
+            if min(s, boxes[j][3]) > max(n, boxes[j][1]):
+                faults.append(f"{rooms[j].id} overlaps {rooms[i].id}")
+    if not bent:  # what lies inside without overlaps, and is as large, is the whole house
+        covered = sum((e - w) * (s - n) for w, n, e, s in boxes) == mm(width) * mm(depth)
+        return faults if covered else [*faults, "the rooms do not cover the house"]
     try:
         xs, zs = (sorted(line) for line in zip(*((x, z) for x, z, _ in silhouettes.corners(boxes)), strict=True))
     except ValueError as problem:
