@@ -85,8 +85,9 @@ Bytes judge_storey(Bytes rows_sent, Bytes asked, i64 most, i64 most_looks) {
   List<WalkedRoom> areas;
   List<u8> sides;
   for (const Placed& placed : storey.rooms) {
-    areas.add(walked_floor(storey, walk, placed));
-    for (const Body& body : placed.room.bodies) sides.add(missed_sides(storey, walk, placed, body));
+    const Walk here = near(walk, storey, placed);
+    areas.add(walked_floor(storey, here, placed));
+    for (const Body& body : placed.room.bodies) sides.add(missed_sides(storey, here, placed, body));
   }
   List<u8> told;
   const auto tell_all = [&](Bytes rows) { told.add_all({rows.data, static_cast<i32>(rows.size)}); };

@@ -118,6 +118,14 @@ template <class Look> static void look_at(const Walk& walk, const Rect& box, Loo
   }
 }
 
+Walk near(const Walk& walk, const Storey& storey, const Placed& placed) {
+  Rect all = placed.room.bounds;
+  for (const Body& body : placed.room.bodies) all = all.with(body.box);
+  Walk found{{}, walk.entered};
+  look_at(walk, grown(moved(all, placed.x, placed.z), storey.reach + 1), [&](const Grid& tile, const CellWindow&) { found.tiles.add(tile); });
+  return found;
+}
+
 // The component of the largest area, the first of those that are alike; 0 where no floor is free.
 static i32 largest(const Walk& walk, i32 count) {
   const Span<f64> sums = zeroes<f64>(count + 1), here = reserved<f64>(count + 1);

@@ -39,6 +39,9 @@ struct Walk {
 Storey read_storey(Reader& reader);
 Walk walk_of(const Storey& storey);
 
+// The tiles on which a room and its bodies stand or can be touched, of a house of any number.
+Walk near(const Walk& walk, const Storey& storey, const Placed& placed);
+
 // The area of a room's free centres: those that can be come to, and all. What lies in doorways does not count.
 struct WalkedRoom {
   Area entered;
