@@ -122,7 +122,8 @@ Walk near(const Walk& walk, const Storey& storey, const Placed& placed) {
   Rect all = placed.room.bounds;
   for (const Body& body : placed.room.bodies) all = all.with(body.box);
   Walk found{{}, walk.entered};
-  look_at(walk, grown(moved(all, placed.x, placed.z), storey.reach + 1), [&](const Grid& tile, const CellWindow&) { found.tiles.add(tile); });
+  const Rect reached = grown(moved(all, placed.x, placed.z), storey.reach + 1);
+  look_at(walk, reached, [&](const Grid& tile, const CellWindow&) { found.tiles.add(tile); });
   return found;
 }
 
