@@ -42,8 +42,9 @@ STAGES = ("floorplan", "furniture", "decorations", "people", "validate", "json",
 LIMIT_HOMES = 20
 """Homes a set whose final problem is solved again, for the limit."""
 READY = "from catalogs import load_catalogs; from service.packed_catalogs import packed, warm"
-GROWTH = ((20, 15), (45, 33), (64, 47), (90, 66))
-"""Sizes, m, of the plain houses of growing numbers of rooms."""
+GROWTH = ((46, 43), (72, 66), (125, 116), (186, 173), (280, 260))
+"""Sizes, m, of the plain houses of growing numbers of rooms: some 100, 200, 500, 1,000 and 2,000."""
+GROWTH_SEEDS, GROWTH_DEPTH = (1, 2, 3), 12
 
 
 class Home(NamedTuple):
@@ -118,17 +119,24 @@ def limit_lines(found: Mapping[str, Sequence[Home]]) -> Iterator[str]:
 
 
 def growth_lines() -> Iterator[str]:
-    """How a house's time grows with its rooms."""
-    yield "| plain house, m | rooms | CPU ms | ms a room |"
-    yield "|:--|--:|--:|--:|"
+    """How a house's time and memory grow with its rooms; the exponent is that of the line through all homes that errs least."""
+    yield "| plain houses, m | rooms | CPU ms | ms a room | memory of a process, MB |"
+    yield "|:--|--:|--:|--:|--:|"
     points = []
     for width, depth in GROWTH:
-        gc.collect()
-        home = made(Request(seed=1, width=width, depth=depth, max_depth=12))
-        points.append((len(home.scene.rooms), home.ms["total"]))
-        yield f"| {width} x {depth} | {points[-1][0]} | {points[-1][1]:.0f} | {points[-1][1] / points[-1][0]:.1f} |"
-    (fewest, least), (most, longest) = points[1], points[-1]
-    yield f"\nGrowth exponent from {fewest} to {most} rooms: {math.log(longest / least) / math.log(most / fewest):.2f}."
+        of_size = []
+        for seed in GROWTH_SEEDS:
+            gc.collect()
+            request = Request(seed=seed, width=width, depth=depth, max_depth=GROWTH_DEPTH)
+            twice = [made(request) for _ in range(2)]
+            of_size.append((len(twice[0].scene.rooms), min(home.ms["total"] for home in twice)))
+        points += of_size
+        rooms, ms = (statistics.mean(column) for column in zip(*of_size, strict=True))
+        words = f"-m compose_homes generate --seed 1 --width {width} --depth {depth} --max-depth {GROWTH_DEPTH}".split()
+        memory = peak_mb([sys.executable, *words], dict(os.environ))
+        yield f"| {width} x {depth} | {rooms:.0f} | {ms:.0f} | {ms / rooms:.2f} | {memory:.0f} |"
+    sizes, times = ([math.log(value) for value in column] for column in zip(*points, strict=True))
+    yield f"\nGrowth exponent from {min(points)[0]} to {max(points)[0]} rooms: {statistics.linear_regression(sizes, times).slope:.2f}."
 
 
 def start_lines() -> Iterator[str]:
