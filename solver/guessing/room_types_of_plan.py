@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from catalogs import Catalogs
-from catalogs.synonyms import RoomMeaning, room_names_of
+from catalogs.synonyms import RoomMeaning, RoomNames, room_names_of
 from solver.answers import RoomGuess
 from solver.guessing.doors_between import doors_between, joined_rooms
 from solver.guessing.suiting import NEVER, SEVERAL, Costs, Counts, RoomMarks, RoomNumbers, Suiting, marks_of
@@ -122,8 +122,13 @@ def guessed_types(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] |
     """Guesses the types of the rooms whose type the catalogs do not know; furniture is under the catalogs' names.
 
     Rooms that are called by what we have no type for keep that, and shafts are of none. `program` says how many rooms of each word the home
-    has, where that is known.
+    has, where that is known. Rooms that are called as gardens are lie outdoors, whatever the scene says.
     """
+    names = room_names_of(catalogs)
+    unknown = {room.id: _called(room, names)[1] for room in scene.rooms if room.type not in catalogs.rooms}
+    called = {name: meaning.key for name, meaning in unknown.items() if meaning and meaning.key in catalogs.rooms}
+    typed = with_types(scene, called, catalogs).rooms
+    scene = replace(scene, rooms=tuple(replace(room, outdoor=one.outdoor) for room, one in zip(scene.rooms, typed, strict=True)))
     homes = [scene] if program is not None else _dwellings(scene)
     guesses = {guess.room: guess for home in homes for guess in _guessed(home, catalogs, program)}
     return tuple(guesses[room.id] for room in scene.rooms if room.id in guesses)
@@ -160,7 +165,7 @@ def _guessed(scene: Scene, catalogs: Catalogs, program: Mapping[str, int] | None
         if room.type in catalogs.rooms:
             fixed[k] = room.type
             continue
-        said, meaning = next(((word, told) for word in _said(room) if (told := names.meaning(word))), ("", None))
+        said, meaning = _called(room, names)
         if meaning is None:
             if is_shaft(room, scene):
                 fixed[k] = ""
@@ -180,19 +185,23 @@ def is_shaft(room: Room, scene: Scene) -> bool:
     return not (room.furniture or room.outdoor) and min(room.width, room.depth) - scene.wall_thickness < robot_width_of(scene)
 
 
-def with_types(scene: Scene, types: Mapping[str, str], catalogs: Catalogs) -> Scene:
-    """Returns a scene with types of rooms by their ids, outdoors those whose type lies there: a garden, a balcony."""
+def with_types(scene: Scene, types: Mapping[str, str], catalogs: Catalogs, *, stays: bool = True) -> Scene:
+    """Returns a scene with types of rooms by their ids, and outdoors those whose type lies there: a garden, a balcony.
+
+    Whether one outdoors `stays` there whatever type it is given.
+    """
 
     def typed(room: Room) -> Room:
-        told = types.get(room.id)
-        return room if told is None else replace(room, type=told, outdoor=room.outdoor or catalogs.rooms[told].outdoor)
+        kind = catalogs.rooms.get(key := types.get(room.id, room.type))
+        outdoor = (room.outdoor and (stays or room.id not in types)) or (kind is not None and kind.outdoor)
+        return replace(room, type=key, outdoor=outdoor)
 
     return replace(scene, rooms=tuple(map(typed, scene.rooms)))
 
 
-def _said(room: Room) -> tuple[str, ...]:
-    """Returns what may name a room's use: its type, its name if it has one."""
-    return (room.type,) if room.name is None else (room.type, room.name)
+def _called(room: Room, names: RoomNames) -> tuple[str, RoomMeaning | None]:
+    """Returns the first that names a room's use of its type and its name, and what that means."""
+    return next(((word, told) for word in (room.type, room.name) if word is not None and (told := names.meaning(word))), ("", None))
 
 
 def _of_size(key: str, marks: RoomMarks, catalogs: Catalogs) -> str:

@@ -107,7 +107,7 @@ def _typed(scene: Scene, types: Mapping[str, str], known: Catalogs) -> Scene:
     for name, told in types.items():
         if told not in known.rooms:
             raise RequestError(f"types.{name}", f"unknown room type {told!r:.60}", ", ".join(sorted(known.rooms)))
-    return with_types(scene, types, known)
+    return with_types(scene, types, known, stays=False)
 
 
 def _of_seed(scene: Scene, seed: int, known: Catalogs) -> Scene:

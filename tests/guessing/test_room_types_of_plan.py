@@ -204,6 +204,18 @@ def test_one_neither_dines_nor_lives_behind_the_only_door_of_a_room() -> None:
     assert not {"dining_room", "living_room"} & {found[name] for name in "abc"}
 
 
+def test_a_room_that_is_called_a_garden_is_weighed_as_one() -> None:
+    """Rooms in a row behind it: taken for one indoors, it made the room before it a bathroom."""
+    widths = (3.7, 2.6, 3.9, 4.8)
+    rooms = [Room(f"r{at}", x=sum(widths[:at]), width=width, depth=2.6) for at, width in enumerate(widths)]
+    for at in range(3):
+        door = Opening(f"door_{at}", "door", "east", 1.3, 0.8, connects_to=f"r{at + 1}")
+        rooms[at] = replace(rooms[at], openings=(*rooms[at].openings, door))
+        rooms[at + 1] = replace(rooms[at + 1], openings=(replace(door, wall="west", connects_to=f"r{at}"),))
+    named, said = replace(rooms[0], name="Garten"), replace(rooms[0], name="Garten", outdoor=True)
+    assert types(Scene(rooms=(named, *rooms[1:]))) == types(Scene(rooms=(said, *rooms[1:])))
+
+
 @pytest.mark.parametrize("outdoor", [False, True])
 def test_only_rooms_indoors_count_as_those_a_hallway_leads_to(outdoor: bool) -> None:
     home = around(Room("middle", width=3, depth=2.4), {"a": (3.4, 3.3), "b": (3, 1.2)})

@@ -153,10 +153,21 @@ def test_a_told_type_wins_over_name_and_guess() -> None:
     assert "desk" in {piece.name for piece in made.scene.rooms[0].furniture}
 
 
-@pytest.mark.parametrize(("name", "told"), [("Garten", {}), (None, {"plot": "backyard"})])
-def test_a_room_that_is_called_or_told_a_garden_lies_outdoors(name: str | None, told: dict[str, str]) -> None:
-    rooms = (Room("plot", type="room", name=name, width=2.5, depth=2.5), Room("inside", type="office", x=5.0, width=2.5, depth=2.5))
-    assert [room.outdoor for room in furnish(Scene(rooms=rooms), types=told).scene.rooms] == [True, False]
+@pytest.mark.parametrize(
+    ("room_type", "name", "outdoor", "told", "lies"),
+    [
+        ("room", "Garten", False, {}, True),
+        ("room", None, False, {"plot": "backyard"}, True),
+        ("patio", None, False, {}, True),
+        ("room", "Garten", True, {"plot": "office"}, False),
+        ("office", None, True, {}, True),
+    ],
+)
+def test_a_room_lies_outdoors_by_its_type(room_type: str, name: str | None, outdoor: bool, told: dict[str, str], lies: bool) -> None:
+    """What the call tells counts before the scene, and that before what its other rooms are guessed by."""
+    plot = Room("plot", type=room_type, name=name, width=2.5, depth=2.5, outdoor=outdoor)
+    rooms = (plot, Room("inside", type="office", x=5.0, width=2.5, depth=2.5))
+    assert [room.outdoor for room in furnish(Scene(rooms=rooms), types=told).scene.rooms] == [lies, False]
 
 
 def test_foreign_names_stay_foreign() -> None:
