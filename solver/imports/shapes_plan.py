@@ -157,7 +157,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
     if not rooms and not outlines:
         outlines = [(one.points, False) for one in loose]
-    faces = [(*room.points, room.points[0]) for room in rooms] or [points for points, _ in outlines]
+    faces = [(*room.points, room.points[0]) for room in rooms] + [points for points, _ in outlines]
     openings = _openings(shapes, swings, faces)
     length = _length(metres, openings, [points for points, _ in outlines])
     unit = length.metres

@@ -24,7 +24,7 @@ LEAST_AREAS: Final = 2
 NEARLY: Final = 0.06
 """By this share lengths that are taken from areas differ from one another: they are measured with or without plaster."""
 SURELY: Final = 0.02
-"""The same where rooms are drawn along walls' faces, as areas are."""
+"""The same where rooms are drawn along walls' faces, as areas are, or nothing but a usual door tells the unit."""
 FAR: Final = 0.25
 """Rooms along the lines of walls may be so much longer than what is written in them; a unit that has a name is kept within it."""
 SQUARE_FOOT: Final = 0.3048**2
@@ -36,6 +36,7 @@ AREA: Final = re.compile(
 """An area in a text: 24,5 m², 12.30 m2, 130 sq ft."""
 DOORS: Final = "doors' median width"
 GAPS: Final = "the median gap in walls"
+ASSUMED: Final = "the file does not say how long its unit is"
 
 
 class PlanUnit(NamedTuple):
@@ -124,7 +125,8 @@ def told_by_areas(rooms: Sequence[tuple[float, float]], plan: DrawnPlan) -> Plan
     lengths = [math.sqrt(said / drawn) for drawn, said in rooms if drawn]
     if len(lengths) < LEAST_AREAS:
         return None
-    middle, within = median(lengths), FAR if plan.metres in UNITS.values() else SURELY if plan.drawn == "inner" else NEARLY
+    is_sure = plan.drawn == "inner" or plan.unit_words.startswith(ASSUMED)
+    middle, within = median(lengths), FAR if plan.metres in UNITS.values() else SURELY if is_sure else NEARLY
     alike = sum(abs(one - middle) <= NEARLY * middle for one in lengths)
     metres = next((length for length in UNITS.values() if abs(length - middle) <= within * length), middle)
     if 3 * alike < 2 * len(lengths) or abs((plan.metres or 0.0) - metres) <= within * metres:
@@ -137,7 +139,7 @@ def assumed(openings: Sequence[DrawnOpening], told: str = DOORS) -> PlanUnit:
     doors = [math.dist(one.start, one.end) for one in openings if one.kind in ("door", "passage")]
     if not doors or not median(doors):
         return PlanUnit(None)
-    words = f"the file does not say how long its unit is; {told} is taken as {LIKELY_DOOR:.2f} m, `unit` says another length"
+    words = f"{ASSUMED}; {told} is taken as {LIKELY_DOOR:.2f} m, `unit` says another length"
     return PlanUnit(LIKELY_DOOR / median(doors), words)
 
 

@@ -30,7 +30,7 @@ SLOPED: Final = 0.2
 FILLING: Final = 0.9
 """Openings that fill a gap together are as wide as this share of it, each with this share of its own in it."""
 AT_JAMB: Final = 0.25
-"""A leaf hangs no farther from the corner of a gap than this share of its width."""
+"""A leaf hangs no farther from the corner of a gap than this share of its own width: others lie in a wall across the way."""
 
 
 class WallGap(NamedTuple):
@@ -160,13 +160,13 @@ def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | No
 
 def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:
     """Returns the door whose leaf is drawn open at a corner of a gap; None where it is too far, too short or too long."""
-    leaf, along = math.dist(one.start, one.end) / gap.width, 0 if gap.start[1] == gap.end[1] else 1
-    if not any(low <= leaf <= high for low, high in LEAVES):
+    leaf, along = math.dist(one.start, one.end), 0 if gap.start[1] == gap.end[1] else 1
+    if not any(low <= leaf / gap.width <= high for low, high in LEAVES):
         return None
     for foot, tip in ((one.start, one.end), (one.end, one.start)):
         away = abs(tip[1 - along] - gap.start[1 - along])
         for hinge, jamb in (("start", gap.start), ("end", gap.end)):
-            at_jamb = abs(foot[along] - jamb[along]) <= AT_JAMB * gap.width
-            if at_jamb and abs(foot[1 - along] - jamb[1 - along]) <= gap.thickness / 2 + AT_JAMB * gap.width < away:
+            at_jamb = abs(foot[along] - jamb[along]) <= AT_JAMB * leaf
+            if at_jamb and abs(foot[1 - along] - jamb[1 - along]) <= gap.thickness / 2 + AT_JAMB * leaf < away:
                 return replace(one, start=gap.start, end=gap.end, hinge="start" if hinge == "start" else "end", towards=tip)
     return None

@@ -110,6 +110,35 @@ def test_transforms_uses_and_inner_drawings_are_worked_out() -> None:
     assert (door.wall, door.position, door.width) == ("east", 0.75, 0.9)
 
 
+@pytest.mark.parametrize("used", ["#nothing", "http://localhost/symbols.svg#kitchen", ""])
+def test_what_is_drawn_in_another_file_is_left_out(used: str) -> None:
+    answer = drawn(f"<rect class='room' id='kitchen' width='300' height='300'/><use href='{used}' x='400'/>", "data-unit='cm'")
+    assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 3.0, 3.0)]
+    assert {"place": "use[0]", "reason": "draws what is not in the file"} in answer.unread
+
+
+def test_a_door_beside_a_corner_is_shut_in_the_gap_of_its_wall() -> None:
+    """Open, its leaf is nearer to the wall that it swings to than shut to the faces of its own."""
+    rooms = "<g class='rooms'><rect width='300' height='300'/><rect x='310' width='200' height='300'/></g>"
+    walls = "<g class='walls'><rect x='300' width='10' height='4'/><rect x='300' y='84' width='10' height='216'/></g>"
+    answer = drawn(f"{rooms}{walls}<path class='door' d='M305 84 A80 80 0 0 0 385 4'/>", "data-unit='cm'")
+    (door,) = answer.scene.rooms[0].openings
+    assert (door.kind, door.wall, door.width, door.connects_to) == ("door", "east", 0.8, answer.scene.rooms[1].id)
+
+
+def test_a_door_across_the_way_of_a_gap_is_no_leaf_of_it() -> None:
+    """It lies in a wall: an open leaf would hang at the corner of the gap."""
+    wall = "<rect class='wall' x='{}' y='{}' width='{}' height='{}'/>"
+    parts = (
+        (-8, 0, 8, 400), (212, 0, 8, 400), (220, 196, 200, 8), (420, 0, 8, 400), (-40, 196, 40, 8), (-8, -8, 436, 8), (-8, 400, 436, 8),
+    )  # fmt: skip
+    rooms = "<rect class='room' width='212' height='400'/><rect class='room' x='220' width='200' height='196'/>" \
+        "<rect class='room' x='220' y='204' width='200' height='196'/>"
+    doors = "<rect class='door' x='212' y='230' width='8' height='90'/><rect class='door' x='212' y='40' width='8' height='90'/>"
+    answer = drawn(rooms + "".join(wall.format(*part) for part in parts) + doors, "data-unit='cm'")
+    assert [one.width for one in answer.scene.rooms[0].openings] == [0.9, 0.9]
+
+
 @pytest.mark.parametrize(
     ("transform", "corners"),
     [

@@ -77,6 +77,12 @@ def test_pixels_are_as_long_as_areas_say_where_doors_are_no_ninety_centimetres_w
     assert sizes(read(svg(43.7, dict.fromkeys(ROOMS, 0.0))))[0][0] > 2.3
 
 
+def test_areas_tell_pixels_even_where_a_usual_door_is_nearly_right() -> None:
+    """With its door of 0.86 m the drawing would be a twentieth larger."""
+    content = svg(43.7, areas()).replace(f'y2="{1.8 * 43.7}"'.encode(), f'y2="{1.86 * 43.7}"'.encode())
+    assert sizes(read(content)) == pytest.approx(DRAWN, abs=0.011)
+
+
 @pytest.mark.parametrize("written", [areas(Wohnen=10.0, Bad=16.0), dict.fromkeys(ROOMS, 0.0), areas(Bad=4 * 8.0)])
 def test_areas_that_disagree_or_are_none_change_nothing(written: dict[str, float]) -> None:
     """Two of three must agree; where they do, the third may be wrong."""

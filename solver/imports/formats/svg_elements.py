@@ -151,7 +151,7 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         names = ((*_names(said), *turn.names) if turn.said else (*turn.names, *_names(said)))[-NAMES_KEPT:]
         inner = _view(tag, said, matrix) if turn.depth else matrix
         if tag == "use":
-            ahead.append(_used(turn, said, known, (names, inner, where)))
+            ahead += _used(turn, said, known, (names, inner, where))
         elif tag in ("g", "svg", "a", "switch", "symbol"):
             ahead += [_Turn(one, names, inner, turn.uses, turn.depth + 1, {}) for one in reversed(element) if isinstance(one.tag, str)]
         yield _element(element, _Turn(element, names, matrix, turn.uses, turn.depth, {**turn.said, **said}), where)
@@ -191,15 +191,18 @@ def _words(element: Element) -> str:
     return "\n".join(line for line in lines if line)
 
 
-def _used(turn: _Turn, said: Mapping[str, str], known: Mapping[str, Element], place: tuple[tuple[str, ...], SvgMatrix, str]) -> _Turn:
-    """Returns the element that a use draws, moved by its x and y; refuses one that is not in the file, or is drawn within itself."""
+def _used(
+    turn: _Turn, said: Mapping[str, str], known: Mapping[str, Element], place: tuple[tuple[str, ...], SvgMatrix, str]
+) -> Iterator[_Turn]:
+    """Yields the element that a use draws, moved by its x and y, where it is in the file; refuses one that is drawn within itself."""
     names, matrix, where = place
-    key = said.get("href", "").strip()[1:]
-    if key in turn.uses or key not in known or not said.get("href", "").startswith("#"):
-        problem = "is drawn within itself" if key in turn.uses else f"uses {said.get('href', '')!r:.60}, which is not in the file"
-        raise FieldError(where, problem, "an element of the file by its id")
-    by = (pixels_of(said.get("x")) or 0.0, pixels_of(said.get("y")) or 0.0)
-    return _Turn(known[key], names, times(matrix, (1.0, 0.0, 0.0, 1.0, *by)), (*turn.uses, key), turn.depth + 1, {"href": key})
+    key = said.get("href", "").strip()
+    if key in turn.uses:
+        raise FieldError(where, "is drawn within itself", "an element of the file by its id")
+    if key.startswith("#") and key[1:] in known:
+        by = (pixels_of(said.get("x")) or 0.0, pixels_of(said.get("y")) or 0.0)
+        inner = times(matrix, (1.0, 0.0, 0.0, 1.0, *by))
+        yield _Turn(known[key[1:]], names, inner, (*turn.uses, key), turn.depth + 1, {"href": key[1:]})
 
 
 def _view(tag: str, said: Mapping[str, str], matrix: SvgMatrix) -> SvgMatrix:

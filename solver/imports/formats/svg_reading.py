@@ -12,6 +12,7 @@ from typing import Final, Literal
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
 from solver.errors import FieldError, SyntaxFault
+from solver.imported import Unread
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
 from solver.imports.drawn import (
@@ -50,6 +51,8 @@ METRIC: Final = (1.0, 0.01, 0.001)
 """Units that drawings for screens are in, m."""
 NAMES: Final = ("label", "data-name", "id", "class")
 """Attributes that call a shape something."""
+ELSEWHERE: Final = "draws what is not in the file"
+"""Why a use draws nothing."""
 START: Final = 4_000
 """Bytes at a file's beginning in which its root is looked for."""
 
@@ -211,7 +214,9 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
             called += shapes[-1].sort is not None
         check_count("shapes", called, MOST_POINTS)
-    return plan_of_shapes(side_by_side(sheets), told, metres)
+    ids = {one.said.get("id") for one in elements}
+    lost = [Unread(one.where, ELSEWHERE) for one in elements if one.tag == "use" and one.said.get("href", "").strip()[1:] not in ids]
+    return plan_of_shapes(side_by_side(sheets), told, metres, lost)
 
 
 def _stroke(element: SvgElement) -> float:
