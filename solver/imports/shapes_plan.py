@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain, combinations, pairwise
+from itertools import chain, combinations, compress, pairwise
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -49,6 +49,8 @@ LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
+IN_A_WALL: Final = (0.03, 0.3)
+"""On both sides of a leaf there is wall for the first, m, at least, and on one of them a room before the second."""
 
 
 UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
@@ -163,7 +165,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     unit = length.metres
     all_gaps = gaps_of([points for points, _ in outlines], unit)
     openings, gaps = fitted(openings, all_gaps, unit)
-    openings = openings if is_swung else _in_gaps(openings, all_gaps)
+    openings, gapless = (openings, []) if is_swung else _in_gaps(openings, all_gaps)
     walls: list[DrawnWall] = []
     thick: float | None = None
     told: list[Unread] = []
@@ -174,6 +176,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
     rooms += [labelled(room, texts) for room in found]
+    openings += [one for one in gapless if unit and _is_in_a_wall(one, rooms, unit)]
     told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
     told += (*_left_names(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
@@ -228,10 +231,20 @@ def _told_by_form(
     return told_by_form(shapes, names, doors, _length(metres, doors, lines).metres)
 
 
-def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[DrawnOpening]:
-    """Returns openings but for doors that hang in no gap: quarter circles on layers that tell nothing may be anything."""
+def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple[list[DrawnOpening], list[DrawnOpening]]:
+    """Returns openings but for doors that hang in no gap, and these if all do: quarter circles on layers that tell nothing may be anything."""
     ends = {frozenset((gap.start, gap.end)) for gap in gaps}
-    return [one for one in openings if one.kind != "door" or frozenset((one.start, one.end)) in ends]
+    hung = [one.kind != "door" or frozenset((one.start, one.end)) in ends for one in openings]
+    kept = list(compress(openings, hung))
+    return kept, [one for one in openings if one.kind == "door"] if all(one.kind != "door" for one in kept) else []
+
+
+def _is_in_a_wall(door: DrawnOpening, rooms: Sequence[DrawnRoom], metres: float) -> bool:
+    """Tells whether a leaf, shut, lies in no room and beside one: the lines of its wall run on through its door."""
+    (x, z), width = between(door.start, door.end), math.dist(door.start, door.end)
+    across = (door.start[1] - door.end[1]) / width / metres, (door.end[0] - door.start[0]) / width / metres
+    near, far = ([(x + by * across[0], z + by * across[1]) for by in (-away, away)] for away in IN_A_WALL)
+    return not any(room.holds(*spot) for room in rooms for spot in near) and any(room.holds(*spot) for room in rooms for spot in far)
 
 
 def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:

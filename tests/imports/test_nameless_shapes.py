@@ -163,6 +163,28 @@ def test_faces_of_walls_that_end_at_a_door_without_jambs_are_no_axes(thick: int)
     assert seen(imported(made)) == [("kitchen", [("door", 0.9)])]
 
 
+@pytest.mark.parametrize("closed", [False, True])
+def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: bool) -> None:
+    """A leaf, shut, lies in no room and beside one; a corner shower lies in one."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    for x0, y0, x1, y1 in ((0, 0, 9000, 5000), (300, 300, 4400, 4700), (4500, 300, 8700, 4700)):
+        corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        if closed:
+            space.add_lwpolyline(corners, close=True)
+        for a, b in zip(corners, [*corners[1:], corners[0]], strict=True) if not closed else ():
+            space.add_line(a, b)
+    for hinge, tip, first in (((4450, 2500), (5350, 2500), 0), ((1500, 4850), (1500, 3950), 270), ((8700, 300), None, 90)):
+        space.add_arc(hinge, 900, first, first + 90)
+        if tip:
+            space.add_line(hinge, tip)
+    for words, spot in NAMES.items():
+        space.add_text(words, height=150, dxfattribs={"insert": spot})
+    doors = [("door", 0.9), ("door", 0.9)]
+    assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", doors)]
+
+
 def test_without_names_of_rooms_most_rooms_tell() -> None:
     answer = imported(drawing(NUMBERS, names=False))
     assert [kinds for _, kinds in seen(answer)] == [kinds for _, kinds in WANTED]

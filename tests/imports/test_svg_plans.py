@@ -132,8 +132,10 @@ def test_a_door_across_the_way_of_a_gap_is_no_leaf_of_it() -> None:
     parts = (
         (-8, 0, 8, 400), (212, 0, 8, 400), (220, 196, 200, 8), (420, 0, 8, 400), (-40, 196, 40, 8), (-8, -8, 436, 8), (-8, 400, 436, 8),
     )  # fmt: skip
-    rooms = "<rect class='room' width='212' height='400'/><rect class='room' x='220' width='200' height='196'/>" \
+    rooms = (
+        "<rect class='room' width='212' height='400'/><rect class='room' x='220' width='200' height='196'/>"
         "<rect class='room' x='220' y='204' width='200' height='196'/>"
+    )
     doors = "<rect class='door' x='212' y='230' width='8' height='90'/><rect class='door' x='212' y='40' width='8' height='90'/>"
     answer = drawn(rooms + "".join(wall.format(*part) for part in parts) + doors, "data-unit='cm'")
     assert [one.width for one in answer.scene.rooms[0].openings] == [0.9, 0.9]
