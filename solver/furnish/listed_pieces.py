@@ -3,7 +3,7 @@
 The work is the core's: solver/core/furnish/listed.hpp says what a candidate holds, and what it pays for.
 """
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -16,7 +16,7 @@ from solver.core import ask
 from solver.furnish.compiled_types import KindTables
 from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
 from solver.furnish.habits import Habits
-from solver.pieces import Piece, Placed, Space, Stance
+from solver.pieces import Candidate, Piece, Placed, Space, Stance
 from solver.relations.subject import Kind
 from solver.requested import PieceRequest
 from solver.scene import WALL_NUMBERS, Room
@@ -114,12 +114,20 @@ class Listing:
     def _pieces(self, answer: Answer) -> list[Piece]:
         labels, kinds = self._rows.labels, [*self.kinds.values()]
         candidates, links = (candidate_of(row, kinds, labels) for row in answer.candidates), iter(links_of(answer, labels))
-        pieces = []
+        pieces, heights = list[Piece](), {piece.label: piece.candidates[0].bottom_mm for piece in self.there}
         for at, _, number, ways, bonds, _, required, _, skip_cost in answer.pieces:
-            own, kind = (tuple(islice(candidates, ways)), tuple(islice(links, bonds))), kinds[number]
+            own, kind = (tuple(_raised(islice(candidates, ways), heights)), tuple(islice(links, bonds))), kinds[number]
+            heights[labels[at]] = min((way.bottom_mm for way in own[0]), default=0)
             only = kind.name, kind.size
             pieces.append(Piece(labels[at], bool(required), *own, kind.stands, kind.need_all, skip_cost=skip_cost, only=only))
         return pieces
+
+
+def _raised(ways: Iterable[Candidate], heights: Mapping[str, int]) -> Iterator[Candidate]:
+    """Yields the ways of a piece, those on another one higher by where that stands, by label."""
+    for way in ways:
+        height = heights.get(way.on or "", 0)
+        yield replace(way, bottom_mm=way.bottom_mm + height) if height else way
 
 
 def _stands_row(placed: Placed | None, is_loose: bool) -> bytes:

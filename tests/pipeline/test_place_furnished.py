@@ -73,3 +73,15 @@ def test_a_room_in_which_all_can_be_come_to_is_walked_no_oftener_with_more_in_it
         assert (answer.best.unplaced, answer.best.issues) == ((), ())
         made.append(len(walks))
     assert made[1] == 2 * made[0]
+
+
+def test_things_are_put_onto_what_stands_raised_or_on_another_piece() -> None:
+    table = Furniture("table", "dining_table", x=2.0, z=2.0, width=1.6, depth=0.9, height=0.75)
+    box = Furniture("box", "nightstand", x=2.5, z=2.0, y=0.75, width=0.46, depth=0.4, height=0.55, on="table")
+    hung = Furniture("hung", "sideboard", x=2.0, z=0.3, y=0.3, width=1.6, depth=0.44, height=0.84)
+    room = Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(table, box, hung))
+    for carrier, top in (("table", 0.75), ("box", 1.3), ("hung", 1.14)):
+        plant = PieceRequest("plant", "plant", 0.2, 0.2, 0.3, relations=(RelationSpec(type="on", of=(carrier,), required=True),))
+        answer = place(room, [plant])
+        assert [(one.on, one.y) for one in answer.best.scene.rooms[0].furniture if one.id == "plant"] == [(carrier, top)]
+        assert errors(answer.best.scene) == set()
