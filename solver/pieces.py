@@ -95,6 +95,8 @@ class Space:
     """Those of the room's openings whose wall it tells."""
     approaches: tuple[Rect, ...] = ()
     """The floor before doors that a standard asks for."""
+    closed: bool = False
+    """Whether nobody comes in by any door: one walks in the largest part of the floor."""
 
     @kept
     def rows(self) -> tuple[bytes, bytes]:

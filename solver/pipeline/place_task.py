@@ -130,7 +130,8 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     tucked = [by_label[one] for label, spec in relations if tucks(spec) for name in (label, *spec.of) for one in names.get(name, (name,))]
     frame = frame_of(room, kinds.values(), tucked, (spec for _, spec in relations))
     inside = frame.room(room)
-    space, there = obstacles(inside, setting.space_in(inside), catalogs, {name for _, name in entrances_of((inside,))})
+    entrances = {name for _, name in entrances_of((inside,))}
+    space, there = obstacles(inside, replace(setting.space_in(inside), closed=not entrances), catalogs, entrances)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
     listing = Listing(inside, space, in_order(wanted, goes_to), kinds, habits, there)

@@ -172,7 +172,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, b
     zones, doorways = space.rows
     counts = len(space.zones), len(doorways) // DOORWAY.size, len(pieces), len(tables.side_names), len(tables.candidates)
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
-    asked = *space.clear, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, space.outer
+    asked = *space.clear, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, -1 if space.closed else space.outer
     return tables, b"".join([
         _longs([*OF_ROOM, *counts, len(tables.link_costs) // LINK_COSTS, *asked]), zones, doorways, _longs([*chain(*tables.rows)]),
         _doubles([piece.skip_cost for piece in pieces]), _longs(tables.sides), _doubles(tables.side_costs), _longs(tables.alts),

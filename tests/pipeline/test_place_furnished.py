@@ -7,6 +7,7 @@ from random import Random
 
 import pytest
 
+from catalogs import load_catalogs
 from catalogs.schema import RelationSpec
 from solver import place
 from solver.pieces import Piece, Space
@@ -85,3 +86,29 @@ def test_things_are_put_onto_what_stands_raised_or_on_another_piece() -> None:
         answer = place(room, [plant])
         assert [(one.on, one.y) for one in answer.best.scene.rooms[0].furniture if one.id == "plant"] == [(carrier, top)]
         assert errors(answer.best.scene) == set()
+
+
+WAY = Opening("way", "door", "west", 0.43, 0.8, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("size", "doors", "stands", "wanted"),
+    [
+        ((3.77, 3.54), (), (("sideboard", 2.28, 0.0, 0.76, 90), ("car", -0.02, 0.0, 3.48, 270), ("deck_chair", -0.15, 1.9, 0.63, 0),
+                            ("dining_table", 2.64, 0.0, 2.19, 180), ("grill", 1.15, 0.0, 1.42, 270)), ("dog",)),
+        ((4.18, 2.83), (WAY,), (("sink", 2.89, 0.0, 0.85, 180), ("small_shower", 2.41, 0.0, 2.17, 270), ("ottoman", 2.68, 0.0, 1.15, 270),
+                                ("vanity", 1.16, 0.0, 1.63, 180)), ("medium_wardrobe", "hall_bench")),
+    ],
+    ids=["no doors", "no way in"],
+)  # fmt: skip
+def test_where_nobody_comes_in_one_walks_where_most_floor_is_once_all_stands(
+    size: tuple[float, float], doors: tuple[Opening, ...], stands: Sequence[tuple[str, float, float, float, int]], wanted: Sequence[str]
+) -> None:
+    kinds = load_catalogs().furniture
+    pieces = []
+    for name, x, y, z, turn in stands:
+        wide, deep, high = kinds[name].size
+        pieces.append(Furniture(name, name, x=x, y=y, z=z, rotation=turn, width=wide, depth=deep, height=high))
+    room = Room("den", width=size[0], depth=size[1], openings=doors, furniture=tuple(pieces))
+    answer = place(room, [PieceRequest(name) for name in wanted])
+    assert errors(answer.best.scene) - errors(Scene(rooms=(room,))) == set()

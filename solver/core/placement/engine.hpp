@@ -170,6 +170,7 @@ struct GridState {
   i64 numbers;  // of targets: of the rectangles of one number any will do
   i64 entered;  // the component one walks in, or 0
   i64 width;  // of who walked last
+  i64 unfinished;  // whether pieces are to come
 };
 
 // A rectangle with a number: of a block its part, or -1 - its zone; of a target what is to be reached there.
@@ -303,6 +304,6 @@ template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 va
   return positions.at(axis, variable < 0 ? positions.columns - 1 : variable);
 }
 
-static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 15 * 8 && sizeof(GridState) == 8 * 8);
+static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 15 * 8 && sizeof(GridState) == 9 * 8);
 
 }  // namespace placement

@@ -258,12 +258,14 @@ static void count_reached(const WalkGrid& grid) {
   }
 }
 
-// The component one walks in: at the doors joined outside, else at the first one, that which meets most; without doors the largest.
+// The component one walks in: at the doors joined outside, else at the first one, that which meets most; where nobody comes in the largest.
+// Which is the largest may change with each piece that is added: while some are to come it may be any.
 static i64 entered_of(const Room& room, const WalkGrid& grid) {
   i64 best = 0;
-  if (room.doors.size == 0) {
+  if (is_walked_in_largest(room)) {
     for (i64 c = 1; c <= grid.state->components; c++) {
-      if (best == 0 || grid.areas[c] > grid.areas[best]) best = c;
+      const i64 more = best == 0 || !grid.state->unfinished ? 0 : grid.reached[c].count - grid.reached[best].count;
+      if (best == 0 || more > 0 || (more == 0 && grid.areas[c] > grid.areas[best])) best = c;
     }
     return best;
   }

@@ -240,11 +240,14 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const i64 incumbent = counters.incumbent;
   const f64 rest = least_rest(engine.room, trial, group.first + depth + 1, group);
   const f64 ceiling = (incumbent >= 0 ? tree.costs[incumbent] : start.ceiling) - chosen - rest;
+  const bool complete = depth + 1 == group.last - group.first;
   bool closed = false;
+  engine.grid.state->unfinished = !complete;
   bool found = weigh(engine, trial, state, limits.qps, ceiling, walk, closed);
   if (limits.every_gap && engine.nodes.result->turned_down > 0) {
     found = evaluate_all(engine, trial, limits.qps, found ? engine.nodes.best_cost[0] + NO_DEARER : ceiling, walk);
   }
+  engine.grid.state->unfinished = false;
   if (engine.nodes.result->exhausted == 0) counters.closed = 0;  // what was found may cost less
   if (!found) {
     note_failure(engine, number, limits);
@@ -253,7 +256,6 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const i64 grown = store(tree, trial, engine.nodes.best_cost[0] + chosen, chosen, depth + 1);
   if (grown < 0) return false;
   keep_optimum(engine, grown, closed);
-  const bool complete = depth + 1 == group.last - group.first;
   if (complete && (incumbent < 0 || tree.costs[grown] < tree.costs[incumbent])) counters.incumbent = grown;
   if (counters.deepest < 0 || depth + 1 > tree.depths[counters.deepest]) counters.deepest = grown;
   // What is complete comes before what may cost the same at least.

@@ -52,13 +52,13 @@ static i64 wished(const Work& work, i64 axis, i64 v) {
 }
 
 // Tells whether the patch that the walk entered would be entered, and be large enough, by any measure.
-// How large a patch is depends on the millimetre by which the person is smaller; a room without doors is entered at the largest.
+// How large a patch is depends on the millimetre by which the person is smaller; a room in which nobody comes in is entered at the largest.
 static bool floor_is_sure(const Room& room, const WalkGrid& grid) {
   const SpaceRow& space = *room.space.data;
   const i64 entered = grid.state->entered;
   const i64 doubt = 2 * DOUBT_MM * (space.high[0] - space.low[0] + space.high[1] - space.low[1]);
   if (space.least_floor > 0 && grid.areas[entered] < 4 * space.least_floor + doubt) return false;
-  if (room.doors.size > 0) return true;
+  if (!is_walked_in_largest(room)) return true;
   for (i64 c = 1; c <= grid.state->components; c++) {
     if (c != entered && grid.areas[c] + 2 * doubt > grid.areas[entered]) return false;
   }

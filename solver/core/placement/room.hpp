@@ -27,7 +27,9 @@ struct SpaceRow {
   i64 cover;  // mm2 of floor to be covered, or 0
   i64 least_floor;  // mm2 of free centres that a person must have
   i64 ways;  // how wide the ways from door to door are; no more than `robot` asks for nothing
-  i64 outer;  // how many of the first doors one comes in by from outside the house: they are joined there
+  // How many of the first doors one comes in by from outside the house: they are joined there; -1: nobody comes in, and walks in the largest
+  // part of the floor.
+  i64 outer;
 };
 
 // A rectangle above which height it counts, and whether it is a part missing from the room.
@@ -103,6 +105,9 @@ struct Room {
   Rows<LinkRow> links;
   Rows<LinkCost> link_costs;
 };
+
+// Tells whether nobody comes in: one walks in the largest part of the floor.
+inline bool is_walked_in_largest(const Room& room) { return room.doors.size == 0 || room.space->outer < 0; }
 
 // Where the person's centre is when it has just come through each door.
 Rows<Door> doors_of(const SpaceRow& space, const Span<Doorway>& doorways);
