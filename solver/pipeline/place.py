@@ -229,7 +229,7 @@ def _conflict(  # noqa: PLR0913, PLR0917 - what was asked, and what came of it
         words = f"can stand {where}in {_floor(task)}, but not with ways between all doors and to {there}"
     else:
         words = f"cannot stand {'as asked anywhere' if len(members) == 1 else 'together'} in {_floor(task)}"
-    return Conflict(members, f"{names} {words}{_at_walls([by_label[member] for member in members])}", removals)
+    return Conflict(members, f"{names} {words}{_at_walls(task, [by_label[member] for member in members])}", removals)
 
 
 def _fewest(task: PlaceTask, pieces: Sequence[Piece], missing: str, budget: Budget) -> tuple[tuple[str, ...] | None, bool]:
@@ -271,9 +271,10 @@ def _not_held(names: str, without: Sequence[str] = ()) -> str:
     return f"{words}; without {' or '.join(dict.fromkeys(without))} there is one" if without else words
 
 
-def _at_walls(pieces: Sequence[Piece]) -> str:
+def _at_walls(task: PlaceTask, pieces: Sequence[Piece]) -> str:
     """Says which of some pieces are to stand at walls alone: elsewhere they might stand."""
-    labels = [piece.label for piece in pieces if piece.candidates and all(way.wall for way in piece.candidates)]
+    by_habit = {label for label in task.listing.listed if task.kinds[label].at_walls}
+    labels = [one.label for one in pieces if one.candidates and (one.label in by_habit or all(way.wall for way in one.candidates))]
     return f", with {' and '.join(labels)} at walls" if labels else ""
 
 

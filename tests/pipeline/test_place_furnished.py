@@ -112,3 +112,18 @@ def test_where_nobody_comes_in_one_walks_where_most_floor_is_once_all_stands(
     room = Room("den", width=size[0], depth=size[1], openings=doors, furniture=tuple(pieces))
     answer = place(room, [PieceRequest(name) for name in wanted])
     assert errors(answer.best.scene) - errors(Scene(rooms=(room,))) == set()
+
+
+def test_what_stands_at_walls_may_stand_at_inner_edges_of_an_outline_where_windows_take_the_others() -> None:
+    steps = ((0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
+    sizes = {0: ("window", 3.8), 1: ("door", 0.9), 4: ("window", 1.8), 5: ("window", 3.8)}
+    lengths = {0: 4.0, 1: 2.0, 4: 2.0, 5: 4.0}
+    openings = tuple(
+        Opening(f"{kind}_{edge}", kind, edge=edge, position=lengths[edge] / 2, width=wide, height=1.5, connects_to="EXTERIOR")
+        for edge, (kind, wide) in sizes.items()
+    )
+    room = Room("den", width=4.0, depth=4.0, outline=steps, openings=openings)
+    answer = place(room, [PieceRequest("wardrobe")])
+    assert (answer.best.unplaced, errors(answer.best.scene)) == ((), set())
+    (wardrobe,) = answer.best.scene.rooms[0].furniture
+    assert (wardrobe.rotation, wardrobe.wall) in {(180, None), (270, None)}

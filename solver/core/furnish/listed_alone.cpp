@@ -67,6 +67,21 @@ static List<Costed> places_of(Seeker& seeker, const Foothold& at) {
   return found;
 }
 
+// Adds what is before the edges of parts missing from the room: walls, too, for what stands at walls.
+static void add_inner_edges(const Scope& scope, const Kind& kind, List<Foothold>& found) {
+  Rect shared;
+  for (const Zone& zone : scope.zones) {
+    for (Wall wall : WALLS) {
+      if (!zone.is_wall) continue;
+      const Extent extent = turned(kind.size(), rotation_at(wall));
+      const Interval edge = zone.rect.along(wall);
+      const Interval over = {edge.low - floor_div(kind.width, 2), edge.high + floor_div(kind.width, 2)};
+      const Rect reach = strip_at(wall, zone.rect.line(opposite(wall)) + inwards(wall) * scope.gap, over, kind.depth);
+      if (fits_both(reach, scope.clear, extent, shared)) found.add({{rotation_at(wall), Wall::none}, extent, shared, {}});
+    }
+  }
+}
+
 List<Foothold> footholds(Seeker& seeker) {
   const Scope& scope = seeker.in.scope;
   const Kind& kind = seeker.kind();
@@ -82,6 +97,7 @@ List<Foothold> footholds(Seeker& seeker) {
     const Rect reach = strip_at(wall, scope.clear.line(wall) + inwards(wall) * scope.gap, scope.clear.along(wall), kind.depth);
     if (at_walls && fits_both(reach, scope.clear, extent, shared)) found.add({{rotation_at(wall), wall}, extent, reach, {}});
   }
+  if (kind.at_walls) add_inner_edges(scope, kind, found);
   const i32 free_turns = kind.at_walls ? 0 : turns ? 4 : rotation_count(kind);
   for (i32 i = 0; i < free_turns; i++) found.add({{90 * i, Wall::none}, turned(kind.size(), 90 * i), scope.clear, {}});
   for (Foothold& one : found) one.found = places_of(seeker, one);
