@@ -281,7 +281,7 @@ def test_rooms_are_cut_and_walls_dragged_for_both_sides(board: DrawingBoard) -> 
     assert len(board.rooms()) == 2
 
 
-def test_a_wall_of_a_furnished_home_is_dragged(board: DrawingBoard) -> None:
+def test_a_wall_of_a_furnished_home_is_dragged_and_what_goes_with_it_is_told(board: DrawingBoard) -> None:
     two_rooms(board)
     board.click(3000, 2200)
     board.page.get_by_label("Type").select_option("living_room")
@@ -300,9 +300,16 @@ def test_a_wall_of_a_furnished_home_is_dragged(board: DrawingBoard) -> None:
         kept = {piece["id"] for piece in old["furniture"]} & {piece["id"] for piece in new["furniture"]}
         assert len(kept) >= len(old["furniture"]) // 2
     assert [issue for issue in caught.value.json()["issues"] if issue["severity"] == "error"] == []
+    calls: list[str] = []
+    board.page.on("response", lambda response: calls.append(response.url.rsplit("/", 1)[-1]))
+    board.tool("cut")
+    with board.page.expect_response(lambda response: "furnish" in calls and response.url.endswith("/validate")):
+        board.drag((-200, -200), (400, 3200))
+    board.judge()
+    expect(board.page.get_by_text("1 door or window no longer fits")).to_be_visible()
     board.tool("show")
     board.visit.settle()
-    assert [room["width"] for room in board.page.evaluate("compose.scene")["rooms"]] == [4.4, 3.6]
+    assert [room["width"] for room in board.page.evaluate("compose.scene")["rooms"]] == [4, 3.6]
     board.page.keyboard.press("Control+z")
     board.visit.settle()
     assert board.page.evaluate("compose.scene")["rooms"] == before["rooms"]

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { areaOf, areOverlapping, boxOf, combined, cornersOfBox, isSound, wallsOf, type Corners } from "../src/draw/corners";
-import { EMPTY, openingMoved, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningAt, withOpeningChanged, withoutRoom, withRoom, withType, type Draft } from "../src/draw/draft";
+import { EMPTY, openingMoved, openingsLost, reshaped, roomMoved, wallLengthened, wallMoved, withOpening, withOpeningAt, withOpeningChanged, withoutOpening, withoutRoom, withRoom, withType, type Draft } from "../src/draw/draft";
 import { DrawnPlan } from "../src/draw/drawn_plan";
 import { PictureBeneath } from "../src/draw/picture_beneath";
 import { reshapedRooms } from "../src/draw/reflow";
@@ -171,6 +171,13 @@ describe("a plan", () => {
     expect(changed.openings.map(({ isMainEntrance }) => isMainEntrance)).toEqual([false, false, true]);
   });
 
+  it("tells what doors and windows went with a wall, not what was deleted", () => {
+    const window = withOpening(three(), "window", { x: 5500, z: 0 }, 100) as { draft: Draft; id: string };
+    const cut = reshaped(window.draft, "room_2", box(4000, 0, 7000, 2000), "cut") as Draft;
+    expect([openingsLost(window.draft, cut), openingsLost(cut, window.draft), openingsLost(window.draft, withoutOpening(window.draft, window.id))]).toEqual([1, 0, 0]);
+    expect(openingsLost(window.draft, withoutRoom(window.draft, "room_2"))).toBe(0);
+  });
+
   it("adds to a room and cuts from it, but not onto another", () => {
     expect(reshaped(three(), "room_1", box(1000, -1000, 2000, 1000), "add")?.rooms[0]?.corners).toHaveLength(8);
     expect(reshaped(three(), "room_1", box(1000, 1000, 5000, 2000), "add")).toBeNull();
@@ -196,10 +203,10 @@ describe("a scene", () => {
     const draft = draftOf(home());
     const wider = wallMoved(draft, "den", 3, -1000) as Draft;
     expect(sceneOf(wider).rooms[0]).toMatchObject({ x: -1, width: 5, furniture: [{ x: 3, z: 0.5 }] });
-    expect(reshapedRooms(draft, wider)).toEqual(new Set(["den"]));
+    expect(reshapedRooms(wider)).toEqual(new Set(["den"]));
     const away = roomMoved(draft, "den", -1000, 500) as Draft;
     expect(sceneOf(away).rooms[0]).toMatchObject({ x: -1, z: 0.5, width: 4, furniture: [{ x: 2, z: 0.5 }] });
-    expect(reshapedRooms(draft, away)).toEqual(new Set());
+    expect(reshapedRooms(away)).toEqual(new Set());
     expect(atOrigin(sceneOf(away)).rooms.map(({ x, z }) => [x, z])).toEqual([[0, 0.5], [5, 0]]);
   });
 

@@ -5,7 +5,7 @@ import { Toolbar, type Tool } from "../edit/toolbar";
 import { doorlessIn } from "../panel/imported";
 import { inWords } from "../panel/programme";
 import { boxOf, type Box, type Point } from "./corners";
-import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
+import { EMPTY, openingMoved, openingsLost, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
 import { DrawnPlan } from "./drawn_plan";
 import { button, group, hint, lengthField, row } from "./elements";
 import { draftNames, Inspector } from "./inspector";
@@ -79,7 +79,12 @@ export class Board {
     });
     this.#reflow = new Reflow(calls, {
       seen: (rooms) => { this.#furnished = rooms; this.#draw(); },
-      settled: (of, becomes) => { if (this.#plan.settled === of) this.#plan.amend(becomes); },
+      settled: (of, becomes) => {
+        if (this.#plan.settled !== of) return;
+        const said = this.#said.textContent;
+        this.#plan.amend(becomes);
+        this.#say(said); // what went with the wall is still gone
+      },
       failed: (reason) => words.failed(reason),
     });
     this.#verdicts = new Live({
@@ -163,11 +168,11 @@ export class Board {
   }
 
   #changed(what: "plan" | "moment" | "chosen"): void {
-    if (what === "moment") this.#reflow.moment(this.#plan.settled, this.#plan.draft);
+    if (what === "moment") this.#reflow.moment(this.#plan.draft);
     if (what === "plan") {
       this.#furnished = new Map();
       this.#say(this.#lost(this.#before, this.#plan.settled));
-      void this.#reflow.step(this.#before, this.#plan.settled);
+      void this.#reflow.step(this.#plan.settled);
       this.#before = this.#plan.settled;
       this.#found.ariaBusy = "true";
       if (this.#plan.settled.rooms.length > 0) this.#verdicts.want(this.scene);
@@ -179,8 +184,9 @@ export class Board {
 
   /** What was lost with a wall, in words. */
   #lost(before: Draft, after: Draft): string {
-    if (after.rooms.length < before.rooms.length || after.openings.length >= before.openings.length - 1) return "";
-    return say("{count} doors or windows no longer fit and are gone; undo brings them back.", { count: before.openings.length - after.openings.length });
+    const count = openingsLost(before, after);
+    if (count <= 1) return count < 1 ? "" : say("1 door or window no longer fits and is gone; undo brings it back.");
+    return say("{count} doors or windows no longer fit and are gone; undo brings them back.", { count });
   }
 
   #judged(issues: readonly Issue[]): void {

@@ -167,6 +167,11 @@ export function combined(corners: Corners, box: Box, how: "add" | "cut"): Corner
   return outlineOf(cutsOf(all.map(({ x }) => x)), cutsOf(all.map(({ z }) => z)), isFloor);
 }
 
+/** Whether two rooms are one and the same floor. */
+export function areSame(a: Corners, b: Corners | null): boolean {
+  return a.length === b?.length && a.every(({ x, z }, i) => b[i]?.x === x && b[i]?.z === z);
+}
+
 /** Whether two rooms share floor. */
 export function areOverlapping(a: Corners, b: Corners): boolean {
   const all = [...a, ...b];

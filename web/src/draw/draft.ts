@@ -312,6 +312,11 @@ export function withoutOpening(draft: Draft, id: string): Draft {
   return { ...draft, openings: draft.openings.filter((opening) => opening.id !== id) };
 }
 
+/** How many openings went with the wall that they were in: neither by themselves nor with their room. */
+export function openingsLost(before: Draft, after: Draft): number {
+  return after.rooms === before.rooms || after.rooms.length < before.rooms.length ? 0 : Math.max(0, before.openings.length - after.openings.length);
+}
+
 /** A wall of a length [mm]: the wall at its eastern or southern end moves. */
 export function wallLengthened(draft: Draft, id: string, index: number, length: number): Draft | null {
   const walls = wallsOf(draft.rooms.find((room) => room.id === id)?.corners ?? []);

@@ -238,7 +238,7 @@ export class Pencil {
     if (how === "room") {
       const drawn = withRoom(this.plan.settled, cornersOfBox(box));
       if (!drawn) {
-        this.words.said(say("A room is at least 0.5 m by 0.5 m and shares no floor with another."));
+        this.words.said(say("A room is at least 0.5 m by 0.5 m and shares no floor with another: to part one, cut area from it first."));
         return;
       }
       this.plan.step(drawn.draft);

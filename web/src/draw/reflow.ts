@@ -1,8 +1,9 @@
 /** Furnished rooms whose walls are dragged: pieces are kept where they can be, and what a room then lacks is furnished. */
 import type { FixAnswer, FixRequest, GenerateAnswer, Room, Scene } from "../contract";
 import { Live } from "../edit/live";
+import { areSame } from "./corners";
 import type { Draft, DraftRoom } from "./draft";
-import { draftOf, sceneOf } from "./scene_draft";
+import { draftCorners, draftOf, sceneOf } from "./scene_draft";
 
 export interface ReflowCalls {
   fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer>;
@@ -23,17 +24,10 @@ interface Question {
   readonly rooms: ReadonlySet<string>;
 }
 
-const NEVER = new AbortController().signal;
-
-/** The furnished rooms of a plan that have another shape than before. */
-export function reshapedRooms(before: Draft, after: Draft): ReadonlySet<string> {
-  const shapes = new Map(before.rooms.map((room) => [room.id, room]));
-  const isReshaped = ({ id, corners, from }: DraftRoom): boolean => {
-    const was = shapes.get(id);
-    const isMoved = was?.from !== from; // as a whole, with all that stands in it
-    return !isMoved && was !== undefined && was.corners !== corners && (from?.furniture.length ?? 0) > 0;
-  };
-  return new Set(after.rooms.filter(isReshaped).map(({ id }) => id));
+/** The furnished rooms of a plan that have another shape than they were furnished in. */
+export function reshapedRooms({ rooms }: Draft): ReadonlySet<string> {
+  const isAsFurnished = ({ corners, from }: DraftRoom): boolean => !from || from.furniture.length === 0 || areSame(corners, draftCorners(from));
+  return new Set(rooms.filter((room) => !isAsFurnished(room)).map(({ id }) => id));
 }
 
 /** The plan's rooms alone, each with its doors as ways out: what is judged the quickest. */
@@ -46,6 +40,7 @@ function roomsAlone({ draft, rooms }: Question): Scene {
 
 export class Reflow {
   readonly #live: Live<Question, FixAnswer>;
+  #round = new AbortController();
 
   constructor(readonly calls: ReflowCalls, readonly words: ReflowWords) {
     this.#live = new Live({
@@ -56,22 +51,25 @@ export class Reflow {
   }
 
   /** Asks how the rooms would be, while a wall is dragged. */
-  moment(before: Draft, draft: Draft): void {
-    const rooms = reshapedRooms(before, draft);
+  moment(draft: Draft): void {
+    const rooms = reshapedRooms(draft);
     if (rooms.size > 0) this.#live.want({ draft, rooms });
   }
 
-  /** Repairs and furnishes the rooms that a step has changed. */
-  async step(before: Draft, draft: Draft): Promise<void> {
+  /** Repairs and furnishes the rooms that a step has changed, and those of a step before whose answer has not come. */
+  async step(draft: Draft): Promise<void> {
     this.#live.stop();
-    const rooms = reshapedRooms(before, draft);
+    this.#round.abort();
+    const { signal } = (this.#round = new AbortController());
+    const rooms = reshapedRooms(draft);
     if (rooms.size === 0) return;
     try {
-      const fixed = await this.calls.fix({ scene: sceneOf(draft), on_conflict: "remove" }, NEVER);
-      const { scene } = await this.calls.furnish(fixed.scene, [...rooms], NEVER);
-      this.words.settled(draft, this.#with(draft, scene, rooms));
+      const fixed = await this.calls.fix({ scene: sceneOf(draft), on_conflict: "remove" }, signal);
+      const { scene } = await this.calls.furnish(fixed.scene, [...rooms], signal);
+      const becomes = this.#with(draft, scene, rooms);
+      if (reshapedRooms(becomes).size === 0) this.words.settled(draft, becomes);
     } catch (reason) {
-      this.words.failed(reason);
+      if (!signal.aborted) this.words.failed(reason);
     }
   }
 

@@ -24,7 +24,7 @@ function metres(length: number): number {
 }
 
 /** The corners of a room [mm], clockwise; null where one of its walls runs at an angle. */
-function draftCorners(room: Room): Corners | null {
+export function draftCorners(room: Room): Corners | null {
   const corners = cornersOf(room).map(([x, z]) => ({ x: millimetres(room.x + x), z: millimetres(room.z + z) }));
   const turned = doubleArea(corners) < 0 ? corners.reverse() : corners;
   const isSquare = turned.every((a, i) => {
