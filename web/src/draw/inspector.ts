@@ -133,7 +133,10 @@ export class Inspector {
     const list = document.createElement("div");
     list.className = "drawing-rooms";
     list.append(...draft.rooms.map(({ id }) => {
-      const choose = button(`${capital(names.get(id) ?? id)}, ${this.#area(id)}`, () => this.plan.choose({ room: id }));
+      const choose = button(`, ${this.#area(id)}`, () => this.plan.choose({ room: id }));
+      const name = document.createElement("bdi"); // written from the right, it leaves the area where it is
+      name.textContent = capital(names.get(id) ?? id);
+      choose.prepend(name);
       choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
       return choose;
     }));
