@@ -381,9 +381,13 @@ def test_what_is_under_way_and_what_fails_is_said_over_the_board(visit: Visit) -
     visit.open(SMALL.format(4))
     page = visit.page
     places = page.evaluate(TOLD)
-    DrawingBoard(visit).open("Change this plan")
-    waiting = held(page, "furnish", page.get_by_role("button", name="Furnish the rooms").click)
     progress, notice = page.get_by_role("progressbar"), page.get_by_role("alert")
+    held(page, "validate", lambda: DrawingBoard(visit).open("Change this plan")).abort()
+    expect(page.get_by_role("heading", name="Not judged yet")).to_be_visible()
+    notice.get_by_role("button", name="Try again").click()
+    expect(page.get_by_role("heading", name="Nothing is wrong with the plan")).to_be_visible()
+    expect(notice).to_be_hidden()
+    waiting = held(page, "furnish", page.get_by_role("button", name="Furnish the rooms").click)
     expect(progress).to_contain_text("Furnishing the plan")
     assert progress.evaluate("one => one.closest('[inert]')") is None
     waiting.abort()

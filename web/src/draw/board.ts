@@ -37,7 +37,8 @@ export interface BoardWords {
   furnish(scene: Scene): void;
   /** The drawn home is to be shown as it is. */
   show(scene: Scene): void;
-  failed(reason: unknown): void;
+  /** Says what failed of a step, and how that is asked again. */
+  failed(reason: unknown, again?: () => void): void;
   closed(): void;
 }
 
@@ -55,6 +56,7 @@ export class Board {
   #catalog: Catalog | null = null;
   #ghost: Box | null = null;
   #issues: readonly Issue[] = [];
+  #isJudged = true;
   #furnished: ReadonlyMap<string, Room> = new Map();
   /** The plan as the last step left it: what the next one is compared to. */
   #before: Draft = EMPTY;
@@ -85,12 +87,15 @@ export class Board {
         this.#plan.amend(becomes);
         this.#say(said); // what went with the wall is still gone
       },
-      failed: (reason) => words.failed(reason),
+      failed: (reason) => words.failed(reason, () => this.#changed("plan")),
     });
     this.#verdicts = new Live({
       ask: (scene, signal) => calls.validate(scene, signal),
       answered: ({ issues }) => { if (!this.#verdicts.waits) this.#judged(issues); },
-      failed: (reason) => words.failed(reason),
+      failed: (reason) => {
+        this.#judged([], false);
+        words.failed(reason, () => this.#changed("plan"));
+      },
     });
     this.#plan.onChange = (what) => this.#changed(what);
     document.addEventListener("keydown", (event) => this.#key(event), { capture: true });
@@ -189,8 +194,9 @@ export class Board {
     return say("{count} doors or windows no longer fit and are gone; undo brings them back.", { count });
   }
 
-  #judged(issues: readonly Issue[]): void {
+  #judged(issues: readonly Issue[], isJudged = true): void {
     this.#found.ariaBusy = "false";
+    this.#isJudged = isJudged;
     const isToBeFurnished = new Set(this.#plan.settled.rooms.filter(({ from }) => (from?.furniture.length ?? 0) === 0).map(({ id }) => id));
     const isClosed = new Set(this.scene.rooms.filter(({ openings }) => openings.every(({ kind }) => kind === "window")).map(({ id }) => id));
     this.#issues = issues.filter((issue) => !(issue.rule === MISSING && isToBeFurnished.has(issue.room ?? "")))
@@ -209,7 +215,8 @@ export class Board {
       ...this.#issues.map(({ message, room, severity }) => ({ words: tellSentence(message, scene), room, severity })),
       ...doorlessIn(scene).filter(({ room }) => room === null || !this.#issues.some((issue) => issue.rule === UNREACHABLE && issue.room === room)).map((one) => ({ ...one, severity: "warning" })),
     ];
-    const head = found.length === 0 ? (isPlan ? say("Nothing is wrong with the plan") : say("Nothing is drawn yet")) : say("{count} to look at", { count: found.length });
+    const none = this.#isJudged ? say("Nothing is wrong with the plan") : say("Not judged yet");
+    const head = found.length === 0 ? (isPlan ? none : say("Nothing is drawn yet")) : say("{count} to look at", { count: found.length });
     this.#found.replaceChildren(group(head, ...found.map(({ words, room, severity }) => button(words, () => this.#plan.choose({ room: room ?? null }), { className: `issue issue-${severity}` }))));
     this.#draw();
   }

@@ -18,7 +18,7 @@ export class Drawing {
   readonly #places: readonly Comment[];
 
   /** `covered` is what lies under the board, out of reach while it is open, but for what is `told` in it: that lies over the board then. */
-  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly beside: Beside, readonly failed: (reason: unknown) => void) {
+  constructor(readonly host: HTMLElement, readonly covered: readonly HTMLElement[], readonly told: readonly HTMLElement[], readonly beside: Beside, readonly failed: (reason: unknown, again?: () => void) => void) {
     this.#places = told.map(() => document.createComment(""));
     told.forEach((one, at) => one.before(this.#places[at]!));
   }
@@ -57,7 +57,7 @@ export class Drawing {
     return (this.#board ??= new Made(this.host, calls, {
       furnish: (scene) => this.onFurnish(scene),
       show: (scene) => this.onShow(scene),
-      failed: (reason) => this.failed(reason),
+      failed: (reason, again) => this.failed(reason, again),
       closed: () => this.#uncover(),
     }));
   }
