@@ -96,7 +96,7 @@ class Slip:
         return f"{self.file} {self.new}"
 
 
-BEDROOM, KITCHEN, OFFICE, LAUNDRY = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "laundry"))
+BEDROOM, KITCHEN, OFFICE, BATHROOM = (f"rooms/{name}.yaml" for name in ("bedroom", "kitchen", "office", "bathroom"))
 FURNITURE, FLOORINGS, DECORATIONS, DECORATING, PEOPLE = (
     f"{name}.yaml" for name in ("furniture", "floorings", "decorations", "decorating", "people")
 )
@@ -111,7 +111,7 @@ SLIPS = [
     Slip(BEDROOM, "  - piece: nightstand", "  - piece: bed", "pieces.1.piece", "piece: bed", "twice"),
     Slip(KITCHEN, "{stove: 1}", "{stove: 2}", "requires.2", "stove: 2", "required"),
     Slip(KITCHEN, "- [dishwasher, sink,", f"- [{'dishwasher, ' * 16}sink,", "run.orders.0", "dishwasher, dishwasher", "at most 21"),
-    Slip(LAUNDRY, "behind: [bedroom,", "behind: [castle,", "plan.behind.0", "castle", "unknown room type"),
+    Slip(BATHROOM, "behind: [bedroom,", "behind: [castle,", "plan.behind.0", "castle", "unknown room type"),
     Slip(OFFICE, "of: desk, gap: -0.3", "of: plant, gap: -0.3", "pieces.1.rules.0.of", "of: plant, gap", "circle"),
     Slip(OFFICE, "gap: -0.3", "gap: [0.3, 0.1]", "pieces.1.rules.0.gap", "gap: [0.3", "least"),
     Slip(OFFICE, "armchair, weight: 0.05}", "armchair, required: true}", "required", "armchair, required", "degree"),

@@ -170,20 +170,20 @@ def violations(rooms: Sequence[Room]) -> list[str]:
     faults = []
     for room in rooms:
         into = {types[str(o.connects_to)] for o in room.openings if o.kind in WALKED and o.connects_to in types}
-        owned = room.type in ("bathroom", "laundry") and into & set(SLEEPING)
+        owned = room.type == "bathroom" and into & set(SLEEPING)
         if room.type != "hallway" and not into & {"hallway", *PUBLIC} and not owned:
             faults.append(f"{room.id} is off the hallway")
     return faults + walked_through(rooms)
 
 
 def walked_through(rooms: Sequence[Room]) -> list[str]:
-    """Bedrooms and bathrooms that are the way to another room than an own bathroom or laundry."""
+    """Bedrooms and bathrooms that are the way to another room than an own bathroom."""
     faults = []
     for room in rooms:
         if room.type not in (*SLEEPING, "bathroom"):
             continue
         lost = [other for other in rooms if other.id not in reached(rooms, room.id)]
-        bad = [other.id for other in lost if room.type == "bathroom" or other.type not in ("bathroom", "laundry")]
+        bad = [other.id for other in lost if room.type == "bathroom" or other.type != "bathroom"]
         faults += [f"{room.id} is the way to {', '.join(bad)}"] if bad else []
     return faults
 

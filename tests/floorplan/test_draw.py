@@ -130,7 +130,9 @@ def test_the_plain_partition_has_corridors_between_rooms() -> None:
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("spine", [True, False])
 def test_the_classifier_keeps_its_words(seed: int, spine: bool) -> None:
-    rooms = sorted(indoor(drawn(seed=seed)) if spine else drawn(seed=seed, use_spine=False).rooms, key=area)
+    plan = drawn(seed=seed, use_spine=spine)
+    assert checks.walked_through(plan.rooms) == []
+    rooms = sorted(indoor(plan) if spine else plan.rooms, key=area)
     assert rooms[0].type == "bathroom"
     types = [room.type for room in rooms]
     kitchen = rooms[types.index("kitchen")]
