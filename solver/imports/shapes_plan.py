@@ -232,7 +232,7 @@ def _told_by_form(
 
 
 def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple[list[DrawnOpening], list[DrawnOpening]]:
-    """Returns openings but for doors that hang in no gap, and these if all do: quarter circles on layers that tell nothing may be anything."""
+    """Returns openings but doors that hang in no gap, and these if all do: arcs on layers that tell nothing may be anything."""
     ends = {frozenset((gap.start, gap.end)) for gap in gaps}
     hung = [one.kind != "door" or frozenset((one.start, one.end)) in ends for one in openings]
     kept = list(compress(openings, hung))

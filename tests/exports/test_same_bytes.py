@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from hashlib import sha256
+from typing import Any
 
 from compose_homes import Furniture, Room, Scene, export
 from solver.export_formats import EXPORTERS
@@ -39,7 +40,7 @@ def test_every_process_writes_the_same() -> None:
 
 def test_whole_numbers_are_written_as_others() -> None:
     def home(number: Callable[[int], float]) -> Scene:
-        size = {"width": number(2), "depth": number(1), "height": number(1)}
+        size: dict[str, Any] = {"width": number(2), "depth": number(1), "height": number(1)}
         sofa = Furniture("den/sofa_1", "sofa", x=number(2), z=number(3), rotation=number(90), **size)
         return Scene(rooms=(Room("den", width=number(4), depth=number(5), furniture=(sofa,)),))
 
