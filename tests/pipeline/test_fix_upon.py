@@ -93,6 +93,12 @@ def test_two_on_one_carrier_stand_beside_each_other() -> None:
     assert errors(fixed) == []
 
 
+def test_the_last_of_eight_comes_to_the_only_place_that_is_left() -> None:
+    eight = [replace(at(CASE, x, z), id=f"room_0/case_{x}_{z}") for x in (1.55, 1.85, 2.15, 2.45) for z in (1.85, 2.15)]
+    fixed = fix(room_of(BENCH, *eight[:-1], at(eight[-1], 2.0, 2.0)), moved=[eight[-1].id]).scene
+    assert [one(fixed, case) for case in eight] == eight
+
+
 def test_height_is_mended_too() -> None:
     for y in (0.0, 0.3, 1.2):
         assert one(fix(room_of(STAND, replace(TV, y=y))).scene, TV) == TV
