@@ -6,7 +6,6 @@ namespace placement {
 
 // Places this far apart are tried from the wished one on; before the first that does, the last millimetres are bisected.
 constexpr i64 STEP_MM = 50;
-constexpr i64 MOST_ROUNDS = 8;  // over all bodies; nearly always the second changes nothing
 constexpr i64 DOUBT_MM = 2;  // each measure of a patch counts it narrower or wider by less than this
 
 enum class Way { ALONG_X, ALONG_Z, STRAIGHT };
@@ -145,7 +144,7 @@ bool pull_back(const Engine& engine, i64& walks) {
   const Table<i64>& p = engine.grid.positions;
   for (i64 axis = 0; axis < 2; axis++) p.at(axis, p.columns - 1) = 0;
   if (!holds(work, p) || !walkable(engine.room, work, engine.grid, p)) return false;
-  for (i64 round = 0; round < MOST_ROUNDS && pull_all(engine, walks); round++) continue;
+  while (pull_all(engine, walks)) continue;  // each brings bodies nearer, by millimetres; nearly always the second changes nothing
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) engine.nodes.best.at(axis, v) = static_cast<f64>(p.at(axis, v)) / 1000;
   }

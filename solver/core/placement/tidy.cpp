@@ -47,7 +47,6 @@ constexpr i64 BESIDE_MM = 30;  // how far apart closed pieces are left, as the b
 constexpr f64 MOST_COST = 0.8;  // what tidying a room may cost in all: what moves a kitchen's run of five pieces by 9 cm
 constexpr i64 TOGETHER = 2;  // slides of which only the last must leave fewer slivers, and the room walkable
 constexpr i64 MOST_TRIES = 100;  // slides tried in a room
-constexpr i64 MOST_SLIDES = 8;  // slides of a room; each leaves fewer slivers, so few rooms take more than three
 constexpr i64 WALL_MM = 1000;  // thickness of the boxes that stand for the walls; any will do
 
 // Variables that move together along an axis, by how much, and by how much more the terms then cost.
@@ -336,7 +335,7 @@ Better Tidier::better(const Table<i64>& p, const List<Gap>& gaps, i64 before, f6
 f64 Tidier::run(const Table<i64>& positions) {
   Table<i64> p = copied(positions);
   f64 spent = 0.0;
-  for (i64 round = 0; round < MOST_SLIDES; round++) {
+  while (true) {  // each slide leaves fewer slivers
     const List<Gap> gaps = gaps_at(p);
     const Better found = better(p, gaps, count_slivers(gaps), MOST_COST - spent, TOGETHER);
     if (!found.positions.data) break;
