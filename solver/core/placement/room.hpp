@@ -27,8 +27,8 @@ struct SpaceRow {
   i64 cover;  // mm2 of floor to be covered, or 0
   i64 least_floor;  // mm2 of free centres that a person must have
   i64 ways;  // how wide the ways from door to door are; no more than `robot` asks for nothing
-  // How many of the first doors one comes in by from outside the house: they are joined there; -1: nobody comes in, and walks in the largest
-  // part of the floor.
+  // How many of the first doors one comes in by from outside the house: they are joined there; -1: nobody comes in, and one walks in
+  // the largest part of the floor.
   i64 outer;
 };
 
