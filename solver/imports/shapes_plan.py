@@ -49,6 +49,10 @@ LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
+SHARP: Final = 0.002
+"""Lines meet whose ends are no farther apart than this share of a leaf's width."""
+NARROW: Final = 0.08
+"""A leaf is no thicker than this share of its width; walls are."""
 IN_A_WALL: Final = (0.03, 0.3)
 """On both sides of a leaf there is wall for the first, m, at least, and on one of them a room before the second."""
 
@@ -232,7 +236,7 @@ def _told_by_form(
 
 
 def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple[list[DrawnOpening], list[DrawnOpening]]:
-    """Returns openings but doors that hang in no gap, and these if all do: arcs on layers that tell nothing may be anything."""
+    """Returns openings but for doors that hang in no gap, and these if all do: quarter circles on layers that tell nothing may be any."""
     ends = {frozenset((gap.start, gap.end)) for gap in gaps}
     hung = [one.kind != "door" or frozenset((one.start, one.end)) in ends for one in openings]
     kept = list(compress(openings, hung))
@@ -255,10 +259,30 @@ def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) 
 
 
 def _without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:
-    """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is."""
+    """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is.
+
+    A face of a wall does where a corner shower is as wide: its line meets others at both ends, a leaf's no more than its own narrow ones,
+    and goes on at one at most, a threshold's at both.
+    """
     leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
-    are_leaves = (one.sort is None and len(one.points) > 1 and leaves.holds(*longer_line(one.points), alike=True) for one in shapes)
-    return [one._replace(sort="door") if is_leaf else one for one, is_leaf in zip(shapes, are_leaves, strict=True)]
+    drawn = [one.points for one in shapes if len(one.points) == 2]
+    starts, ends = (np.array([spots[at] for spots in (*drawn, *(two[::-1] for two in drawn))]).reshape(-1, 2) for at in (0, 1))
+    lengths = np.hypot(*(ends - starts).T)
+
+    def is_face(spots: Sequence[Spot], long: float) -> bool:
+        met = []
+        for spot, other in (spots, spots[::-1]):
+            there = (np.hypot(*(starts - spot).T) <= SHARP * long) & (lengths > NARROW * long)
+            onwards = ((ends - spot) @ (np.array(spot) - other)) / long
+            met.append((there.sum() > 1, bool((there & (onwards > (1 - SHARP) * lengths)).any())))
+        return all(meets for meets, _ in met) and not all(goes_on for _, goes_on in met)
+
+    def is_leaf(one: DrawnShape) -> bool:
+        if one.sort is not None or len(one.points) < 2 or not leaves.holds(*longer_line(one.points), alike=True):
+            return False
+        return len(one.points) > 2 or not is_face(one.points, math.dist(*one.points))
+
+    return [one._replace(sort="door") if is_leaf(one) else one for one in shapes]
 
 
 def _untold_layers(shapes: Sequence[DrawnShape], called: Sequence[DrawnShape]) -> Iterator[Unread]:
