@@ -13,6 +13,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.exports import ExportSettings, describe, written_as
+from solver.scene import Opening, Room, Scene
 from tests.exports import homes
 from tests.exports.readers.nav2 import RADIUS, parted_rooms, read_map
 
@@ -106,3 +107,12 @@ def test_warnings_and_hostile_names_break_no_file() -> None:
     assert said["warnings"] == [warning]
     assert {room["id"] for room in said["rooms"]} == {room.id for room in model.rooms}
     assert written_as(model, ExportSettings("nav2")) == files
+
+
+def test_a_room_whose_lines_are_not_those_of_the_next_is_reached_through_its_door() -> None:
+    """Of a foreign plan: two rooms 0.2 m apart; the map leads from one to the other, and so say the rooms."""
+    door = Opening("door", wall="south", position=2.0, connects_to="porch")
+    rooms = Room("hall", width=4.0, depth=3.0, openings=(door,)), Room("porch", 1, z=3.2, width=4.0, depth=2.0, outdoor=True)
+    files = written_as(describe(Scene(wall_thickness=0.2, rooms=rooms), load_catalogs()), ExportSettings("nav2"))
+    assert parted_rooms(files) == []
+    assert [room["reachable"] for room in json.loads(files["rooms.json"])["rooms"]] == [True, True]

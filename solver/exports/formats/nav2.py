@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
 from solver.exports.floor_grid import FloorGrid, Mask, floor_mask, grid_of, largest_stretch, obstacles, squared_distances
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
@@ -24,6 +25,7 @@ ROBOT_RADIUS: Final = 0.28
 """Inscribed radius of the robot that rooms' points are for, m: one 0.6 m wide, less what rounding to cells takes."""
 MARGIN: Final = 0.5
 """How far the map goes beyond the rooms, m."""
+Grey = npt.NDArray[np.uint8]
 OCCUPIED, FREE, UNKNOWN = 0, 254, 205
 """Grey values as map_server's `trinary` mode reads them: (255 - grey) / 255 below 0.196 is free, above 0.65 occupied, unknown between."""
 
@@ -37,10 +39,11 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
         name = f"map_level_{level}" if number else "map"
         grid = grid_of(model, level, RESOLUTION, MARGIN)
         taken = obstacles(model, level, grid, ROBOT_HEIGHT)
-        files[f"{name}.pgm"] = _picture(model, level, grid, taken)
+        cells = _cells(model, level, grid, taken)
+        files[f"{name}.pgm"] = _picture(model, cells)
         files[f"{name}.yaml"] = _yaml(model, name, grid)
         maps.append({"image": f"{name}.pgm", "level": level})
-        rooms += _rooms(model, level, grid, taken)
+        rooms += _rooms(model, level, grid, cells)
     leaves = model.leaves_by_opening
     document = {
         "export": "nav2",
@@ -56,8 +59,8 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     return files
 
 
-def _picture(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> bytes:
-    """Returns a map's cells as a PGM picture, north at the top."""
+def _cells(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> Grey:
+    """Returns a map's cells as grey values, north at the top."""
     cells = np.full(grid.shape, UNKNOWN, dtype=np.uint8)
     for room in model.rooms:
         if room.level == level:
@@ -66,8 +69,13 @@ def _picture(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> byt
         if one.level == level and one.kind != "window":
             cells[grid.centred(*opening_box(one))] = FREE
     cells[taken] = OCCUPIED
+    return cells
+
+
+def _picture(model: HouseModel, cells: Grey) -> bytes:
+    """Returns a map as a PGM picture."""
     comments = "".join(f"# {_line(warning)}\n" for warning in model.warnings)
-    return f"P5\n{comments}{grid.columns} {grid.rows}\n255\n".encode() + cells.tobytes()
+    return f"P5\n{comments}{cells.shape[1]} {cells.shape[0]}\n255\n".encode() + cells.tobytes()
 
 
 def _yaml(model: HouseModel, name: str, grid: FloorGrid) -> bytes:
@@ -94,20 +102,20 @@ def _plain(value: float) -> float:
     return round(value, 4) + 0.0
 
 
-def _rooms(model: HouseModel, level: int, grid: FloorGrid, taken: Mask) -> list[dict[str, object]]:
+def _rooms(model: HouseModel, level: int, grid: FloorGrid, cells: Grey) -> list[dict[str, object]]:
     """Returns the rooms of a level, each with the point farthest from everything that a robot can drive to, if there is any."""
     floors = [(room, floor_mask(grid, room)) for room in model.rooms if room.level == level]
-    squares = squared_distances(taken)
+    squares = squared_distances(cells == OCCUPIED)
     apart = squares * grid.cell**2 > ROBOT_RADIUS**2 + 1e-9
-    reached = largest_stretch(np.logical_or.reduce([floor for _, floor in floors]) & apart) if floors else apart
+    reached = largest_stretch((cells == FREE) & apart)
     made: list[dict[str, object]] = []
     for room, floor in floors:
         known = floor & reached
         reachable = bool(known.any())
-        cells = np.flatnonzero(known if reachable else floor)
-        row, column = divmod(int(cells[squares.flat[cells].argmax()]) if len(cells) else 0, grid.columns)
+        here = np.flatnonzero(known if reachable else floor)
+        row, column = divmod(int(here[squares.flat[here].argmax()]) if len(here) else 0, grid.columns)
         x, z = grid.centre(row, column)
-        clearance = math.sqrt(int(squares[row, column])) * grid.cell if len(cells) else 0.0
+        clearance = math.sqrt(int(squares[row, column])) * grid.cell if len(here) else 0.0
         made.append(
             {
                 "id": room.id,
