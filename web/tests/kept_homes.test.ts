@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it, vi } from "vitest";
 import * as fake from "fake-indexeddb";
 import type { HouseRequest, Scene } from "../src/contract";
 import { aligned, changedPiece, clipped, pasted, shifted, transferred } from "../src/edit/many_edits";
-import { KeptHomes, keptStep, stepsOf } from "../src/memory/kept_homes";
+import { KeptHomes, keptStep, stepsOf, type LeftHome } from "../src/memory/kept_homes";
 import { Store } from "../src/memory/store";
 import { Home, type Shown } from "../src/state/home";
 import { drawing } from "./random_requests";
@@ -288,23 +288,68 @@ describe("what is kept", () => {
     expect(await seeds()).toEqual([0, ...newest]);
   });
 
-  it("is a home of its own where another window goes on with the same", async () => {
+  /** Two windows of one browser, the first with a home of two steps, the second with the same opened. */
+  async function twoWindows() {
     const factory = new IDBFactory();
     const heard: ((event: { data: string }) => void)[] = [];
-    const tabs = { addEventListener: (_: string, hear: (event: { data: string }) => void) => heard.push(hear), postMessage: (id: string) => { heard[0]?.({ data: id }); } } as unknown as BroadcastChannel;
-    const home = new Home();
-    const here = new KeptHomes(home, new Store(factory), tabs);
-    home.show(made(1), "new");
+    const [here, there] = [0, 1].map((self) => {
+      const tabs = { addEventListener: (_: string, hear: (event: { data: string }) => void) => { heard[self] = hear; }, postMessage: (id: string) => heard[1 - self]?.({ data: id }) };
+      return new KeptHomes(new Home(), new Store(factory), tabs as unknown as BroadcastChannel);
+    }) as [KeptHomes, KeptHomes];
+    here.home.show(made(1), "new");
+    here.home.show(made(1, "rustic"), "step");
     const own = here.current as string;
-    const there = new KeptHomes(new Home(), new Store(factory), tabs);
-    const left = await there.read(own);
-    if (!left) throw new Error("lost");
-    there.open(left);
-    home.show(made(1, "rustic"), "step");
+    there.open((await there.read(own)) as LeftHome);
+    const styles = async (id: string | null) => (await new KeptHomes(new Home(), new Store(factory)).read(id as string))?.steps.map(({ made: of }) => of?.style ?? "none");
+    const settled = () => Promise.all([here.store.settled(), there.store.settled()]);
+    return { here, there, own, styles, settled };
+  }
+
+  it("is a home of its own where another window goes on with the same", async () => {
+    const { here, there, own, styles, settled } = await twoWindows();
+    here.home.show(made(1, "nordic"), "step");
     there.home.show(made(1, "modern"), "step");
-    await Promise.all([here.store.settled(), there.store.settled()]);
+    await settled();
     expect([here.current === own, there.current]).toEqual([false, own]);
-    expect((await here.read(own))?.steps[1]?.made).toEqual({ seed: 1, style: "modern" });
-    expect((await here.read(here.current as string))?.steps[1]?.made).toEqual({ seed: 1, style: "rustic" });
+    expect([await styles(own), await styles(here.current)]).toEqual([["none", "rustic", "modern"], ["none", "rustic", "nordic"]]);
+  });
+
+  it("keeps what another window made of it where this one only goes back", async () => {
+    const { here, there, own, styles, settled } = await twoWindows();
+    there.home.show(made(1, "modern"), "step");
+    await there.store.settled();
+    here.home.undo();
+    there.home.show(made(1, "lavish"), "step");
+    await settled();
+    expect([await styles(own), await styles(here.current)]).toEqual([["none", "rustic", "modern", "lavish"], ["none", "rustic"]]);
+  });
+
+  it("keeps what another window made of it where this one leaves it for the home before, or for the one after", async () => {
+    const { here, there, styles, settled } = await twoWindows();
+    here.onLead = (id) => { led = here.read(id).then((kept) => here.follow(kept as LeftHome)); };
+    let led = Promise.resolve();
+    here.home.show(made(2), "new");
+    here.home.undo();
+    await led;
+    await settled();
+    const first = here.current as string;
+    there.open((await there.read(first)) as LeftHome);
+    there.home.show(made(1, "modern"), "step");
+    await settled();
+    here.home.redo();
+    await led;
+    await settled();
+    expect(await styles(first)).toEqual(["none", "rustic", "modern"]);
+  });
+
+  it("is kept whole again where another window has forgotten it and this one goes on", async () => {
+    const { here, there, styles, settled } = await twoWindows();
+    here.home.show(made(1), "new");
+    here.home.show(made(1, "rustic"), "step");
+    await settled();
+    await there.forget(new Set([here.current as string]));
+    here.home.show(made(1, "nordic"), "step");
+    await settled();
+    expect(await styles(here.current)).toEqual(["none", "rustic", "nordic"]);
   });
 });

@@ -58,7 +58,7 @@ export class KeptHomes {
   /** The steps that are kept, as they are in the home. */
   #kept: readonly Shown[] = [];
   #restoring = false;
-  /** Another window shows this very home: the next step here is of a home of its own. */
+  /** Another window shows this very home, or has forgotten it: whatever changes here is of a home of its own. */
   #isShared = false;
 
   /** `tabs` reaches the page's other windows, where there may be some. */
@@ -99,7 +99,7 @@ export class KeptHomes {
     const left = this.#head;
     const isBack = left !== null && left.from === kept.head.id;
     const ahead = isBack ? { at: kept.head.at, home: left.id } : kept.head.ahead;
-    if (left?.ahead?.home === kept.head.id) this.#write({ ...left, ahead: null }, []);
+    if (left?.ahead?.home === kept.head.id && !this.#isShared) this.#write({ ...left, ahead: null }, []);
     this.open({ ...kept, head: { ...kept.head, ahead } });
     if (this.#head && isBack) this.#write(this.#head, []);
   }
@@ -137,13 +137,11 @@ export class KeptHomes {
     if (!this.#head) return;
     const other = steps.findIndex((step, i) => step !== this.#kept[i]);
     const from = other < 0 ? steps.length : other;
-    const isStep = from < steps.length && !isSame;
-    const ahead = isStep ? null : this.#head.ahead;
+    const ahead = from < steps.length && !isSame ? null : this.#head.ahead;
     const shown = steps[this.home.at] as Shown;
-    if (this.#isShared && isStep) {
-      this.#isShared = false;
-      this.#keep({ ...this.#head, id: freshId(), ahead, ...this.#facts(shown) }, steps, 0);
-    } else this.#keep({ ...this.#head, ahead, ...this.#facts(shown) }, steps, from);
+    const [id, first] = this.#isShared ? [freshId(), 0] : [this.#head.id, from];
+    this.#isShared = false;
+    this.#keep({ ...this.#head, id, ahead, ...this.#facts(shown) }, steps, first);
   }
 
   #facts(shown: Shown): Pick<Head, "touched" | "title" | "size" | "query"> {
@@ -171,6 +169,7 @@ export class KeptHomes {
   async forget(ids: ReadonlySet<string>): Promise<void> {
     const others = new Set([...ids].filter((id) => id !== this.#head?.id));
     await this.store.forget(others);
+    for (const id of others) this.tabs?.postMessage(id);
     const own = this.#head && (await this.store.heads()).find(({ id }) => id === this.#head?.id);
     if (this.#head && own) this.#head = { ...this.#head, from: own.from, ahead: own.ahead };
     this.home.lieBetween(() => this.#beyond());
