@@ -3,6 +3,7 @@ import { anotherSeed, FIRST, queryFromRequest, requestFromQuery, unreadIn } from
 import { Asking } from "./asking";
 import type { HouseRequest, Scene } from "./contract";
 import { drawable } from "./house/drawable";
+import type { Drawn } from "./draw/board";
 import { Drawing } from "./draw/drawing";
 import { OtherRooms } from "./edit/others";
 import { Remaking } from "./edit/remaking";
@@ -131,8 +132,8 @@ class Page {
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], this.#asking.beside, this.#failed);
     this.#asking.onBegin = () => this.#drawing.close();
-    this.#drawing.onFurnish = (scene) => this.#showDrawn(scene, true);
-    this.#drawing.onShow = (scene) => this.#showDrawn(scene, false);
+    this.#drawing.onFurnish = (drawn) => this.#showDrawn(drawn, true);
+    this.#drawing.onShow = (drawn) => this.#showDrawn(drawn, false);
     for (const id of ["furnish_now", "furnish_empty"]) element(id).addEventListener("click", () => this.#remaking.furnish());
     element("draw_new").addEventListener("click", () => void this.#drawing.open(null));
     element("draw_this").addEventListener("click", () => void this.#drawing.open(this.#home.settled?.scene ?? null));
@@ -291,10 +292,11 @@ class Page {
   }
 
   /** Shows a home that was drawn, as a step from what was shown before; its empty rooms furnished first, if that is wished. */
-  #showDrawn(drawn: Scene, isToBeFurnished: boolean): void {
+  #showDrawn(tell: Drawn, isToBeFurnished: boolean): void {
     void this.#asking.run(isToBeFurnished ? say("Furnishing the plan") : say("Looking at the plan"), async (signal) => {
+      const drawn = await tell();
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { ...(await report(drawn, [], signal)), scene: drawn, timing_ms: 0, guesses: [], entrance: null };
-      this.#drawing.finish();
+      if (!this.#drawing.finish()) return;
       this.#home.show({ scene: made.scene, issues: made.issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
       this.#imported.show(null);
       this.#imported.guessed(made, drawn);

@@ -5,10 +5,11 @@ import { Toolbar, type Tool } from "../edit/toolbar";
 import { doorlessIn } from "../panel/imported";
 import { inWords } from "../panel/programme";
 import { boxOf, type Box, type Point } from "./corners";
-import { EMPTY, openingMoved, openingsLost, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
+import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
 import { DrawnPlan } from "./drawn_plan";
 import { button, group, hint, lengthField, row } from "./elements";
 import { draftNames, Inspector } from "./inspector";
+import { leftOutWords, lostWords } from "./lost";
 import { isOpening, Pencil, type ToolName } from "./pencil";
 import { PictureBeneath } from "./picture_beneath";
 import { Reflow } from "./reflow";
@@ -32,11 +33,14 @@ export interface BoardCalls {
   furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer>;
 }
 
+/** Tells the plan as it now is, once its reshaped rooms are arranged. */
+export type Drawn = () => Promise<Scene>;
+
 export interface BoardWords {
-  /** The plan is to be furnished: all its rooms that stand empty. */
-  furnish(scene: Scene): void;
+  /** The plan, once it can be told, is to be furnished: all its rooms that stand empty. */
+  furnish(drawn: Drawn): void;
   /** The drawn home is to be shown as it is. */
-  show(scene: Scene): void;
+  show(drawn: Drawn): void;
   /** Says what failed of a step, and how that is asked again. */
   failed(reason: unknown, again?: () => void): void;
   closed(): void;
@@ -60,6 +64,8 @@ export class Board {
   #furnished: ReadonlyMap<string, Room> = new Map();
   /** The plan as the last step left it: what the next one is compared to. */
   #before: Draft = EMPTY;
+  /** The plan that was asked to be shown or furnished. */
+  #told: Draft | null = null;
 
   constructor(readonly host: HTMLElement, readonly calls: BoardCalls, readonly words: BoardWords) {
     const [tools, side, inspected] = [document.createElement("div"), document.createElement("div"), document.createElement("div")];
@@ -85,9 +91,8 @@ export class Board {
         if (this.#plan.settled !== of) return;
         const said = this.#said.textContent;
         this.#plan.amend(becomes);
-        this.#say(said); // what went with the wall is still gone
+        this.#say(`${said} ${leftOutWords(of, becomes)}`.trim()); // what went with the wall is still gone
       },
-      failed: (reason) => words.failed(reason, () => this.#changed("plan")),
     });
     this.#verdicts = new Live({
       ask: (scene, signal) => calls.validate(scene, signal),
@@ -119,10 +124,14 @@ export class Board {
     this.#sheet.svg.focus();
   }
 
-  /** Closes the board on what is shown now. */
-  finish(): void {
-    this.#plan.finish();
-    this.close();
+  /** Closes the board on what is shown now, unless that is no longer what is drawn. */
+  finish(): boolean {
+    const isSame = !this.isOpen || this.#plan.settled === this.#told;
+    if (isSame) {
+      this.#plan.finish();
+      this.close();
+    } else this.#say(say("The plan has changed since: press it again for the plan as it now is."));
+    return isSame;
   }
 
   close(): void {
@@ -131,6 +140,16 @@ export class Board {
     this.host.hidden = true;
     this.words.closed();
   }
+
+  /** Steps that are made meanwhile are waited for, too. */
+  readonly #arranged: Drawn = async () => {
+    while (this.#told !== this.#plan.settled) {
+      const draft = this.#plan.settled;
+      await this.#reflow.step(draft);
+      if (draft === this.#plan.settled) this.#told = draft;
+    }
+    return atOrigin(this.scene);
+  };
 
   async #learn(): Promise<void> {
     this.#catalog ??= await this.calls.catalog(new AbortController().signal);
@@ -153,8 +172,8 @@ export class Board {
       { name: "undo", words: "Undo", sign: "↶", keys: "Control+Z", act: () => this.#plan.undo() },
       { name: "redo", words: "Redo", sign: "↷", keys: "Control+Shift+Z Control+Y", act: () => this.#plan.redo() },
       { name: "fit", words: "Fit all in view", sign: "Fit", keys: "F", act: () => this.#fit() },
-      { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.words.furnish(atOrigin(this.scene)) },
-      { name: "show", words: "Show in 3D as it is", sign: "Show", act: () => this.words.show(atOrigin(this.scene)) },
+      { name: "furnish", words: "Furnish the rooms that stand empty", sign: "Furnish", act: () => this.words.furnish(this.#arranged) },
+      { name: "show", words: "Show in 3D as it is", sign: "Show", act: () => this.words.show(this.#arranged) },
       { name: "close", words: "Close the drawing", sign: "✕", act: () => this.close() },
     ];
   }
@@ -176,22 +195,16 @@ export class Board {
     if (what === "moment") this.#reflow.moment(this.#plan.draft);
     if (what === "plan") {
       this.#furnished = new Map();
-      this.#say(this.#lost(this.#before, this.#plan.settled));
-      void this.#reflow.step(this.#plan.settled);
+      this.#say(lostWords(this.#before, this.#plan.settled));
+      this.#reflow.step(this.#plan.settled).catch((reason: unknown) => this.words.failed(reason, () => this.#changed("plan")));
       this.#before = this.#plan.settled;
       this.#found.ariaBusy = "true";
+      this.#isJudged = false;
       if (this.#plan.settled.rooms.length > 0) this.#verdicts.want(this.scene);
       else this.#judged([]);
     }
     if (what === "moment") this.#draw();
     else this.#redraw();
-  }
-
-  /** What was lost with a wall, in words. */
-  #lost(before: Draft, after: Draft): string {
-    const count = openingsLost(before, after);
-    if (count <= 1) return count < 1 ? "" : say("1 door or window no longer fits and is gone; undo brings it back.");
-    return say("{count} doors or windows no longer fit and are gone; undo brings them back.", { count });
   }
 
   #judged(issues: readonly Issue[], isJudged = true): void {

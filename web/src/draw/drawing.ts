@@ -3,13 +3,13 @@ import type { Beside } from "../asking";
 import type { Scene } from "../contract";
 import { catalog, fix, furnish, LOST, report } from "../service";
 import { say } from "../words/language";
-import type { Board } from "./board";
+import type { Board, Drawn } from "./board";
 
 export class Drawing {
   /** Called with a plan whose empty rooms are to be furnished. */
-  onFurnish: (scene: Scene) => void = () => undefined;
+  onFurnish: (drawn: Drawn) => void = () => undefined;
   /** Called with a plan to be shown as it is. */
-  onShow: (scene: Scene) => void = () => undefined;
+  onShow: (drawn: Drawn) => void = () => undefined;
   #board: Board | null = null;
 
   /** What had the focus before. */
@@ -45,9 +45,9 @@ export class Drawing {
     if (this.#board?.isOpen) this.#board.close();
   }
 
-  /** Closes the board on what is shown now. */
-  finish(): void {
-    this.#board?.finish();
+  /** Closes the board on what is shown now, unless that is no longer what is drawn. */
+  finish(): boolean {
+    return this.#board?.finish() ?? true;
   }
 
   async #load(): Promise<Board> {
@@ -55,8 +55,8 @@ export class Drawing {
     const { Board: Made } = await import("./board").catch(() => { throw LOST; });
     const calls = { catalog, fix, furnish, validate: (scene: Scene, signal: AbortSignal) => report(scene, [], signal) };
     return (this.#board ??= new Made(this.host, calls, {
-      furnish: (scene) => this.onFurnish(scene),
-      show: (scene) => this.onShow(scene),
+      furnish: (drawn) => this.onFurnish(drawn),
+      show: (drawn) => this.onShow(drawn),
       failed: (reason, again) => this.failed(reason, again),
       closed: () => this.#uncover(),
     }));

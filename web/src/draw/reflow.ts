@@ -16,7 +16,6 @@ export interface ReflowWords {
   seen(rooms: ReadonlyMap<string, Room>): void;
   /** What a step of the plan has become. */
   settled(of: Draft, becomes: Draft): void;
-  failed(reason: unknown): void;
 }
 
 interface Question {
@@ -41,6 +40,8 @@ function roomsAlone({ draft, rooms }: Question): Scene {
 export class Reflow {
   readonly #live: Live<Question, FixAnswer>;
   #round = new AbortController();
+  /** The plan of the step that was made last, and what comes of that. */
+  #asked: { readonly draft: Draft; readonly done: Promise<void> } | null = null;
 
   constructor(readonly calls: ReflowCalls, readonly words: ReflowWords) {
     this.#live = new Live({
@@ -56,21 +57,28 @@ export class Reflow {
     if (rooms.size > 0) this.#live.want({ draft, rooms });
   }
 
-  /** Repairs and furnishes the rooms that a step has changed, and those of a step before whose answer has not come. */
-  async step(draft: Draft): Promise<void> {
+  /** Repairs and furnishes the rooms that a step has changed, and those of a step before whose answer has not come. Asked for again, it goes on waiting, unless that failed. */
+  step(draft: Draft): Promise<void> {
     this.#live.stop();
+    if (this.#asked?.draft === draft) return this.#asked.done;
     this.#round.abort();
     const { signal } = (this.#round = new AbortController());
+    const done = this.#arrange(draft, signal).catch((reason: unknown) => {
+      if (signal.aborted) return;
+      this.#asked = null;
+      throw reason;
+    });
+    this.#asked = { draft, done };
+    return done;
+  }
+
+  async #arrange(draft: Draft, signal: AbortSignal): Promise<void> {
     const rooms = reshapedRooms(draft);
     if (rooms.size === 0) return;
-    try {
-      const fixed = await this.calls.fix({ scene: sceneOf(draft), on_conflict: "remove" }, signal);
-      const { scene } = await this.calls.furnish(fixed.scene, [...rooms], signal);
-      const becomes = this.#with(draft, scene, rooms);
-      if (reshapedRooms(becomes).size === 0) this.words.settled(draft, becomes);
-    } catch (reason) {
-      if (!signal.aborted) this.words.failed(reason);
-    }
+    const fixed = await this.calls.fix({ scene: sceneOf(draft), on_conflict: "remove" }, signal);
+    const { scene } = await this.calls.furnish(fixed.scene, [...rooms], signal);
+    const becomes = this.#with(draft, scene, rooms);
+    if (!signal.aborted && reshapedRooms(becomes).size === 0) this.words.settled(draft, becomes);
   }
 
   /** The plan with rooms as the service has furnished them. */
