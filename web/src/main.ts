@@ -53,7 +53,7 @@ class Page {
   readonly #rooms = new RoomPanel(element("room"), this.#home);
   readonly #legend = new Legend(element("legend_marks"), element("legend_rooms"));
   readonly #asking = new Asking(element("notice"), new Progress(element("progress"), element("stage")));
-  readonly #files = new Files(element("files"), element("drop"), () => this.#home.scene, this.#asking.beside);
+  readonly #files = new Files(element("files"), element("drop"), async () => (await this.#landed())?.scene ?? null, this.#asking.beside);
   readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), this.#asking.beside, () => this.#findLink());
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home, (change) => this.#workbench.editor.inTurn(change));
@@ -85,7 +85,7 @@ class Page {
     this.#keeping.onLead = (id) => this.#openKept(id, "push", (kept) => this.#keeping.homes.follow(kept));
     this.#keeping.onOpen = (id) => this.#openKept(id, "push");
     this.#saved = new SavedPanel(element<HTMLDetailsElement>("saved"), {
-      shown: () => this.#home.settled,
+      shown: () => this.#landed(),
       picture: async () => this.#keeping.homes.current && this.#keeping.store.picture(this.#keeping.homes.current),
     }, this.#asking.beside);
     this.#saved.onOpen = (id) => this.#openSaved(id);
@@ -141,6 +141,7 @@ class Page {
     element("decorate_now").addEventListener("click", () => this.#remaking.restyle({ decorate: true }));
     element("reset").addEventListener("click", () => this.#submit(FIRST));
     window.addEventListener("popstate", () => this.#openAddress());
+    window.addEventListener("beforeunload", (event) => { if (this.#workbench.editor.busy) event.preventDefault(); }); // it would be lost
     document.addEventListener("keydown", (event) => this.#key(event));
   }
 
@@ -152,6 +153,12 @@ class Page {
     listenToSkips();
     this.#openAddress();
     void this.#stage.rehearse();
+  }
+
+  /** The home shown, once the edits that are under way are in it. */
+  async #landed(): Promise<Shown | null> {
+    await this.#workbench.editor.landed;
+    return this.#home.settled;
   }
 
   /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request. */
@@ -174,7 +181,7 @@ class Page {
   /** Shows a home that the browser keeps, as it was left; where it does not, what the address asks for. */
   #openKept(id: string, history: History, open = (kept: LeftHome): void => this.#keeping.homes.open(kept)): void {
     void this.#asking.run(say("Opening the home"), async (signal) => {
-      const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal)]);
+      const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal), this.#landed()]);
       if (signal.aborted) return;
       this.#entries.expect(history === "push");
       this.#home.select(null);
@@ -223,7 +230,8 @@ class Page {
   #ask(request: HouseRequest, history: History, carried: string | null = null, unread: readonly string[] = []): Promise<void> {
     this.#wanted = request;
     return this.#asking.run(say("Laying out the house"), async (signal) => {
-      const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal)]);
+      const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal), this.#landed()]);
+      if (signal.aborted) return;
       this.#entries.expect(history === "push");
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing, made: request, file: null }, "new");
@@ -282,7 +290,8 @@ class Page {
   }
 
   async #openGiven(file: GivenFile, history: History, signal: AbortSignal, saved: SavedHead | null = null): Promise<void> {
-    const [read] = await Promise.all([readFile(file, signal), this.#learn(signal)]);
+    const [read] = await Promise.all([readFile(file, signal), this.#learn(signal), this.#landed()]);
+    if (signal.aborted) return;
     this.#entries.expect(history === "push", file);
     this.#home.select(null);
     this.#home.show({ scene: read.scene, issues: read.issues, conflicts: [], timing: 0, made: null, file: file.name }, "new");

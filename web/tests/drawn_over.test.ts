@@ -13,7 +13,7 @@ afterEach(() => { vi.unstubAllGlobals(); });
 it("hands on pictures to be drawn over, and reads drawings that are called images", async () => {
   vi.stubGlobal("fetch", () => Promise.reject(new Error("nobody is asked")));
   document.body.innerHTML = '<div id="files"><input id="file" type="file" /><div class="export"><select id="export_format"></select></div></div><div id="drop"></div>';
-  const files = new Files(document.querySelector("#files") as HTMLElement, document.querySelector("#drop") as HTMLElement, () => null, (_, act) => act());
+  const files = new Files(document.querySelector("#files") as HTMLElement, document.querySelector("#drop") as HTMLElement, () => Promise.resolve(null), (_, act) => act());
   const [over, read]: [string[], string[]] = [[], []];
   files.onPicture = ({ name }) => { over.push(name); };
   files.onOpen = ({ name }) => { read.push(name); };

@@ -65,6 +65,11 @@ export class Editor {
     return this.#edits > 0 || this.#held !== null;
   }
 
+  /** Resolves once the edits that were asked for until now are judged. */
+  get landed(): Promise<void> {
+    return this.#queue;
+  }
+
   get dragged(): string | null {
     return this.#held?.id ?? null;
   }

@@ -32,14 +32,15 @@ export class Files {
   readonly #formats: HTMLSelectElement;
   #words: ReadonlyMap<string, string> = new Map();
 
-  constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Scene | null, readonly beside: Beside) {
+  /** `scene` tells the home shown, once the edits that are under way are in it. */
+  constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Promise<Scene | null>, readonly beside: Beside) {
     this.#chooser = host.querySelector("#file") as HTMLInputElement;
     for (const format of ["json", "yaml"] as const) {
-      host.querySelector(`#download_${format}`)?.addEventListener("click", () => this.#download(format));
+      host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#download(format));
     }
     this.#formats = host.querySelector("#export_format") as HTMLSelectElement;
     this.#formats.addEventListener("change", () => this.#describe());
-    host.querySelector("#export")?.addEventListener("click", () => this.#export());
+    host.querySelector("#export")?.addEventListener("click", () => void this.#export());
     void this.#offerFormats();
     host.addEventListener("toggle", () => { if (this.#words.size === 0) void this.#offerFormats(); }); // of a service that was not there when the page came
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
@@ -49,8 +50,8 @@ export class Files {
     window.addEventListener("drop", (event) => this.#dropped(event));
   }
 
-  #download(format: FileFormat): void {
-    const scene = this.scene();
+  async #download(format: FileFormat): Promise<void> {
+    const scene = await this.scene();
     if (!scene) return;
     void this.beside(say("Writing {file}", { file: fileName(scene, format) }), async () => {
       save(new Blob([await exported(scene, format, new AbortController().signal)]), fileName(scene, format));
@@ -71,8 +72,8 @@ export class Files {
     this.host.querySelector("#export_words")?.replaceChildren(capital(this.#words.get(this.#formats.value) ?? ""));
   }
 
-  #export(): void {
-    const [scene, format] = [this.scene(), this.#formats.value];
+  async #export(): Promise<void> {
+    const [format, scene] = [this.#formats.value, await this.scene()];
     if (!scene || !format) return;
     void this.beside(say("Writing {file}", { file: format }), async () => {
       const { name, content } = await exportedFile(scene, format, new AbortController().signal);

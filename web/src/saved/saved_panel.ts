@@ -9,7 +9,8 @@ import { Comparison } from "./saved_comparison";
 import { say, type Words } from "../words/language";
 
 export interface SavedSource {
-  shown(): Shown | null;
+  /** The home shown, once the edits that are under way have landed. */
+  shown(): Promise<Shown | null>;
   picture(): Promise<string | null>;
 }
 
@@ -60,6 +61,8 @@ export class SavedPanel {
   #heads: SavedHead[] = [];
   #after: string | null = null;
   #opened: SavedHead | null = null;
+  /** How many homes were shown: one that is saved may be no longer shown when the answer comes. */
+  #homes = 0;
   #asked = new AbortController();
   #pictures: string[] = [];
 
@@ -79,6 +82,7 @@ export class SavedPanel {
 
   /** A home is shown: this one of those that are kept, null for any other, whose changes are none of the one before. */
   holds(head: SavedHead | null): void {
+    this.#homes += 1;
     if (head === null && this.#opened === null) return; // what was typed is for what is shown next
     this.#opened = head;
     this.#update.hidden = head === null;
@@ -88,16 +92,12 @@ export class SavedPanel {
   }
 
   async #save(): Promise<void> {
-    const shown = this.source.shown();
-    if (!shown) return;
-    const head = await saveNew({ name: titleOf(shown), ...this.#texts(), scene: shown.scene });
-    await this.#saved(head, "Saved “{home}”.");
+    await this.#saved((shown) => saveNew({ name: titleOf(shown), ...this.#texts(), scene: shown.scene }), "Saved “{home}”.");
   }
 
   async #saveChanges(): Promise<void> {
-    const [scene, before] = [this.source.shown()?.scene, this.#opened];
-    if (!scene || !before) return;
-    await this.#saved(await changeSaved(before.id, before.revision, { ...this.#texts(), scene }), "Saved the changes of “{home}”.");
+    const before = this.#opened;
+    if (before) await this.#saved(({ scene }) => changeSaved(before.id, before.revision, { ...this.#texts(), scene }), "Saved the changes of “{home}”.");
   }
 
   #texts(): SavedTexts {
@@ -105,11 +105,17 @@ export class SavedPanel {
     return { ...(name ? { name } : {}), tags };
   }
 
-  async #saved(head: SavedHead, did: Words): Promise<void> {
-    this.holds(head);
-    const picture = await this.source.picture();
-    if (picture) await pictureSaved(head.id, picture);
-    await this.#show(false);
+  /** Once a home is saved, what fails of its picture and of the list is no reason to save it again. */
+  async #saved(save: (shown: Shown) => Promise<SavedHead>, did: Words): Promise<void> {
+    const homes = this.#homes;
+    const shown = await this.source.shown();
+    if (!shown || homes !== this.#homes) return;
+    const picture = this.source.picture().catch(() => null);
+    const head = await save(shown);
+    if (homes === this.#homes) this.holds(head);
+    const drawn = await picture;
+    if (drawn) await pictureSaved(head.id, drawn).catch(() => undefined);
+    await this.#listed(false);
     this.#said.textContent = say(did, { home: head.name });
   }
 
@@ -130,7 +136,11 @@ export class SavedPanel {
   /** Lists the homes as they are now; each time anew, so that the last search is the one that is shown. */
   #look(isMore: boolean): void {
     this.#said.textContent = "";
-    this.#show(isMore).catch((reason: unknown) => { if (!isAbort(reason)) this.onFailure(reason, () => this.#look(isMore)); });
+    void this.#listed(isMore);
+  }
+
+  #listed(isMore: boolean): Promise<void> {
+    return this.#show(isMore).catch((reason: unknown) => { if (!isAbort(reason)) this.onFailure(reason, () => this.#look(isMore)); });
   }
 
   async #show(isMore: boolean): Promise<void> {
@@ -188,13 +198,13 @@ export class SavedPanel {
   async #change(head: SavedHead, texts: SavedTexts): Promise<void> {
     const changed = await changeSaved(head.id, head.revision, texts);
     if (this.#opened?.id === head.id) this.holds(changed);
-    await this.#show(false);
+    await this.#listed(false);
   }
 
   async #remove(head: SavedHead): Promise<void> {
     await removeSaved(head.id, head.revision);
     if (this.#opened?.id === head.id) this.holds(null);
-    await this.#show(false);
+    await this.#listed(false);
     this.#said.textContent = say("Removed “{home}”.", { home: head.name });
   }
 }
