@@ -20,8 +20,6 @@ _DIGIT: Final = 0.6
 _RAISED: Final = ("", *"¹²³⁴⁵⁶⁷⁸⁹")
 _CORNER: Final = 0.35
 """What a wall that ends at a corner may reach beyond it, m: more than half of the thickest."""
-LONGEST: Final = 28
-"""Letters of the longest name that is written whole."""
 SMALLER: Final = 0.86
 """How high an area and a size are written, as a share of the name above them."""
 LINE: Final = 1.25
@@ -105,7 +103,6 @@ def words_of(room_type: str, called: Mapping[str, str] | None = None) -> str:
 
 
 def _capital(words: str) -> str:
-    words = words if len(words) <= LONGEST else words[: LONGEST - 1].rstrip() + "…"
     return words[:1].upper() + words[1:]
 
 
@@ -192,6 +189,7 @@ def _label_in(room: PlanRoom, bounds: PlanBox) -> RoomLabel:
     rows, below, upright = max(ways, key=lambda way: fit(*way)[0] * (_UPRIGHT if way[2] else 1.0))
     size, small = (max(_LEAST_SHRINK, share) * room.letters for share in fit(rows, below, upright))
     small *= SMALLER
+    rows = tuple(_cut(row, 0.94 * (z1 - z0 if upright else x1 - x0) / (size * WIDE)) for row in rows)
     wide, high = _extent(rows, below, upright, (size, small))
     best, least = ((x0 + x1) / 2, (z0 + z1) / 2), float("inf")
     for i in _STEPS:
@@ -212,6 +210,11 @@ def _in_two(words: str) -> list[tuple[str, ...]]:
     """Returns a name of several words in two rows, the longer as short as can be."""
     cuts = [(words[:at], words[at + 1 :]) for at, letter in enumerate(words) if letter == " "]
     return [min(cuts, key=lambda rows: max(map(len, rows)))] if cuts else []
+
+
+def _cut(row: str, letters: float) -> str:
+    """Returns a row of words with no more letters than its room has space for, one at least."""
+    return row if len(row) <= letters + APART else row[: max(1, int(letters) - 1)].rstrip() + "…"
 
 
 def _below_wide(measures: str) -> float:

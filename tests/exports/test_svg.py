@@ -121,6 +121,18 @@ def test_names_stay_between_the_walls_in_two_rows_where_one_is_too_long(scale: i
     assert [box for box in map(label_box, storey.labels) for wall in storey.walls if meet(box, wall)] == []
 
 
+@pytest.mark.parametrize("scale", [20, 100, 300])
+@pytest.mark.parametrize("name", ["W" * 28, "Mehrzweckraumfüralles " * 3, "Music room of the two elder sisters"])
+def test_names_are_cut_at_the_width_of_their_room_and_nowhere_else(name: str, scale: int) -> None:
+    room = Room("den", type="living_room", name=name.strip(), width=3.35, depth=3.0)
+    (storey,) = storeys_of(describe(Scene(rooms=(room,), wall_thickness=0.1), load_catalogs()), scale)
+    (label,) = storey.labels
+    assert " ".join(label.rows) == name.strip() or scale > 20
+    assert max(map(len, label.rows)) * 0.65 * label.size <= (2.9 if label.upright else 3.25)
+    for row, whole in zip(label.rows, (name.strip(),) if len(label.rows) == 1 else label.rows, strict=True):
+        assert row == whole or (row.endswith("…") and (len(row) + 2) * 0.66 * label.size > 0.9 * 2.9)
+
+
 @pytest.mark.parametrize("scale", [50, 75, 100, 125, 150])
 @pytest.mark.parametrize("turned", [False, True])
 def test_the_name_of_a_room_with_arms_stands_in_one_of_them(scale: int, turned: bool) -> None:
