@@ -6,7 +6,7 @@ from difflib import get_close_matches
 from functools import lru_cache
 from math import log
 from typing import Final, Literal, NamedTuple, TypeAlias, get_args
-from unicodedata import combining, normalize
+from unicodedata import category, normalize
 
 from catalogs.entries import DrawnName
 from catalogs.schema import Catalogs
@@ -55,7 +55,7 @@ def words_of(name: str) -> tuple[str, ...]:
         >>> words_of("TVStands_03")
         ('tv', 'stand')
     """
-    letters = "".join(letter for letter in normalize("NFKD", name.translate(_LETTERS)) if not combining(letter))
+    letters = "".join(letter for letter in normalize("NFKD", name.translate(_LETTERS)) if category(letter)[0] != "M")
     apart = re.sub(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", letters)
     return tuple(_singular(word) for word in re.findall(r"[^\W\d_]+", apart.casefold()) if len(word) > 1 or not word.isascii())
 

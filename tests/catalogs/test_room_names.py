@@ -83,7 +83,19 @@ NAMES = room_names_of(KNOWN)
         ("dining_room", ["Ruokailutila", "Étkező", "Yemek odası", "Jídelna"]),
         ("foyer", ["Eteinen", "Előszoba", "Giriş", "Předsíň"]),
         ("backyard", ["Piha", "Kert", "Bahçe", "Zahrada"]),
-        ("storage", ["Varasto", "Kamra", "Kiler", "Komora"]),
+        ("storage", ["Varasto", "Kamra", "Kiler", "Komora", "창고", "팬트리", "Gudang", "Nhà kho", "ห้องเก็บของ", "Debara", "מחסן"]),
+        ("bathroom", ["화장실", "욕실 2", "Phòng tắm", "ห้องน้ำ 1", "حَمّام", "חדר רחצה", "Санвузол", "Μπάνιο", "बाथरूम", "Baie"]),
+        ("kitchen", ["주방", "부엌", "Bếp", "ห้องครัว", "المطبخ", "מטבח", "ΚΟΥΖΊΝΑ", "रसोई", "Dapur", "Bucătărie", "廚房"]),
+        ("living_room", ["거실", "P. KHÁCH", "ห้องนั่งเล่น", "غرفة المعيشة", "סלון", "Вітальня", "Σαλόνι", "R. Tamu", "客廳"]),
+        ("bedroom", ["침실1", "Phòng ngủ 2", "ห้องนอน 2", "غرفة نوم", "חדר שינה", "Υπνοδωμάτιο", "शयनकक्ष", "Dormitor"]),
+        ("bedroom_master", ["안방", "부부침실", "ห้องนอนใหญ่", "חדר הורים", "主臥", "غرفة النوم الرئيسية"]),
+        ("kids_bedroom", ["자녀방", "아이방", "Дитяча кімната", "חדר ילדים", "Παιδικό", "Kamar anak", "غرفة الأطفال"]),
+        ("dining_room", ["식당", "Phòng ăn", "Їдальня", "Τραπεζαρία", "भोजन कक्ष", "פינת אוכל", "餐廳"]),
+        ("laundry", ["다용도실", "세탁실", "ซักล้าง", "غرفة غسيل", "חדר כביסה", "Пральня"]),
+        ("foyer", ["현관", "Передпокій", "מבואה", "مدخل", "Predsieň", "玄關"]),
+        ("hallway", ["복도", "Hành lang", "מסדרון", "Διάδρομος", "ทางเดิน", "Hodnik"]),
+        ("balcony", ["발코니", "베란다", "Ban công", "ระเบียง", "מרפסת", "Μπαλκόνι", "बालकनी", "陽台"]),
+        ("closet", ["드레스룸", "옷방", "ห้องแต่งตัว", "Гардеробна"]),
     ],
 )
 def test_rooms_are_known_by_what_many_languages_call_them(type_name: str, names: list[str]) -> None:
@@ -158,7 +170,7 @@ def test_of_several_words_those_count_that_say_what_it_is(name: str, type_name: 
     assert meaning.key == type_name
 
 
-@every("name", ["", "room", "Room 12", "Loft", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "flurble"])
+@every("name", ["", "room", "Room 12", "Loft", "Zimmer 3", "B1", "x", "Raum", "???", "部屋", "방 2", "ห้อง 3", "Кімната", "חדר", "flurble"])
 def test_what_tells_nothing_is_not_understood(name: str) -> None:
     assert NAMES.meaning(name) is None
 
