@@ -62,6 +62,8 @@ class WorkerProcess:
         called.close()
         self._line.setblocking(False)
         finalize(self, self._line.close)
+        self.has_grown = False
+        """Whether it ends after the call that it has made."""
 
     async def ask(self, work: Callable[..., T], given: tuple[object, ...]) -> T | Raised:
         """Has it run a function of a module; returns what that returns or raises. Who is cancelled meanwhile has to kill it.
@@ -71,7 +73,8 @@ class WorkerProcess:
         """
         await asyncio.get_running_loop().sock_sendall(self._line, pickle.dumps((work, given)))
         size = int.from_bytes(await self._received(SIZE_BYTES), "big")
-        found: T | Raised = pickle.loads(await self._received(size))
+        found: T | Raised
+        found, self.has_grown = pickle.loads(await self._received(size))
         return found
 
     async def _received(self, size: int) -> bytearray:
@@ -105,14 +108,16 @@ def _make_calls(called: socket.socket, nice: int) -> None:
     Thread(target=end_with_parent, daemon=True).start()
     if sys.platform != "win32":
         os.nice(nice)
+    has_grown = False
     with suppress(EOFError, OSError), called.makefile("rb") as asked:
-        while _most_memory() < GROWN:
+        while not has_grown:
             work, given = pickle.load(asked)
             try:
                 found = work(*given)
             except Exception as error:
                 found = Raised(error)
-            written = pickle.dumps(found)
+            has_grown = _most_memory() >= GROWN
+            written = pickle.dumps((found, has_grown))
             called.sendall(len(written).to_bytes(SIZE_BYTES, "big"))
             called.sendall(written)
 
@@ -222,7 +227,11 @@ class Workers:
             if isinstance(error, EOFError | OSError):
                 raise BrokenWorkerProcess from error
             raise
-        lane.idle.append(process)
+        if process.has_grown:  # it ends by itself: a call that came meanwhile would take it for one that died of that
+            self.restarts += 1
+            self._begin(lane)
+        else:
+            lane.idle.append(process)
         if isinstance(found, Raised):
             raise found.error
         return found
