@@ -9,8 +9,7 @@ from typing import Any
 from starlette.responses import Response
 
 from service import problems
-from service.kept_contract import HomeBody, HomeChange, HomeHead
-from service.store.saved_homes import PackedScene
+from service.kept_contract import HomeBody, HomeChange, HomeHead, PackedScene
 from solver.errors import ComposeError, FieldError
 from solver.exchange import GLB, dump_scene, load_text, read, write
 from solver.scene import Scene

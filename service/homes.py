@@ -11,12 +11,21 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service.home_texts import HomeSent, home_text, read_sent_home
-from service.kept_contract import HomeBody, HomeChange, HomeHead, HomeList, HomeQuery, HomeVersions, HomeWithScene
+from service.kept_contract import (
+    ANY_REVISION,
+    HomeBody,
+    HomeChange,
+    HomeHead,
+    HomeList,
+    HomeQuery,
+    HomeVersions,
+    HomeWithScene,
+    Revisions,
+    moment,
+)
 from service.openapi import DescribedCalls, query_of, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
-from service.store.database import moment
-from service.store.saved_homes import ANY_REVISION, Revisions, SavedHomes
 from service.wire import NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, tags_in, written
 from solver.errors import FieldError
 from solver.exchange import FORMATS, read, write
@@ -75,7 +84,7 @@ async def save_home(request: Request) -> Response:
         return sent
     scene = sent.scene
     assert scene is not None, "a HomeBody has one"
-    home = await _asked(request, SavedHomes.add, sent.texts, scene)
+    home = await _asked(request, lambda kept, owner: kept.add(owner, sent.texts, scene))
     answer = _tagged(written(write(home), wanted), home, wanted)
     answer.status_code = 201
     answer.headers["Location"] = f"{request.scope.get('root_path', '')}/homes/{home.id}"
@@ -86,7 +95,7 @@ async def save_home(request: Request) -> Response:
 async def list_homes(request: Request) -> Response:
     """Lists homes, the last changed first."""
     query = read(HomeQuery, {**query_of(request, "limit"), "tag": request.query_params.getlist("tag")})
-    found = await _asked(request, SavedHomes.list, query)
+    found = await _asked(request, lambda kept, owner: kept.list(owner, query))
     document = {"homes": [write(one) for one in found.homes], "total": found.total, "after": found.after}
     return written(document, format_wanted(request))
 
@@ -98,7 +107,7 @@ async def read_home(request: Request) -> Response:
 
 
 async def _whole(request: Request, id_of: str, version: int | None) -> Response:
-    home, scene = await _asked(request, SavedHomes.get, id_of, version)
+    home, scene = await _asked(request, lambda kept, owner: kept.get(owner, id_of, version))
     wanted = format_wanted(request)
     shown = home if version is None else None
     if shown and is_known(request, _etag(home, wanted)):
@@ -117,21 +126,21 @@ async def change_home(request: Request) -> Response:
     sent, wanted = await _sent(request, True), format_wanted(request)
     if isinstance(sent, Response):
         return sent
-    home = await _asked(request, SavedHomes.change, id_of, revisions, sent.texts, sent.scene)
+    home = await _asked(request, lambda kept, owner: kept.change(owner, id_of, revisions, sent.texts, sent.scene))
     return _tagged(written(write(home), wanted), home, wanted)
 
 
 @homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
 async def remove_home(request: Request) -> Response:
     """Removes a home with all its versions."""
-    await _asked(request, SavedHomes.remove, id_in(request, "home"), _revisions(request))
+    await _asked(request, lambda kept, owner: kept.remove(owner, id_in(request, "home"), _revisions(request)))
     return Response(status_code=204)
 
 
 @homes.call("GET", "/{home}/versions", HomeVersions, takes=OF_HOME, responses=refusals(404))
 async def list_versions(request: Request) -> Response:
     """Lists the versions of a home that are kept."""
-    found = await _asked(request, SavedHomes.versions, id_in(request, "home"))
+    found = await _asked(request, lambda kept, owner: kept.versions(owner, id_in(request, "home")))
     return written({"versions": [{"number": number, "made": moment(made)} for number, made in found]}, format_wanted(request))
 
 
@@ -146,9 +155,9 @@ async def read_version(request: Request) -> Response:
 async def read_picture(request: Request) -> Response:
     """Returns the picture that was given to a home, else its plan, drawn."""
     id_of = id_in(request, "home")
-    found = await _asked(request, SavedHomes.picture, id_of)
+    found = await _asked(request, lambda kept, owner: kept.picture(owner, id_of))
     if found is None:
-        _, scene = await _asked(request, SavedHomes.get, id_of)
+        _, scene = await _asked(request, lambda kept, owner: kept.get(owner, id_of))
         drawn = await request.app.make("export", b'{"scene": ' + zlib.decompress(scene) + b"}", "json", "svg")
         if drawn.status_code != 200:
             return Response(drawn.body, drawn.status_code, media_type=drawn.media_type)
@@ -171,5 +180,5 @@ async def put_picture(request: Request) -> Response:
         raise TooLarge("body", "is a larger picture than is kept", f"at most {MOST_PICTURE} bytes")
     if not content.startswith(PICTURES[kind]):
         raise FieldError("body", f"is no {kind}", "a picture of the type that it is sent as")
-    await _asked(request, SavedHomes.put_picture, id_of, content, kind)
+    await _asked(request, lambda kept, owner: kept.put_picture(owner, id_of, content, kind))
     return Response(status_code=204)

@@ -18,11 +18,10 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from service import problems
-from service.kept_contract import JobBody, JobHead, JobList
+from service.kept_contract import DONE, LEASE_S, JobBody, JobHead, JobList, JobResult
 from service.openapi import DescribedCalls, refusals
 from service.problems import Busy, NoSuchThing, StoreAway
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
-from service.store.saved_jobs import DONE, LEASE_S, JobResult, SavedJobs
 from service.wire import body_of, format_sent, format_wanted, written
 from solver.errors import ComposeError
 from solver.exchange import load_text, read, write
@@ -62,7 +61,7 @@ async def add_job(request: Request) -> Response:
     """Takes on long work: a call, or a call of many seeds; answers at once where it is to be found."""
     body, sent = await body_of(request, request.app.settings.body_seconds), format_sent(request)
     call, asked, count = await to_thread.run_sync(asked_of, body, sent, limiter=request.app.store_threads)
-    job = await _of_store(request, SavedJobs.add, call, asked, count)
+    job = await _of_store(request, lambda kept, owner: kept.add(owner, call, asked, count))
     request.app.runner.wake()
     answer = written(write(job), format_wanted(request))
     answer.status_code = 202
@@ -73,20 +72,20 @@ async def add_job(request: Request) -> Response:
 @jobs.call("GET", "", JobList)
 async def list_jobs(request: Request) -> Response:
     """Lists jobs, the newest first."""
-    found = await _of_store(request, SavedJobs.list)
+    found = await _of_store(request, lambda kept, owner: kept.list(owner))
     return written({"jobs": [write(job) for job in found]}, format_wanted(request))
 
 
 @jobs.call("GET", "/{job}", JobHead, takes=OF_JOB, responses=refusals(404))
 async def read_job(request: Request) -> Response:
     """Says how far a job is."""
-    return written(write(await _of_store(request, SavedJobs.get, id_in(request, "job"))), format_wanted(request))
+    return written(write(await _of_store(request, lambda kept, owner: kept.get(owner, id_in(request, "job")))), format_wanted(request))
 
 
 @jobs.call("DELETE", "/{job}", takes=OF_JOB, status_code=204, responses=refusals(404))
 async def remove_job(request: Request) -> Response:
     """Ends a job and removes it with its results."""
-    await _of_store(request, SavedJobs.remove, id_in(request, "job"))
+    await _of_store(request, lambda kept, owner: kept.remove(owner, id_in(request, "job")))
     return Response(status_code=204)
 
 
@@ -94,7 +93,7 @@ async def remove_job(request: Request) -> Response:
 async def read_result(request: Request) -> Response:
     """Returns what one of a job's calls was answered by; `X-Call-Status` is its status."""
     id_of, number = id_in(request, "job"), number_in(request, "result", "the number of a call that has been made, from 0")
-    found: JobResult = await _of_store(request, SavedJobs.result, id_of, number)
+    found: JobResult = await _of_store(request, lambda kept, owner: kept.result(owner, id_of, number))
     headers = {"X-Call-Status": str(found.status), "Cache-Control": "private, no-cache"}
     return Response(zlib.decompress(found.content), media_type=found.media_type, headers=headers)
 
@@ -103,7 +102,7 @@ async def read_result(request: Request) -> Response:
 async def job_events(request: Request) -> Response:
     """Says how far a job is, each time that changes, as server-sent events, until it is done."""
     id_of = id_in(request, "job")
-    first = await _of_store(request, SavedJobs.get, id_of)
+    first = await _of_store(request, lambda kept, owner: kept.get(owner, id_of))
 
     async def events() -> AsyncIterator[bytes]:
         job, told, silent = first, None, 0.0
@@ -122,7 +121,7 @@ async def job_events(request: Request) -> Response:
                 silent = 0.0
                 yield b": still there\n\n"
             try:
-                job = await _of_store(request, SavedJobs.get, id_of)
+                job = await _of_store(request, lambda kept, owner: kept.get(owner, id_of))
             except NoSuchThing:
                 yield format_sse_event(data_str="{}", event="removed")
                 return
@@ -156,7 +155,7 @@ class Runner:
 
     async def _work_off(self) -> None:
         try:
-            while (taken := await self._in_thread(SavedJobs.take, self._name)) is not None:
+            while (taken := await self._in_thread(lambda kept: kept.take(self._name))) is not None:
                 await self._make(*taken)
         except ComposeError as error:
             _log.info("jobs wait: %s", error)
@@ -169,15 +168,15 @@ class Runner:
             group.start_soon(self._live, job.id, group.cancel_scope)
             for number in range(job.done, job.count):
                 result = await self._result(job.call, json.dumps(bodies[number]).encode())
-                if not await self._in_thread(SavedJobs.put, self._name, job.id, number, result):
+                if not await self._in_thread(lambda kept, at=number, made=result: kept.put(self._name, job.id, at, made)):
                     break
             else:
-                await self._in_thread(SavedJobs.finish, self._name, job.id)
+                await self._in_thread(lambda kept: kept.finish(self._name, job.id))
             group.cancel_scope.cancel()
 
     async def _live(self, job: str, scope: anyio.CancelScope) -> None:
         """Says that the runner lives; ends the job where it was removed or is another's."""
-        while await self._in_thread(SavedJobs.beat, self._name, job):
+        while await self._in_thread(lambda kept: kept.beat(self._name, job)):
             await anyio.sleep(min(LEASE_S / 10, 2.0))
         scope.cancel()
 
@@ -195,5 +194,5 @@ class Runner:
                 answer = problems.unexpected()
             return JobResult(answer.status_code, str(answer.media_type), zlib.compress(bytes(answer.body)))
 
-    async def _in_thread(self, question: Callable[..., Any], *given: object) -> Any:
-        return await to_thread.run_sync(lambda: question(self._app.store.jobs(), *given), limiter=self._app.store_threads)
+    async def _in_thread(self, question: Callable[..., Any]) -> Any:
+        return await to_thread.run_sync(lambda: question(self._app.store.jobs()), limiter=self._app.store_threads)

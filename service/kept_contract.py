@@ -1,6 +1,9 @@
 """What the calls about homes that are kept, and about long work, take and answer: declared once, as in `contract`."""
 
+import sys
+from collections.abc import Container
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from typing import Annotated, Final
 
 from annotated_types import Ge, Le, MaxLen, MinLen
@@ -117,9 +120,32 @@ class HomeQuery(Record):
     after: Annotated[str, Matching(AFTER), STRICT, Says("`after` of the page before")] = ""
 
 
+Revisions = Container[int] | None
+"""Those of a home that a change may be made to; None where none was named."""
+ANY_REVISION: Final = range(1, sys.maxsize)
+
+
+def moment(microseconds: int) -> str:
+    """Writes a time by RFC 3339."""
+    return datetime.fromtimestamp(microseconds / 1e6, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+
+
+@dataclass(frozen=True)
+class PackedScene:
+    """A scene as it is kept: its JSON, packed by zlib; and how many rooms it has."""
+
+    content: bytes
+    rooms: int
+
+
 MOST_CALLS: Final = 1000
 JOB_CALLS: Final = ("generate", "furnish", "fix", "place", "validate")
-STATES: Final = ("waiting", "running", "done")
+WAITING: Final = "waiting"
+RUNNING: Final = "running"
+DONE: Final = "done"
+STATES: Final = (WAITING, RUNNING, DONE)
+LEASE_S: Final = 20.0
+"""After so long without a word of its runner, another one carries a job on, s. Our choice."""
 
 
 @dataclass(frozen=True)
@@ -155,3 +181,12 @@ class JobList(Record):
     """Jobs, the newest first."""
 
     jobs: tuple[JobHead, ...]
+
+
+@dataclass(frozen=True)
+class JobResult:
+    """What came of one call: the answer as it would have been sent, packed by zlib."""
+
+    status: int
+    media_type: str
+    content: bytes

@@ -109,11 +109,11 @@ def store_limiter() -> CapacityLimiter:
     return CapacityLimiter(THREADS)
 
 
-async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Callable[..., Any], *given: object) -> Any:
-    """Asks a part of the store (`of`) something in a thread: a method that is given the owner of the request's key first."""
+async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Callable[..., Any]) -> Any:
+    """Asks a part of the store (`of`) something in a thread, for the owner of the request's key."""
 
     def answer() -> Any:
-        return question(of(request.app.store), owner_of(request.scope), *given)
+        return question(of(request.app.store), owner_of(request.scope))
 
     return await to_thread.run_sync(answer, limiter=request.app.store_threads)
 

@@ -6,7 +6,6 @@ How the tables came to be as they are now stands in `migrations`, and a test hol
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
-from datetime import UTC, datetime
 from pathlib import Path
 from threading import Lock
 from typing import Any, Final
@@ -190,11 +189,6 @@ def _found(connection: sa.Connection) -> str | None:
         return None
     found: str | None = connection.scalar(sa.text("SELECT version_num FROM alembic_version"))
     return found
-
-
-def moment(microseconds: int) -> str:
-    """Writes a time by RFC 3339."""
-    return datetime.fromtimestamp(microseconds / 1e6, UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 TABLES: Final = sa.MetaData()

@@ -1,9 +1,8 @@
 """Homes in a store: every question names an owner, and finds that one's homes alone."""
 
 import secrets
-import sys
 import time
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Final
 from unicodedata import normalize
@@ -11,15 +10,12 @@ from unicodedata import normalize
 from sqlalchemy import ColumnElement, Connection, Row, and_, delete, func, insert, or_, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
-from service.kept_contract import HomeHead, HomeQuery
+from service.kept_contract import ANY_REVISION, HomeHead, HomeQuery, PackedScene, Revisions, moment
 from service.problems import ChangedMeanwhile, NoSuchThing, TooManyKept, UnnamedRevision
-from service.store.database import HOMES, OWNERS, VERSIONS, Database, moment
+from service.store.database import HOMES, OWNERS, VERSIONS, Database
 
 KEPT_VERSIONS: Final = 50
 """Versions of a home; the oldest go when there are more. Our choice."""
-Revisions = Container[int] | None
-"""Those that a change may be made to; None where none was named."""
-ANY_REVISION: Final = range(1, sys.maxsize)
 SHOWN: Final = tuple(HOMES.c[part.name] for part in fields(HomeHead) if part.name != "link")
 
 
@@ -29,14 +25,6 @@ class Keeping:
 
     homes: int = 1000
     bytes: int = 500_000_000
-
-
-@dataclass(frozen=True)
-class PackedScene:
-    """A scene as it is kept: its JSON, packed by zlib; and how many rooms it has."""
-
-    content: bytes
-    rooms: int
 
 
 @dataclass(frozen=True)

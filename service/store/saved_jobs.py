@@ -3,32 +3,17 @@
 import secrets
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Final
 
 from sqlalchemy import Connection, Row, and_, delete, func, insert, or_, select, update
 
-from service.kept_contract import JobHead
+from service.kept_contract import DONE, LEASE_S, RUNNING, WAITING, JobHead, JobResult, moment
 from service.problems import NoSuchThing, TooManyKept
-from service.store.database import JOBS, RESULTS, Database, moment
+from service.store.database import JOBS, RESULTS, Database
 
-WAITING: Final = "waiting"
-RUNNING: Final = "running"
-DONE: Final = "done"
 MOST_JOBS: Final = 20
 """Jobs that an owner may have, those that are done included. Our choice."""
-LEASE_S: Final = 20.0
-"""After so long without a word of its runner, another one carries a job on, s. Our choice."""
 TOLD: Final = tuple(JOBS.c[name] for name in ("id", "call", "state", "count", "done", "refused", "created", "changed"))
-
-
-@dataclass(frozen=True)
-class JobResult:
-    """What came of one call: the answer as it would have been sent, packed by zlib."""
-
-    status: int
-    media_type: str
-    content: bytes
 
 
 class SavedJobs:

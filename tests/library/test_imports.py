@@ -46,8 +46,8 @@ CHAINS: list[list[tuple[str, set[str]]]] = [
         ("from compose_homes import Scene, fix, generate, place, reroll, validate", KERNEL | SERVER),
     ],
     [
-        ("import service.calls", KERNEL | SERVER | FLOWS),
-        ("import service.app", KERNEL | (FLOWS - {"numpy"})),
+        ("import service.calls", KERNEL | SERVER | FLOWS | {"sqlalchemy"}),
+        ("import service.app", KERNEL | {"sqlalchemy"} | (FLOWS - {"numpy"})),
     ],
     [
         (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", FINAL_SOLVE | SERVER | CATALOGS),

@@ -14,8 +14,9 @@ import pytest
 from sqlalchemy import select, update
 
 from service.app import ComposeApp
+from service.kept_contract import LEASE_S, JobResult
 from service.store.database import JOBS, RESULTS, Database
-from service.store.saved_jobs import LEASE_S, MOST_JOBS, JobResult, SavedJobs
+from service.store.saved_jobs import MOST_JOBS, SavedJobs
 from solver.errors import FieldError
 from tests.browser.service_process import running
 from tests.service.problems import entry_of

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 from sqlalchemy import select, text
 
-from service.kept_contract import HomeQuery
+from service.kept_contract import ANY_REVISION, HomeQuery, PackedScene
 from service.problems import StoreAway
 from service.store.database import VERSIONS, Database
-from service.store.saved_homes import ANY_REVISION, KEPT_VERSIONS, Keeping, PackedScene, SavedHomes
+from service.store.saved_homes import KEPT_VERSIONS, Keeping, SavedHomes
 from solver.errors import FieldError
 from tests.service.heavy import PATIENCE_S
 
