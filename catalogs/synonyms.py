@@ -308,7 +308,7 @@ class DrawnNames:
     """What layers, blocks and groups of drawings are called, and titles; and the names of rooms, which texts in drawings are."""
 
     def __init__(self, catalogs: Catalogs) -> None:
-        self.rooms = room_names_of(catalogs)
+        self.rooms, self._things = room_names_of(catalogs), synonyms_of(catalogs)
         entries = {key: catalogs.drawn_names[key] for key in get_args(DrawnName) if key in catalogs.drawn_names}
         told = {means: [word for one in entries.values() if one.means == means for word in one.known_as] for means in ("other", "nothing")}
         self._passed, self._without = told["other"], told["nothing"]
@@ -320,6 +320,10 @@ class DrawnNames:
         """Which storey the name of a layer tells; None where it tells none."""
         self.sort_within = lru_cache(maxsize=_MANY)(self._sort_within)
         """What the names around a shape tell, the outermost first: the nearest that tells anything counts."""
+
+    def is_thing(self, name: str) -> bool:
+        """Tells whether a name may be that of a piece, too, as `Bed` and `Bath` are."""
+        return self._things.meaning(name) is not None
 
     def is_passed(self, names: Sequence[str]) -> bool:
         """Tells whether a name is one of what is passed over."""

@@ -11,8 +11,9 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from solver.geometry import bounds_of_points, encloses
+from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening
-from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line
+from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnText, longer_line
 from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, rooms_between
@@ -71,10 +72,26 @@ def _score(
     return sum(len(one) == 1 for one in named), len(rooms)
 
 
-def _around_texts(shapes: Sequence[DrawnShape], names: Sequence[NamedSpot]) -> list[DrawnShape]:
+def without_pieces(shapes: list[DrawnShape], texts: list[DrawnText]) -> tuple[list[DrawnShape], list[DrawnText], list[Unread]]:
+    """Returns shapes and texts without the pieces that these name, and these, where nothing names a room but by a word for both."""
+    pieces = [one for one in texts if one.of_piece]
+    if (
+        all(one.means for one in pieces)
+        or any(one.means and not one.of_piece for one in texts)
+        or any(one.sort == "room" for one in shapes)
+    ):
+        return shapes, texts, []
+    told = _around_texts(shapes, [NamedSpot(one.x, one.z, one.words) for one in pieces], are_pieces=True)
+    kept = [one for one, now in zip(shapes, told, strict=True) if one is now]
+    left = [Unread(one.where, "a text in it names a piece: it is no wall") for one, now in zip(shapes, told, strict=True) if one is not now]
+    return kept, [one for one in texts if not one.of_piece], left
+
+
+def _around_texts(shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], are_pieces: bool = False) -> list[DrawnShape]:
     """Returns shapes, of which closed ones with one text in them that plainly names a room are rooms.
 
     Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
+    So it is of texts that name pieces.
     """
     places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
     boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
@@ -86,7 +103,7 @@ def _around_texts(shapes: Sequence[DrawnShape], names: Sequence[NamedSpot]) -> l
         held.append([at for at in smallest if encloses(shapes[places[at]].points, text.x, text.z)])
     counts = Counter(at for some in held for at in some)
     own = [[at for at in some if counts[at] == 1] for some in held]
-    rooms = {places[some[0 if len(held) == 1 else -1]] for some in own if some}
+    rooms = {places[some[0 if are_pieces or len(held) == 1 else -1]] for some in own if some}
     return [one._replace(sort="room") if at in rooms else one for at, one in enumerate(shapes)]
 
 

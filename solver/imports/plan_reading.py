@@ -28,7 +28,7 @@ from solver.imports.rectilinear import FloorCorners, edges_of_corners
 from solver.imports.straighten import NEAR, straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.trimmed_pieces import trimmed
-from solver.imports.units import unit_named, unit_of
+from solver.imports.units import check_size, unit_named, unit_of
 from solver.imports.untold_openings import told_apart, with_glass
 from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.walls_alone import with_rooms_between
@@ -108,6 +108,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     check_plan(plan)
     plan = of_one_level(plan, settings.level, notes)
     metres = unit_of(plan, settings.unit, notes)
+    if settings.unit is None:
+        check_size(plan, metres)
     plan = in_millimetres(plan, metres, notes)
     rooms = _straight_rooms(plan, catalogs, notes)
     rooms = _without_niches(plan, rooms, notes)

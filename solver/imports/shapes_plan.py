@@ -20,11 +20,12 @@ from catalogs.synonyms import STOREYS, DrawnNames
 from solver.geometry import bounds_of_points, doubled_area
 from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
-from solver.imports.nameless_shapes import told_by_form
+from solver.imports.nameless_shapes import told_by_form, without_pieces
 from solver.imports.shape_openings import (
     DrawnBox,
     DrawnShape,
     DrawnSwing,
+    DrawnText,
     Places,
     between,
     doors_of_swings,
@@ -34,7 +35,7 @@ from solver.imports.shape_openings import (
 )
 from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
-from solver.imports.units import GAPS, PlanUnit, assumed, told_by_areas, without_area
+from solver.imports.units import ASSUMED, GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
 from solver.plain import quoted
@@ -43,6 +44,8 @@ MOST_DRAWN: Final = 4 * MOST_POINTS
 """Points of all rooms, walls and openings together."""
 HOUSE: Final = 12.0
 """About so large, m, is a house."""
+LARGEST_HOUSE: Final = 100.0
+"""So large, m, is none in a unit that is but assumed: it was no door that told it."""
 BESIDE: Final = 1.5
 """Storeys that are drawn one above another are taken so many times as far apart as they are wide."""
 LONG: Final = 3.0
@@ -58,20 +61,6 @@ IN_A_WALL: Final = (0.03, 0.3)
 
 
 UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
-
-
-class DrawnText(NamedTuple):
-    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2.
-
-    `storey` is which one it tells, as a title does, from the lowest on.
-    """
-
-    words: str
-    x: float
-    z: float
-    means: str = ""
-    area: float = 0.0
-    storey: int | None = None
 
 
 class DrawnSheet(NamedTuple):
@@ -109,7 +98,7 @@ def text_at(words: str, spot: Spot, known: DrawnNames) -> DrawnText:
     ways = [_name_in("\n".join(some), known) for some in (lines[: at + 1], lines[at + 1 :], lines)]
     said = next((one for one in ways if one and known.rooms.is_plain(one)), ways[-1])
     meaning = known.rooms.meaning(said) if said and known.rooms.is_plain(said) else None
-    return DrawnText(said, *spot, meaning.key if meaning else "", without_area(words)[1], known.storey(said))
+    return DrawnText(said, *spot, meaning.key if meaning else "", without_area(words)[1], known.storey(said), known.is_thing(said))
 
 
 def _name_in(words: str, known: DrawnNames) -> str:
@@ -127,6 +116,9 @@ def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unre
     Raises:
         FieldError: there are more shapes than in any home.
     """
+    check_count("texts", len(sheet.texts), MOST_POINTS)
+    shapes, texts, left = without_pieces(sheet.shapes, sheet.texts)
+    sheet, unread = sheet._replace(shapes=shapes, texts=texts), (*unread, *left)
     plan = _plan(sheet, (lambda _: PlanUnit(metres)) if metres else told, unread)
     unit = None if metres else told_by_areas([(_area(room), one) for room in plan.rooms if (one := _said_area(room, sheet.texts))], plan)
     return plan if unit is None else _plan(sheet, lambda _: unit, unread)
@@ -148,7 +140,6 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     called = [one for one in shapes if one.sort is not None]
     check_count("shapes", len(called) + len(swings), MOST_POINTS)
     check_count("points of shapes", sum(len(one.points) for one in called), MOST_DRAWN)
-    check_count("texts", len(texts), MOST_POINTS)
     turn = turn_of(next((some for sort in ("room", "wall", None) if (some := [one.points for one in shapes if one.sort == sort])), []))
     shapes, texts, swings = _turned(sheet, turn)
     names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
@@ -202,9 +193,11 @@ def _left_names(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Itera
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
     """Returns the length of the unit as it is told, else by doors, else by the gaps in walls of a house of usual size."""
     unit = told(openings)
-    if unit.metres is None and not (unit := assumed(openings)).metres and walls:
-        x0, z0, x1, z1 = bounds_of_points([spot for points in walls for spot in points])
-        usual = HOUSE / (max(x1 - x0, z1 - z0) or 1.0)
+    unit = assumed(openings) if unit.metres is None else unit
+    x0, z0, x1, z1 = bounds_of_points([spot for points in walls for spot in points]) if walls else (0.0, 0.0, 0.0, 0.0)
+    size = max(x1 - x0, z1 - z0) or 1.0
+    if walls and (unit.metres is None or (unit.words.startswith(ASSUMED) and size * unit.metres > LARGEST_HOUSE)):
+        usual = HOUSE / size
         gaps = [gap for gap in fitted(openings, gaps_of(walls, usual), usual)[1] if gap.in_line]
         unit = assumed([DrawnOpening("passage", gap.start, gap.end, "") for gap in gaps], GAPS)
     return unit

@@ -17,6 +17,10 @@ POSSIBLE_DOORS: Final = (0.1, 10.0)
 """Where the median is not even between these, m, the file says a unit in which it is not drawn."""
 LIKELY_ROOM: Final = (1.5, 8.0)
 """Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
+LARGEST: Final = 100.0
+"""Without doors no room is larger across, m, nor is the median room of a scene."""
+LARGEST_ASSUMED: Final = 30.0
+"""Nor is one than this where a usual door alone tells the unit."""
 LIKELY_DOOR: Final = 0.9
 """So wide, m, are most doors, where no unit makes them so."""
 LEAST_AREAS: Final = 2
@@ -85,12 +89,29 @@ def unit_of(plan: DrawnPlan, asked: str | None, notes: PlanNotes) -> float:
 
 def _by_rooms(plan: DrawnPlan) -> tuple[float, str]:
     """Returns the unit in which rooms are as large as rooms, where there are no doors to tell; refuses a plan of none, or of several."""
-    doors, sides = _doors(plan.openings), [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
+    doors, sides = _doors(plan.openings), _sides(plan)
     size, told = (median(doors), DOORS) if doors else (median(sides) if sides else 0.0, "rooms' median side")
     found = [] if doors else _within(size, LIKELY_ROOM)
     if len(found) != 1:
         raise FieldError("unit", f"is not said, and cannot be told: {told} is {size:g}", ALLOWED_UNITS)
     return UNITS[found[0]], _told(found[0], size, told)
+
+
+def check_size(plan: DrawnPlan, metres: float) -> None:
+    """Refuses a plan whose rooms are larger than any in a unit, m, that no doors tell.
+
+    Raises:
+        FieldError: they are.
+    """
+    largest = max(_sides(plan), default=0.0) * metres
+    is_assumed = plan.unit_words.startswith(ASSUMED)
+    if largest > (LARGEST_ASSUMED if is_assumed else LARGEST) and (is_assumed or not _doors(plan.openings)):
+        told = "assumed" if is_assumed else "told"
+        raise FieldError("unit", f"is {told} to be {metres:.5g} m, in which the largest room is {largest:.0f} m across", ALLOWED_UNITS)
+
+
+def _sides(plan: DrawnPlan) -> list[float]:
+    return [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
 
 
 def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> PlanUnit:
@@ -158,8 +179,6 @@ def _within(size: float, limits: tuple[float, float]) -> list[str]:
 LENGTHS: Final = frozenset(("x", "y", "z", "width", "depth", "height", "position", "sill", "elevation", "outline", "wallthickness", "slab"))
 """Keys of lengths, without what parts their words."""
 FARTHEST: Final = 1e9
-LARGEST: Final = 100.0
-"""The median room of a scene without doors is no wider, m."""
 
 
 def scene_unit(document: Mapping[str, Any], asked: str | None, notes: PlanNotes) -> float:

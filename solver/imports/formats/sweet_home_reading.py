@@ -30,7 +30,8 @@ from solver.imports.drawn import (
     check_plan,
 )
 from solver.imports.plain_values import number_in
-from solver.imports.shapes_plan import DrawnText, labelled, text_at
+from solver.imports.shape_openings import DrawnText
+from solver.imports.shapes_plan import labelled, text_at
 from solver.imports.walls_alone import with_rooms_between
 from solver.plain import quoted
 
