@@ -51,7 +51,7 @@ def _without_rooms(plan: DrawnPlan) -> FieldError:
     if of_walls:
         return FieldError("rooms", f"are none in this file; its walls: {of_walls[0]}", "walls that enclose rooms, or rooms with outlines")
     if not layers:
-        left_out = f"; left out: {plan.unread[0].reason}" if plan.unread else ""
+        left_out = f"; left out: {'; '.join(one.reason for one in plan.unread[:MOST_NAMED])}" if plan.unread else ""
         return FieldError("rooms", f"are none in this file{left_out}", "at least one room with an outline")
     names = ", ".join(f"{name!r:.40}" for name in layers[:MOST_NAMED]) + (", ..." if len(layers) > MOST_NAMED else "")
     return FieldError(

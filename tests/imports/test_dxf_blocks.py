@@ -123,17 +123,23 @@ def test_what_is_no_drawing_is_refused_in_one_line_without_the_name_of_a_class(c
     assert refused.value.problem == f"DXF that cannot be read: {why}"
 
 
-@pytest.mark.parametrize("kind", ["CIRCLE", "INSERT"])
+@pytest.mark.parametrize("kind", ["CIRCLE", "INSERT", "IMAGE"])
 def test_a_drawing_without_rooms_or_layers_is_told_what_is_left_out_of_it(kind: str) -> None:
     made = files.new()
     if kind == "CIRCLE":
         made.modelspace().add_circle((0, 0), 5)
+        made.modelspace().add_spline([(0, 0), (1, 1), (2, 0)])
+    elif kind == "IMAGE":
+        made.modelspace().add_image(made.add_image_def("plan.png", (100, 100)), (0, 0), (10, 10))
     else:
         made.add_xref_def("plan.dwg", "OTHER")
         made.modelspace().add_blockref("OTHER", (0, 0))
     text = StringIO()
     made.write(text)
-    with pytest.raises(FieldError, match=f"are none in this file; left out: 1 of {kind}, which is not read"):
+    told = {"CIRCLE": "1 of CIRCLE, which is not read; 1 of SPLINE", "IMAGE": "1 pictures and pages of other files"}.get(
+        kind, f"1 of {kind}"
+    )
+    with pytest.raises(FieldError, match=f"are none in this file; left out: {told}"):
         read(text.getvalue().encode(), "plan.dxf")
 
 

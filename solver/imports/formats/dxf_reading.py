@@ -4,6 +4,7 @@ Its y points up. Read by ezdxf, an extra. Blocks are opened where their name or 
 """
 
 import math
+import re
 from codecs import BOM_UTF8
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
@@ -63,6 +64,8 @@ PARTS: Final = frozenset({"SECTION", "ENDSEC", "VERTEX", "ATTRIB", "SEQEND"})
 """What is no entity of its own."""
 MULTI: Final = "MLINE"
 """Several lines beside one another, as walls are drawn."""
+PICTURES: Final = re.compile(rb"^ *0\r?\n(?:IMAGE|OLE2FRAME|(?:PDF|DWF|DGN)UNDERLAY)\r?$", re.MULTILINE)
+"""Entities that show what another file draws."""
 CURVED: Final = frozenset({"LWPOLYLINE", "POLYLINE", "CIRCLE", "ARC", "ELLIPSE", "SPLINE"})
 MESHES: Final = frozenset({"Polyface", "Polymesh"})
 """Kinds of POLYLINE that are surfaces."""
@@ -107,6 +110,9 @@ def read_dxf(content: bytes, metres: float | None = None, catalogs: Catalogs | N
         unit = METRES.get(drawing.header.get("$INSUNITS", 0))
         bodies: list[_Entity] = []
         plan = _plan(space, lambda found: told_by_doors(found, unit), metres, names, bodies)
+        if pictures := len(PICTURES.findall(content)):
+            words = f"pictures and pages of other files, in which nothing is read: {pictures}"
+            plan = replace(plan, unread=(*plan.unread, Unread("pictures", words)))
         return _with_pieces(plan, bodies, known)
     except (ezdxf.DXFError, ValueError, TypeError, AttributeError, LookupError, ArithmeticError) as error:
         raise SyntaxFault(f"DXF that cannot be read: {said(error)}") from None
