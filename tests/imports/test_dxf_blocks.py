@@ -136,9 +136,7 @@ def test_a_drawing_without_rooms_or_layers_is_told_what_is_left_out_of_it(kind: 
         made.modelspace().add_blockref("OTHER", (0, 0))
     text = StringIO()
     made.write(text)
-    told = {"CIRCLE": "1 of CIRCLE, which is not read; 1 of SPLINE", "IMAGE": "pictures and pages of other files, in which nothing is read: 1"}.get(
-        kind, f"1 of {kind}"
-    )
+    told = {"CIRCLE": "1 of CIRCLE, which is not read; 1 of SPLINE", "INSERT": "1 of INSERT", "IMAGE": "pictures and pages .*: 1"}[kind]
     with pytest.raises(FieldError, match=f"are none in this file; left out: {told}"):
         read(text.getvalue().encode(), "plan.dxf")
 
