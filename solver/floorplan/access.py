@@ -28,6 +28,8 @@ HOP: Final = 0.01
 
 AS_PLANNED: Final = 0.5
 """At most this to enter a room through the one it was planned behind: its bathroom belongs to the bedroom in front."""
+SERVED: Final = {"kitchen", "dining_room"}
+"""Rooms of a plain house with an opening from one into the other wherever they share a wall: one carries dishes."""
 
 
 _PRIVATE: Final = frozenset(("bed", "single_bed", "toilet"))
@@ -153,6 +155,15 @@ def door_tree(entrance: int, typed: RoomAccess) -> tuple[tuple[Joint, int], ...]
                 best[other], door[other] = offer, joint
                 heappush(queue, (*offer, other))
     return tuple((door[i], i) for i in sorted(door))
+
+
+def served(typed: RoomAccess, tree: Sequence[tuple[Joint, int]]) -> tuple[tuple[Joint, int], ...]:
+    """Returns the longest wall that a kitchen shares with a dining room, where the tree has no door between them."""
+    between = [one for one in typed.shared if {typed.types[one.a], typed.types[one.b]} == SERVED]
+    if not between or any(joint in between for joint, _ in tree):
+        return ()
+    joint = max(between, key=lambda one: (one.length, one))
+    return ((joint, joint.a),)
 
 
 def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType], by_hallway: bool = True) -> tuple[int, str]:

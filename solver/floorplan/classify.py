@@ -25,7 +25,7 @@ PROGRAMME: Final = (
 people build: a second bathroom by the seventh room, a garage by the eleventh, a family room in large houses."""
 ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
 """Types of which a house wishes one, and one more for every 40 rooms."""
-MOST: Final = {"bedroom_master": 1, "living_room": 2, "dining_room": 1}
+MOST: Final = {"kitchen": 1, "bedroom_master": 1, "living_room": 2, "dining_room": 1}
 """Of which a household has no more, however well a room would suit them; as many again for every 40 rooms."""
 HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop")
 """Types whose repetition makes two households of a house, or looks odd in a home: it costs thrice as much."""
@@ -105,24 +105,34 @@ class _Draft:
         return [i for i in self.unforced if self.types[i] is None]
 
     def essentials(self) -> None:
-        """Bathroom, kitchen (at the outside if it can be), living room, master bedroom, as far as the rooms go and nobody forced them."""
+        """Bathroom, living room, kitchen, dining room, master bedroom, as far as the rooms go and nobody forced them."""
         rooms = len(self.unforced)
         if rooms >= 2 and not self.counts["bathroom"]:
             self.give(self.untyped()[0], "bathroom", fixed=True)
-        if rooms >= 2 and not self.counts["kitchen"]:
-            left, typical = self.untyped(), self.fitness.rooms["kitchen"].area.typical
-            lit = [i for i in left[:-1] if self.fitness.outside[i]] or left[:-1]
-            fit = [next((i for i in lit if self.area[i] >= least), left[-1]) for least in (typical, KITCHEN_M2)]
-            self.give(fit[0] if fit[0] != left[-1] else fit[1], "kitchen", fixed=True)
         if rooms != 2 and self.untyped() and not self.counts["living_room"]:
             self.give(min(self.untyped(), key=self._living), "living_room", fixed=True)
-        if rooms >= 4 and self.untyped() and not self.counts["bedroom_master"]:
-            room = min(self.untyped(), key=self._master)
-            self.give(room, "bedroom_master" if self.area[room] >= MASTER_M2 else "bedroom", fixed=True)
+        if self.untyped() and not self.counts["kitchen"]:
+            self.give(min(self._kitchens(), key=self._kitchen), "kitchen", fixed=True)
         if self.wish["dining_room"] and self.untyped() and not self.counts["dining_room"]:
             room = min(self.untyped(), key=lambda i: (self.fitness.cost(i, "dining_room", self.types), i))
             if self.fitness.cost(room, "dining_room", self.types) < MISFIT:
                 self.give(room, "dining_room", fixed=True)
+        if rooms >= 4 and self.untyped() and not self.counts["bedroom_master"]:
+            room = min(self.untyped(), key=self._master)
+            self.give(room, "bedroom_master" if self.area[room] >= MASTER_M2 else "bedroom", fixed=True)
+
+    def _kitchens(self) -> list[int]:
+        """Returns the rooms as large as kitchens are, else those no smaller than they may be; at the outside if any is."""
+        left, asked = self.untyped(), self.fitness.rooms["kitchen"].area
+        lit = [i for i in left if self.fitness.outside[i]] or left
+        fit = [i for i in lit if asked.typical <= self.area[i] <= asked.max]
+        return fit or [i for i in lit if self.area[i] >= KITCHEN_M2] or left[-1:]
+
+    def _kitchen(self, room: int) -> tuple[float, int]:
+        """A kitchen has a room beside it in which to eat."""
+        beside = set(self.fitness.beside[room]).intersection(self.untyped()) if self.wish["dining_room"] else ()
+        table = min((self.fitness.cost(i, "dining_room", self.types) for i in beside), default=MISFIT)
+        return table + self.fitness.cost(room, "kitchen", self.types), room
 
     def _living(self, room: int) -> tuple[float, int]:
         """A living room is the largest that is not too large; best one that others are entered through."""

@@ -10,7 +10,7 @@ from catalogs.access_profiles import AccessProfile
 from catalogs.schema import Catalogs
 from solver.errors import RequestError
 from solver.fields import ANY, RECTANGLE
-from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entrance_of, passing_cost, plan_access
+from solver.floorplan.access import THROUGH_OTHER, RoomAccess, door_tree, entrance_of, passing_cost, plan_access, served
 from solver.floorplan.bsp import partition
 from solver.floorplan.classify import check_forced, classify
 from solver.floorplan.columns import RoomBounds
@@ -75,7 +75,7 @@ def _partitioned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> Flo
     fitness = Fitness(layout, shared, access_plan, catalogs)
     types, more = classify(fitness, request)
     ways = _ways(layout, RoomAccess(types, shared, access_plan, catalogs.rooms))
-    return _opened(layout, ways if request.force_types else _sane_ways(fitness, ways), catalogs, (*notes, *more))
+    return _opened(layout, ways if request.force_types else _sane_ways(fitness, ways), catalogs, (*notes, *more), is_plain=True)
 
 
 class _Ways(NamedTuple):
@@ -127,14 +127,15 @@ def _planned(request: Request, catalogs: Catalogs, walls: HouseWalls) -> FloorPl
     return _opened(home.layout, _Ways(typed, entrance, door_tree(entrance[0], typed)), catalogs, home.notes)
 
 
-def _opened(layout: Layout, ways: _Ways, catalogs: Catalogs, notes: tuple[str, ...]) -> FloorPlan:
-    """Cuts doors and windows into the walls of typed rooms."""
+def _opened(layout: Layout, ways: _Ways, catalogs: Catalogs, notes: tuple[str, ...], is_plain: bool = False) -> FloorPlan:
+    """Cuts doors and windows into the walls of typed rooms; planned kitchens are near the dining room, and need their walls."""
     typed, entrance, tree = ways
     rects = set_apart(layout, [catalogs.rooms[name].outdoor for name in typed.types])
     if rects != layout.rooms:
         typed = replace(typed, shared=trimmed(typed.shared, rects, layout.walls.door_wall))
         tree = door_tree(entrance[0], typed)
-    cuts, garages = open_walls(OpenedHouse(layout, rects, typed.types, catalogs.rooms, catalogs.profile), tree, entrance)
+    house = OpenedHouse(layout, rects, typed.types, catalogs.rooms, catalogs.profile)
+    cuts, garages = open_walls(house, (*tree, *served(typed, tree)) if is_plain else tree, entrance)
     drawing = Drawing(layout, rects, typed.types, typed.shared, cuts, catalogs)
     return written(drawing, (*notes, *garages, *_compromises(drawing, tree)))
 
