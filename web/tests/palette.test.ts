@@ -23,6 +23,29 @@ beforeEach(() => {
 });
 
 describe("the palette", () => {
+  it("has its categories at one stop of the Tab key, arrows between them; closed, the house has the focus where nothing had it", async () => {
+    document.body.innerHTML = '<main tabindex="0"><section hidden></section></main>';
+    host = document.querySelector("section") as HTMLElement;
+    palette = new Palette(host);
+    await palette.await(Promise.resolve(CATALOG));
+    palette.open(true);
+    const chips = [...host.querySelectorAll<HTMLElement>("[role=group] button")];
+    expect(chips.map(({ tabIndex }) => tabIndex)).toEqual([0, -1, -1]);
+    chips[0]?.focus();
+    const pieces = vi.fn();
+    document.addEventListener("keydown", pieces);
+    const walked = ["ArrowLeft", "ArrowRight", "ArrowRight", "End", "Home"].map((key) => {
+      document.activeElement?.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+      return chips.indexOf(document.activeElement as HTMLElement);
+    });
+    expect([walked, pieces.mock.calls]).toEqual([[2, 0, 1, 2, 0], []]);
+    document.removeEventListener("keydown", pieces);
+    chips[2]?.click();
+    expect(chips.map(({ tabIndex }) => tabIndex)).toEqual([-1, -1, 0]);
+    palette.open(false);
+    expect(document.activeElement?.tagName).toBe("MAIN");
+  });
+
   it("says that kinds are on their way, and only then that there is none", async () => {
     let come: (catalog: Catalog) => void = () => undefined;
     const filled = palette.await(new Promise<Catalog>((resolve) => { come = resolve; }));

@@ -1,6 +1,7 @@
 /** All kinds of furniture the service knows, to search and to choose from. */
 import type { Catalog } from "../contract";
 import { words } from "../house/frame";
+import { putAway } from "../panel/focus";
 import type { Favourites } from "./favourites";
 import { LONG_PRESS } from "./hand";
 import type { FurnitureKind } from "./scene_edits";
@@ -94,6 +95,7 @@ export class Palette {
     this.#search.addEventListener("keydown", (event) => this.#enter(event));
     this.#categories.className = "palette-categories";
     this.#categories.setAttribute("role", "group");
+    this.#categories.addEventListener("keydown", (event) => this.#walk(event));
     this.#categories.setAttribute("aria-label", say("Categories"));
     this.#nothing.textContent = LOADING;
     this.#nothing.className = "hint";
@@ -144,13 +146,16 @@ export class Palette {
     return !this.host.hidden;
   }
 
-  /** Opens or closes; closed, the focus goes back to where it was. */
+  /** Opens or closes; closed, the focus goes back to where it was, or to the house. */
   open(isOpen: boolean): void {
     const held = this.host.contains(document.activeElement);
-    if (isOpen && !held) this.#before = document.activeElement;
-    this.host.hidden = !isOpen;
-    if (!isOpen && held && this.#before instanceof HTMLElement) this.#before.focus();
-    if (!isOpen) return;
+    if (!isOpen) {
+      putAway(this.host);
+      if (held && this.#before instanceof HTMLElement && this.#before !== document.body) this.#before.focus();
+      return;
+    }
+    if (!held) this.#before = document.activeElement;
+    this.host.hidden = false;
     this.#search.value = "";
     this.#category = ALL;
     this.#filter();
@@ -254,9 +259,27 @@ export class Palette {
     };
     this.#ranked = [...this.#entries].sort((one, other) => off(one) - off(other));
     this.#list.append(...this.#ranked.map(({ item }) => item));
-    for (const chip of this.#categories.querySelectorAll<HTMLElement>("button")) chip.setAttribute("aria-pressed", String(chip.dataset.category === this.#category));
+    for (const chip of this.#chips) {
+      chip.setAttribute("aria-pressed", String(chip.dataset.category === this.#category));
+      chip.tabIndex = chip.dataset.category === this.#category ? 0 : -1;
+    }
     this.#nothing.hidden = this.#shown().length > 0;
     if (this.#entries.length > 0) this.#nothing.textContent = this.#category === LIKED && wanted === "" ? NONE_LIKED : NONE;
+  }
+
+  get #chips(): HTMLElement[] {
+    return [...this.#categories.querySelectorAll<HTMLElement>("button")];
+  }
+
+  /** Categories are one stop of the Tab key; arrows go from one to the next. */
+  #walk(event: KeyboardEvent): void {
+    const chips = this.#chips;
+    const at = chips.indexOf(document.activeElement as HTMLElement);
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: -1 }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    event.stopPropagation(); // it moves no piece
+    chips.at(to % chips.length)?.focus();
   }
 
   #shown(): Entry[] {
