@@ -10,6 +10,10 @@ import pytest
 import yaml
 from starlette.testclient import TestClient
 
+from service.generating import check_size
+from solver.errors import FieldError
+from solver.floorplan.bsp import MAX_ROOMS
+from solver.scene import Room, Scene
 from tests.service.conftest import SMALL
 
 YAML = {"content-type": "application/yaml", "accept": "application/yaml"}
@@ -295,3 +299,10 @@ def test_a_file_sent_as_it_is_is_read_as_the_query_asks(client: TestClient) -> N
         assert [room["name"] for room in wanted["scene"]["rooms"]] == [f"Attic {level}"]
     refused = [sent(**query)["errors"][0]["field"] for query in ({"level": "1.5"}, {"level": "9"}, {"unit": "yards"}, {"storey": "1"})]
     assert refused == ["level", "level", "unit", "storey"]
+
+
+def test_a_call_takes_as_many_rooms_as_a_house_that_is_made_may_have() -> None:
+    rooms = tuple(Room(f"room_{n}", width=4.0, depth=3.0) for n in range(MAX_ROOMS))
+    check_size(Scene(rooms=rooms))
+    with pytest.raises(FieldError, match=f"at most {MAX_ROOMS} in one call"):
+        check_size(Scene(rooms=(*rooms, Room("one_more", width=4.0, depth=3.0))))
