@@ -162,6 +162,14 @@ def test_the_way_in_is_the_main_entrance_then_any_outside_door_then_the_largest_
     assert named(issues(split(a={**west_door, "kind": "window"}), "unreachable")) == [("room_0", ("west",))]
 
 
+def test_the_largest_patch_is_the_largest_without_what_lies_in_doorways() -> None:
+    """East of a wall there is 2 cm more floor than west of it, where the passage is, which leads nowhere."""
+    wall = piece(1.99, 2.0, 0.2, 4.0, id="wall")
+    west, east = (piece(x, 2.0, 0.4, 0.4, id=f"at {x}", name="sofa", rotation=turn) for x, turn in ((0.2, 90), (3.8, 270)))
+    passage = opening(id="a", kind="passage", position=0.7)
+    assert named(issues(scene(room(wall, west, east, openings=(passage,))), "unreachable")) == [("room_0", (west.id,))]
+
+
 def test_a_blocked_entrance_lets_nobody_anywhere() -> None:
     entrance = opening(main_entrance=True)
     told = issues(scene(room(piece(2.0, 0.5), openings=(entrance,)), room(id="room_1", z=4.0)), "unreachable")

@@ -127,21 +127,42 @@ Walk near(const Walk& walk, const Storey& storey, const Placed& placed) {
   return found;
 }
 
-// The component of the largest area, the first of those that are alike; 0 where no floor is free.
-static i32 largest(const Walk& walk, i32 count) {
-  const Span<f64> sums = zeroes<f64>(count + 1), here = reserved<f64>(count + 1);
-  for (const Grid& tile : walk.tiles) {
-    for (f64& sum : here) sum = 0.0;
-    for (i32 i = 0; i < tile.cells.rows; i++) {
-      for (i32 k = 0; k < tile.cells.columns; k++) {
-        here[tile.cells.at(i, k)] += static_cast<f64>(tile.width(i)) * static_cast<f64>(tile.depth(k));
+// Where in a room a centre is clear of all its walls, the doors in them shut: boxes that do not overlap.
+static List<Rect> clear_centres(const Storey& storey, const Placed& placed) {
+  List<Rect> walls, found;
+  const i64 deep = storey.half_wall + storey.reach;
+  for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - deep, edge.end + deep, deep, deep));
+  find_free(placed.room.inside, walls.all(), storey.most_boxes, found);
+  return found;
+}
+
+// Calls `look(component, wide, deep)` for all floor of a room that is clear of its walls: what lies in doorways is not.
+template <class Look> static void look_at_floor(const Storey& storey, const Walk& walk, const Placed& placed, Look look) {
+  for (const Rect& own : clear_centres(storey, placed)) {
+    const Rect box = moved(own, placed.x, placed.z);
+    look_at(walk, box, [&](const Grid& tile, const CellWindow& at) {
+      for (i32 i = at.x0; i < at.x1; i++) {
+        const i64 wide = least(tile.xs[i + 1], box.x1) - most(tile.xs[i], box.x0);
+        for (i32 k = at.z0; k < at.z1; k++) {
+          look(tile.cells.at(i, k), wide, least(tile.zs[k + 1], box.z1) - most(tile.zs[k], box.z0));
+        }
       }
-    }
-    for (i32 one = 1; one <= count; one++) sums[one] += here[one];
+    });
+  }
+}
+
+// The component that has most floor of rooms, the first of those that are alike; 0 where no floor is free.
+static i32 largest(const Storey& storey, const Walk& walk, i32 count) {
+  const arena::Scope scope;
+  const Span<f64> sums = zeroes<f64>(count + 1);
+  for (const Placed& placed : storey.rooms) {
+    look_at_floor(storey, walk, placed, [&](i32 component, i64 wide, i64 deep) {
+      sums[component] += static_cast<f64>(wide) * static_cast<f64>(deep);
+    });
   }
   i32 found = 0;
   for (i32 one = 1; one <= count; one++) {
-    if (sums[one] > sums[found]) found = one;
+    if (sums[one] > (found == 0 ? 0.0 : sums[found])) found = one;
   }
   return found;
 }
@@ -155,7 +176,7 @@ Walk walk_of(const Storey& storey) {
   Walk walk{tiles_of(floors.all(), obstacles_of(storey).all(), storey.most_boxes), {}};
   const i32 count = label(walk.tiles);
   walk.entered = zeroes<bool>(count + 1);
-  if (storey.entrances.size == 0) walk.entered[largest(walk, count)] = true;
+  if (storey.entrances.size == 0) walk.entered[largest(storey, walk, count)] = true;
   for (const Rect& entrance : storey.entrances) {
     look_at(walk, entrance, [&](const Grid& tile, const CellWindow& at) {
       for (i32 i = at.x0; i < at.x1; i++) {
@@ -167,35 +188,13 @@ Walk walk_of(const Storey& storey) {
   return walk;
 }
 
-// Where in a room a centre is clear of all its walls, the doors in them shut: boxes that do not overlap.
-static List<Rect> clear_centres(const Storey& storey, const Placed& placed) {
-  List<Rect> walls, found;
-  const i64 deep = storey.half_wall + storey.reach;
-  for (const Edge& edge : placed.room.edges) walls.add(edge.strip(edge.start - deep, edge.end + deep, deep, deep));
-  find_free(placed.room.inside, walls.all(), storey.most_boxes, found);
-  return found;
-}
-
 WalkedRoom walked_floor(const Storey& storey, const Walk& walk, const Placed& placed) {
   const arena::Scope scope;
   WalkedRoom found;
-  for (const Rect& own : clear_centres(storey, placed)) {
-    const Rect box = moved(own, placed.x, placed.z);
-    look_at(walk, box, [&](const Grid& tile, const CellWindow& at) {
-      for (i32 i = at.x0; i < at.x1; i++) {
-        i64 entered = 0, any = 0;
-        for (i32 k = at.z0; k < at.z1; k++) {
-          const i32 component = tile.cells.at(i, k);
-          const i64 deep = least(tile.zs[k + 1], box.z1) - most(tile.zs[k], box.z0);
-          if (component > 0) any += deep;
-          if (walk.entered[component]) entered += deep;
-        }
-        const i64 wide = least(tile.xs[i + 1], box.x1) - most(tile.xs[i], box.x0);
-        found.entered.add_product(wide, entered);
-        found.any.add_product(wide, any);
-      }
-    });
-  }
+  look_at_floor(storey, walk, placed, [&](i32 component, i64 wide, i64 deep) {
+    if (component > 0) found.any.add_product(wide, deep);
+    if (walk.entered[component]) found.entered.add_product(wide, deep);
+  });
   return found;
 }
 
