@@ -16,7 +16,7 @@ from solver.pieces import Piece, Space
 from solver.pipeline.judged_again import judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
-from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
+from solver.placement import Budget, charge, feasible, is_call_spent, minimal_conflict, work_of_call
 from solver.placement.lengths import Shortfall, centimetres, least_that, metres, sentence
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
 from solver.scene import Furniture, Room
@@ -170,8 +170,12 @@ class _WhyNot:
         """Explains why one of the pieces cannot stand, or with `walk` be used, with a group of them."""
         space, room = self.repair.problem.space, self.repair.problem.room.id
         ids = minimal_conflict(space, group, label, self.budget, walk)
-        if ids is None and not walk and self.repair.problem.settings.walk:
-            return self.why(group, label, walk=True)
+        if not walk and self.repair.problem.settings.walk:
+            own = [piece for piece in group if piece.label == label and None in piece.parents]
+            if own and len(ids or ()) > 1 and feasible(space, own, self.budget, walk=True) is False:
+                return self.why(own, label, walk=True)
+            if ids is None:
+                return self.why(group, label, walk=True)
         if ids is None:
             return _Verdict(label, (label,), at_limit(self._names[label], walk, f" in {room}"), proven=False)
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
