@@ -18,6 +18,9 @@ from solver.scene import Decoration, Dynamic, Furniture, Room
 FLAT_MM: Final = 20
 """Rugs and mats: what is no higher is no body, one stands on it (docs/scene.md, The rules)."""
 
+ROUNDED_MM: Final = 1e-3
+"""Scenes are read to the micrometre."""
+
 RECT: Final = Struct("<4q")
 _NEAREST: Final = Struct("<9q2i")
 _new: Final = tuple.__new__
@@ -44,6 +47,12 @@ def footprint(body: Furniture | Decoration | Dynamic) -> Rect:
         math.floor((x - width / 2) * 1000 + 1e-6), math.floor((z - depth / 2) * 1000 + 1e-6),
         math.ceil((x + width / 2) * 1000 - 1e-6), math.ceil((z + depth / 2) * 1000 - 1e-6),
     )  # fmt: skip
+
+
+def rounded_mm(body: Furniture | Decoration) -> int:
+    """Returns what an edge of a body's footprint is rounded by at most, mm: 0, or 1 where it stands between whole millimetres."""
+    rect, (width, depth) = footprint(body), extents(body.width, body.depth, body.rotation)
+    return int(rect.width - width * 1000 > ROUNDED_MM or rect.depth - depth * 1000 > ROUNDED_MM)
 
 
 class PlacedBody(NamedTuple):

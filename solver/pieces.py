@@ -148,6 +148,8 @@ class Stand:
 
     side: str
     """front | back | left | right (left is -x at rotation 0)."""
+    inset_mm: int = 0
+    """How much of either end of the side does not count: what is rounded outwards of a body between whole millimetres."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from catalogs import Catalogs
 from catalogs.entries import Side
 from solver.errors import SceneError
 from solver.free_floor import HEADROOM_MM
-from solver.free_places import footprint
+from solver.free_places import footprint, rounded_mm
 from solver.geometry import to_mm
 from solver.pieces import Arrangement, Candidate, Link, Piece, Placed, Space, Stance, Stand, Zone
 from solver.placement import walkable_when_empty, with_joined_doors
@@ -218,5 +218,5 @@ def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Pi
     if not isinstance(body, Furniture):
         return Piece(body.id, True, (way,), is_there=True)
     under, on = (label if label in named else None for label in (body.under, body.on))
-    stands = tuple(Stand(side) for side in use[0])
+    stands = tuple(Stand(side, rounded_mm(body)) for side in use[0])
     return Piece(body.id, True, (replace(way, under=under, on=on),), stands=stands, need_all=use[1], is_there=True)

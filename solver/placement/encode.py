@@ -40,18 +40,18 @@ class Encoded:
     engine: Engine
 
 
-def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int], float]]:
-    """Returns the choices of use sides: names; bits that get a stand, of which any, and of which all count; cost."""
+def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int, int], float]]:
+    """Returns the choices of use sides: names; bits that get a stand, of which any, and of which all count, and their inset; cost."""
     if not piece.stands or walk == "none":
-        return [((), (0, 0, 0), 0.0)]
+        return [((), (0, 0, 0, 0), 0.0)]
     names = tuple(stand.side for stand in piece.stands)
-    bits = [SIDES[name] for name in names]
+    bits, inset = [SIDES[name] for name in names], max(stand.inset_mm for stand in piece.stands)
     still = walk == "loose" and all(way.stays for way in piece.candidates)
     if walk == "test" or still or (walk in ("mixed", "loose") and len(bits) > 1):
-        return [(names, (0, 0, sum(bits)) if piece.need_all else (0, sum(bits), 0), 0.0)]
+        return [(names, (0, 0, sum(bits), inset) if piece.need_all else (0, sum(bits), 0, inset), 0.0)]
     if piece.need_all:
-        return [(names, (sum(bits), 0, 0), 0.0)]
-    return [((name,), (bit, 0, 0), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
+        return [(names, (sum(bits), 0, 0, inset), 0.0)]
+    return [((name,), (bit, 0, 0, inset), OTHER_SIDE_COST * k) for k, (name, bit) in enumerate(zip(names, bits, strict=True))]
 
 
 def _longs(values: Sequence[int]) -> bytes:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from solver.geometry import Rect
-from solver.pieces import Candidate, Piece, Space, Stand
+from solver.pieces import Candidate, Piece, Space
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import lay_out
@@ -42,7 +42,8 @@ class WalkablePlace:
     def near(self, reach_mm: int, clear: Rect) -> Piece:
         """Returns the piece kept to its candidate and within reach of where it was found, in the clear rectangle."""
         only = replace(self.candidate, within=self.footprint.shrunk(-reach_mm).common(self.candidate.within or clear))
-        return replace(self.piece, candidates=(only,), stands=tuple(Stand(side) for side in self.sides), need_all=True)
+        stands = tuple(stand for stand in self.piece.stands if stand.side in self.sides)
+        return replace(self.piece, candidates=(only,), stands=stands, need_all=True)
 
 
 def find_walkable(

@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "d8863cf8ed91d670249fe8aa344836db4fcc4874c22e39d70df7e85a004449a4"
+GOLDEN = "479530479694fadf32c8f37e94cd7c140c92176d789e9a160c0bcb051bbbf8ea"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from random import Random
 
 import pytest
@@ -127,3 +128,16 @@ def test_what_stands_at_walls_may_stand_at_inner_edges_of_an_outline_where_windo
     assert (answer.best.unplaced, errors(answer.best.scene)) == ((), set())
     (wardrobe,) = answer.best.scene.rooms[0].furniture
     assert (wardrobe.rotation, wardrobe.wall) in {(180, None), (270, None)}
+
+
+@pytest.mark.parametrize(("size", "z", "table"), [((2.17, 2.25), 0.9704, (1.36, 0.49)), ((1.93, 1.79), 0.6904, (0.98, 0.57))])
+def test_what_stands_between_millimetres_is_come_to_beside_what_is_placed(
+    size: tuple[float, float], z: float, table: tuple[float, float]
+) -> None:
+    """A person before an armchair stands with the middle within its front, which is shorter than the millimetres around it."""
+    door = replace(DOOR, position=size[0] - 0.5, main_entrance=False)
+    chair = Furniture("chair", "armchair", x=0.4, z=z, rotation=90, width=0.8, depth=0.8, height=0.8)
+    room = Room("den", width=size[0], depth=size[1], openings=(door,), furniture=(chair,))
+    answer = place(room, [PieceRequest("coffee_table", width=table[0], depth=table[1], height=0.4)])
+    assert not answer.best.unplaced
+    assert errors(answer.best.scene) == errors(Scene(rooms=(room,)))

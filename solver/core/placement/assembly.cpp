@@ -114,6 +114,7 @@ static void add_attached(const Room& room, const Work& work, i64 piece, i64 cand
 // Adds the person's square at a use side: touching it, its centre sliding along the side.
 static void add_stand(const Room& room, const Work& work, i64 piece, i64 side) {
   const SpaceRow& space = *room.space.data;
+  const i64 inset = room.sides[work.taken_side[piece]].inset;
   const i64 size = space.robot;
   const Part& body = work.parts[work.body_part[piece]];
   const Wall wall = facing(side, work.rotation[piece]);
@@ -129,8 +130,8 @@ static void add_stand(const Room& room, const Work& work, i64 piece, i64 side) {
   narrow(work, normal, body.variable[normal], space.low[normal] - offset, space.high[normal] - size - offset);
   const i64 start = body.offset[along], extent = body.extent[along], v = body.variable[along];
   const i64 own = add_variable(work, along, space.low[along], space.high[along] - size);
-  add_row(work, {along, v, own, start - floor_div(size, 2)});
-  add_row(work, {along, own, v, size - floor_div(size, 2) - extent - start});
+  add_row(work, {along, v, own, start + inset - floor_div(size, 2)});
+  add_row(work, {along, own, v, size - floor_div(size, 2) - extent - start + inset});
   add_pull(work, {along, v, own}, {static_cast<f64>(2 * start + extent - size) / 2000, STAND_WEIGHT});
   part.variable[along] = own;
   part.offset[along] = 0;

@@ -10,6 +10,7 @@ constexpr u64 ALL = ~0ULL;
 // Adds where the person's centre may be while it touches a side of a piece that stands between low and high.
 static void add_side_target(
     const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high, i64 piece, i64 side) {
+  const i64 inset = 2 * room.sides[work.taken_side[piece]].inset;
   const Wall wall = facing(side, work.rotation[piece]);
   const Part& body = work.parts[work.body_part[piece]];
   const i64 robot = room.space->robot;
@@ -21,8 +22,8 @@ static void add_side_target(
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 first = 2 * (low.at(axis, body.variable[axis]) + body.offset[axis]);
     const i64 last = 2 * (high.at(axis, body.variable[axis]) + body.offset[axis]);
-    target.low[axis] = axis == normal ? first + shift : first;
-    target.high[axis] = axis == normal ? last + shift : last + 2 * body.extent[axis];
+    target.low[axis] = axis == normal ? first + shift : first + inset;
+    target.high[axis] = axis == normal ? last + shift : last + 2 * body.extent[axis] - inset;
   }
 }
 

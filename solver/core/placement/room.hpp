@@ -56,9 +56,10 @@ struct PieceRow {
   i64 empty;
 };
 
-// A choice of use sides, as bits: which get a stand; without one, of which any and of which all must be reached.
+// A choice of use sides, as bits: which get a stand; without one, of which any and of which all must be reached. So much of either end of
+// a side does not count, mm.
 struct SidesRow {
-  i64 stands, any_of, all_of;
+  i64 stands, any_of, all_of, inset = 0;
 };
 
 // One way for a piece to stand: free in a rectangle, flush at a wall, or at a slot of a parent.
@@ -125,7 +126,7 @@ inline i64 sides_of(i64 decision) { return decision & 7; }
 constexpr u64 mixed(u64 hash, i64 number) { return (hash ^ static_cast<u64>(number)) * 0x9E3779B97F4A7C15ULL; }
 
 static_assert(sizeof(SpaceRow) == 10 * 8 && sizeof(Zone) == 6 * 8 && sizeof(Door) == 4 * 8 && sizeof(PieceRow) == 9 * 8);
-static_assert(sizeof(SidesRow) == 3 * 8 && sizeof(CandidateRow) == 24 * 8 && sizeof(CandidateCost) == 3 * 8);
+static_assert(sizeof(SidesRow) == 4 * 8 && sizeof(CandidateRow) == 24 * 8 && sizeof(CandidateCost) == 3 * 8);
 static_assert(sizeof(LinkRow) == 4 * 8 && sizeof(LinkCost) == 5 * 8);
 
 }  // namespace placement
