@@ -2,6 +2,7 @@
 
 #include "placement/beside.hpp"
 #include "placement/grow.hpp"
+#include "placement/memo.hpp"
 #include "placement/options.hpp"
 
 namespace placement {
@@ -155,16 +156,23 @@ static Fate add_group(
   return join_by_move(engine, decisions, costs, group, walk) ? PLACED : NO_WAY;
 }
 
-// Adds the optional pieces to the decisions of the required ones.
-static void fill(
-    const Engine& engine, const Decisions& decisions, Costs& costs, const Span<i64>& fates, const RoomLimits& limits, bool walk) {
-  engine.tree.counters->moves_left = limits.moves;
-  for (i64 piece = 0, end; piece < decisions.size; piece = end) {
-    end = engine.room.pieces[piece].group_end;
+RoomReport fill_room(
+    const Engine& engine, const Decisions& decisions, Filling& filling, const Span<i64>& fates, const RoomLimits& limits, bool walk) {
+  const i64& solved = engine.tree.counters->solved_qps;
+  Costs& costs = filling.costs;
+  while (filling.next < decisions.size) {
+    const i64 piece = filling.next;
+    filling.next = engine.room.pieces[piece].group_end;
     if (engine.room.pieces[piece].required) continue;
-    const Fate fate = add_group(engine, decisions, costs, {piece, end}, limits, walk);
-    for (i64 member = piece; member < end; member++) fates[member] = fate;
+    const Fate fate = add_group(engine, decisions, costs, {piece, filling.next}, limits, walk);
+    for (i64 member = piece; member < filling.next; member++) fates[member] = fate;
+    if (fate != PLACED && is_hopeless(engine.room, decisions, filling.next, engine.memo)) {
+      engine.nodes.result->found = 0;
+      return {1, filling.closed, 0, solved};
+    }
   }
+  evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + NO_DEARER, walk);
+  return {1, filling.closed, engine.nodes.result->exhausted, solved};
 }
 
 RoomReport arrange_room(
@@ -176,15 +184,16 @@ RoomReport arrange_room(
   for (i64& fate : fates) fate = PLACED;
   counters.solved_qps = 0;
   begin_empty(engine.tree);
-  Costs costs = NOTHING_SPENT;
+  Filling filling = {NOTHING_SPENT, 1, 0};
   const SearchLimits own = {limits.required, limits.required_qps, MANY, 1};
-  if (required > 0 && !join(engine, decisions, costs, {0, required}, own, walk)) {
-    return {0, counters.closed, 0, counters.solved_qps};
+  if (required > 0) {
+    if (!join(engine, decisions, filling.costs, {0, required}, own, walk)) return {0, counters.closed, 0, counters.solved_qps};
+    filling.closed = counters.closed;
   }
-  const i64 closed = required > 0 ? counters.closed : 1;
-  fill(engine, decisions, costs, fates, limits, walk);
-  evaluate_all(engine, decisions, limits.final_qps, costs.all - costs.preferences + NO_DEARER, walk);
-  return {1, closed, engine.nodes.result->exhausted, counters.solved_qps};
+  counters.moves_left = limits.moves;
+  const RoomReport report = fill_room(engine, decisions, filling, fates, limits, walk);
+  if (engine.memo != nullptr) engine.memo->filling = filling;
+  return report;
 }
 
 }  // namespace placement

@@ -24,6 +24,12 @@ struct RoomReport {
   i64 complete, closed, proven, solves;
 };
 
+// How far a room is filled: what stands costs so much, the required pieces' arrangement is exact or not, the first piece to decide.
+struct Filling {
+  Costs costs;
+  i64 closed, next;
+};
+
 // Arranges a whole room: required pieces, optional pieces, and a final search over all choices.
 //
 //   engine: the final placement is left in `work` and `nodes`.
@@ -32,5 +38,9 @@ struct RoomReport {
 //   walk: whether doors and use sides must be joined.
 RoomReport arrange_room(
     const Engine& engine, const Decisions& decisions, const Span<i64>& fates, const RoomLimits& limits, bool walk);
+
+// Goes on with a room whose required pieces stand. Where the engine's memo gives it up, nothing is found, and `filling` says how far it is.
+RoomReport fill_room(
+    const Engine& engine, const Decisions& decisions, Filling& filling, const Span<i64>& fates, const RoomLimits& limits, bool walk);
 
 }  // namespace placement

@@ -34,9 +34,31 @@ Standing best_standing(const Room& room) {
   return found;
 }
 
+Standing standing(const Room& room, const Decisions& decisions, i64 decided, f64 cost) {
+  Standing found = {0, 0.0, cost};
+  for (i32 k = 0; k < room.pieces.size; k++) {
+    if (k < decided && decisions[k] == ABSENT) {
+      found.cost += room.skip_costs[k];
+    } else if (room.pieces[k].required) {
+      found.required += room.pieces[k].empty == 0;
+    } else if (room.pieces[k].empty == 0) {
+      found.worth += room.skip_costs[k];
+    }
+  }
+  return found;
+}
+
 bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual) {
   if (wide.required < usual.required || wide.worth < margin.worth * usual.worth) return false;
   return wide.cost <= usual.cost + margin.most;
+}
+
+bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, Memo* memo) {
+  if (memo == nullptr || memo->margin == nullptr) return false;
+  if (!memo->complete && memo->closed == 0) return false;  // no wider way made a difference so far: it may be the usual room
+  memo->hoped = standing(room, decisions, decided, 0.0);
+  memo->given_up = !is_worth(*memo->margin, memo->hoped, memo->rival);
+  return memo->given_up;
 }
 
 // Where in the table what is asked may be; the ceiling is compared where the decisions are the same.

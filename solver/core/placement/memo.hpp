@@ -2,7 +2,7 @@
 // Where narrower ones are asked for, or none, the search for the same decisions goes the same way: it need not be made again.
 #pragma once
 
-#include "placement/engine.hpp"
+#include "placement/fill.hpp"
 
 namespace placement {
 
@@ -38,6 +38,11 @@ struct Memo {
   Span<i32> table;       // numbers of notes, by their hashes
   Span<f64> places;      // where the variables are, one note behind the other, m
   i64 placed;
+  const WayMargin* margin;  // of wider ways that are looked for beside a rival, or null
+  Standing rival;
+  bool given_up;  // whether the room was left, as it cannot be worth these ways whatever its pieces to come do
+  Standing hoped;  // what it comes to at best
+  Filling filling;  // and how far the last room is
 };
 
 Memo* new_memo(const Room& room);
@@ -45,8 +50,14 @@ Memo* new_memo(const Room& room);
 // What no placement surpasses: all pieces stand, and each costs what it does at least.
 Standing best_standing(const Room& room);
 
+// What a room comes to that costs so much beside what its first `decided` pieces leave out, with all the others.
+Standing standing(const Room& room, const Decisions& decisions, i64 decided, f64 cost);
+
 // Tells whether a room with wider ways is worth what it costs more than without.
 bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual);
+
+// Tells whether a room whose first pieces are decided is to be left: what stands beside it is surely needed, and surely better.
+bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, Memo* memo);
 
 // Notes an evaluation of which no placement closed the ways.
 void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, const Effort& effort);

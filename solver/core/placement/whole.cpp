@@ -73,6 +73,25 @@ static NumberedRoom without_required(const NumberedRoom& from, i64 piece) {
   return left;
 }
 
+// Notes what came of a room that is arranged.
+static void conclude(WholeRoom& found, const RoomReport& report, bool sure, const RoomLimits& limits) {
+  found.complete = report.complete;
+  if (!found.complete || !found.desk->engine.nodes.result->found) find_again(*found.desk, limits.required_qps, found.walk);
+  found.proven = found.complete && report.proven && sure;
+  found.best = found.complete && report.closed && found.left_out.size() == 0;
+}
+
+// Goes on with a room that was given up beside another rival.
+static void go_on(WholeRoom& found, const RoomLimits& limits, Memo* memo) {
+  Desk& desk = *found.desk;
+  memo->given_up = false;
+  desk.engine.memo = memo;
+  const RoomReport report = fill_room(desk.engine, desk.decisions, memo->filling, desk.fates, limits, true);
+  desk.engine.memo = nullptr;
+  found.solves = report.solves;
+  if (!memo->given_up) conclude(found, report, true, limits);
+}
+
 // The same as `arrange_whole`; what all pieces' ways come to is noted in the memo, or recalled from it.
 static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget, bool walk, Memo* memo) {
   NumberedRoom asked = numbered(room);
@@ -123,11 +142,7 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     mark = arena::mark();
     found.desk = desk_for(asked);
   }
-  const Engine& engine = found.desk->engine;
-  found.complete = report.complete;
-  if (!found.complete || !engine.nodes.result->found) find_again(*found.desk, limits.required_qps, found.walk);
-  found.proven = found.complete && report.proven && sure;
-  found.best = found.complete && report.closed && found.left_out.size() == 0;
+  if (memo == nullptr || !memo->given_up) conclude(found, report, sure, limits);
   return found;
 }
 
@@ -140,18 +155,7 @@ static bool is_walked_in(const WholeRoom& whole) { return whole.walk && whole.de
 static Standing standing_in(const WholeRoom& whole) {
   const Engine& engine = whole.desk->engine;
   const Decisions& decisions = whole.desk->decisions;
-  const Room& room = engine.room;
-  Standing found = {0, 0.0, engine.nodes.best_cost[0] + total_preference(room, decisions)};
-  for (i32 k = 0; k < room.pieces.size; k++) {
-    if (decisions[k] == ABSENT) {
-      found.cost += room.skip_costs[k];
-    } else if (room.pieces[k].required) {
-      found.required += room.pieces[k].empty == 0;
-    } else if (room.pieces[k].empty == 0) {
-      found.worth += room.skip_costs[k];
-    }
-  }
-  return found;
+  return standing(engine.room, decisions, decisions.size, engine.nodes.best_cost[0] + total_preference(engine.room, decisions));
 }
 
 // The same room with ways between its doors that are wider than its person.
@@ -166,28 +170,43 @@ static Room with_ways(Room room, i64 wider) {
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent) {
   const auto arranged = [&](const Room& asked, const RoomLimits& own, Memo* memo) {
     f64 left = budget;
+    if (memo != nullptr) memo->given_up = false;
     const WholeRoom found = arrange_whole(asked, own, left, true, memo);
     spent += budget - left;
     return found;
   };
   if (room.doors.size < 2) return arranged(room, limits, nullptr);
   Memo* memo = new_memo(room);
+  memo->margin = MARGINS;
+  memo->rival = best_standing(room);
   // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
   WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
   memo->complete = true;
   wide.ways = room.space->robot + MARGINS[0].wider;
   if (is_walked_in(wide)) {
     const bool is_usual = wide.best && memo->closed == 0;  // no wider way made a difference
-    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing_in(wide), best_standing(room)))) return wide;
+    if (is_usual || (wide.proven && is_worth(MARGINS[0], standing_in(wide), memo->rival))) return wide;
   }
+  const bool given_up = memo->given_up;
+  const Filling filling = memo->filling;
+  memo->margin = nullptr;
   const WholeRoom usual = arranged(room, limits, memo);
   if (!is_walked_in(usual)) return usual;
+  memo->rival = standing_in(usual);
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
-    if (margin.wider != MARGINS[0].wider) wide = arranged(with_ways(room, margin.wider), MARGIN_LIMITS, memo);
+    memo->margin = &margin;
+    if (margin.wider != MARGINS[0].wider) {
+      wide = arranged(with_ways(room, margin.wider), MARGIN_LIMITS, memo);
+    } else if (given_up && is_worth(margin, memo->hoped, memo->rival)) {
+      const f64 left = wide.desk->engine.tree.budget[0];
+      memo->filling = filling;
+      go_on(wide, MARGIN_LIMITS, memo);
+      spent += left - wide.desk->engine.tree.budget[0];
+    }
     wide.ways = room.space->robot + margin.wider;
     const bool stands = is_walked_in(wide) && (wide.proven || !usual.proven);
-    if (stands && is_worth(margin, standing_in(wide), standing_in(usual))) return wide;
+    if (stands && is_worth(margin, standing_in(wide), memo->rival)) return wide;
     arena::release(mark);
   }
   return usual;
