@@ -34,8 +34,7 @@ class Entity:
 
 class _Field(NamedTuple):
     name: str
-    is_word: bool
-    """Its values are words of an enumeration."""
+    text: Callable[[Any], str]
     empty: str
     """How it is written where nothing is given."""
 
@@ -57,7 +56,7 @@ class StepFile:
             ValueError: such an entity has no field of a name.
         """
         known = self._fields.get(kind) or self._fields.setdefault(kind, self._fields_of(kind))
-        written = [one.empty if (value := fields.get(one.name)) is None else f".{value}." if one.is_word else _text(value) for one in known]
+        written = [one.empty if (value := fields.get(one.name)) is None else one.text(value) for one in known]
         if unknown := fields.keys() - {one.name for one in known}:
             raise ValueError(f"{kind} has no {', '.join(sorted(unknown))}")
         made = Entity(kind, f"#{len(self._lines) + 1}", fields)
@@ -67,7 +66,7 @@ class StepFile:
     def _fields_of(self, kind: str) -> list[_Field]:
         entity: Any = self._schema.declaration_by_name(kind).as_entity()
         return [
-            _Field(one.name(), _is_enumeration(one.type_of_attribute()), "*" if is_derived else "$")
+            _Field(one.name(), _text_of(one.type_of_attribute()), "*" if is_derived else "$")
             for one, is_derived in zip(entity.all_attributes(), entity.derived(), strict=True)
         ]
 
@@ -82,9 +81,14 @@ def value_of(kind: str, value: object) -> Entity:
     return Entity(kind, f"{kind.upper()}({_text(value)})", {})
 
 
-def _is_enumeration(kind: Any) -> bool:
-    named = kind.as_named_type()
-    return bool(named and named.declared_type().as_enumeration_type())
+def _text_of(kind: Any) -> Callable[[Any], str]:
+    """Returns what writes a field of a type of the schema: values alone tell neither words of an enumeration nor whole numbers."""
+    named, simple = kind.as_named_type(), kind.as_simple_type()
+    if named and named.declared_type().as_enumeration_type():
+        return ".{}.".format
+    if named and (of := named.declared_type().as_type_declaration()):
+        return _text_of(of.declared_type())
+    return _real if simple and simple.declared_type() in ("real", "number") else _text
 
 
 def _text(value: object) -> str:
@@ -93,7 +97,7 @@ def _text(value: object) -> str:
 
 
 def _real(value: float) -> str:
-    digits, mark, power = repr(value).removesuffix(".0").partition("e")
+    digits, mark, power = repr(float(value)).removesuffix(".0").partition("e")
     return f"{digits}{'' if '.' in digits else '.'}{mark.upper()}{power}"
 
 
@@ -102,7 +106,8 @@ def _string(value: str) -> str:
 
 
 def _escaped(found: re.Match[str]) -> str:
-    return "\\X4\\" + found[0].encode("utf-32-be").hex().upper() + "\\X0\\"
+    mark, form = ("X2", "utf-16-be") if max(found[0]) <= "\uffff" else ("X4", "utf-32-be")
+    return f"\\{mark}\\{found[0].encode(form).hex().upper()}\\X0\\"
 
 
 def _list(values: Sequence[object]) -> str:
