@@ -15,6 +15,8 @@ from solver.exports.paints import srgb
 from solver.exports.solid_meshes import surface_of
 from solver.exports.step_file import Entity, StepFile, value_of
 
+LABEL: Final = 255
+"""How many letters an IfcLabel has at most, such as a name."""
 _ROUND: Final = 6
 """Decimals of a metre that are written."""
 
@@ -162,7 +164,8 @@ class IfcPieces:
             return value_of(*value)
         if isinstance(value, bool):
             return value_of("IfcBoolean", value)
-        return value_of("IfcLabel" if len(str(value)) <= 255 else "IfcText", printable(str(value)))
+        words = str(value)
+        return value_of("IfcLabel" if len(words) <= LABEL else "IfcText", printable(words, len(words)))
 
 
 @lru_cache(maxsize=1 << 11)
@@ -175,6 +178,6 @@ def _triangles(part: BodyPart) -> tuple[list[tuple[float, float, float]], list[t
     return list(numbers), [triangle for triangle in triangles if len(set(triangle)) == 3]
 
 
-def printable(words: str) -> str:
-    """Returns words that an IFC file holds and gives back: no half of a pair of surrogates."""
-    return words.encode("utf-8", "replace").decode()
+def printable(words: str, most: int = LABEL) -> str:
+    """Returns words that an IFC file holds and gives back: no half of a pair of surrogates, and `most` letters of names."""
+    return words.encode("utf-8", "replace").decode()[:most]

@@ -91,9 +91,10 @@ def _text_of(kind: Any) -> Callable[[Any], str]:
     return _real if simple and simple.declared_type() in ("real", "number") else _text
 
 
-def _text(value: object) -> str:
-    """Returns a value as files have it."""
-    return _WRITTEN[type(value)](value)
+def _text(value: Any) -> str:
+    """Returns a value as files have it, a number of numpy's as that of Python which it is."""
+    written = _WRITTEN.get(type(value))
+    return written(value) if written else _text(value.item())
 
 
 def _real(value: float) -> str:

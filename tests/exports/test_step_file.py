@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import ifcopenshell
+import numpy as np
 import pytest
 
 from solver.exports.step_file import StepFile, value_of
@@ -30,6 +34,15 @@ def test_what_is_written_is_read_back() -> None:
     assert (unit.UnitType, unit.Prefix, unit.Name) == ("MASSUNIT", "KILO", "GRAM")
     assert read.header.file_name.name == "a 'file'.ifc"
     assert read.schema == "IFC4"
+
+
+@pytest.mark.parametrize("number", [int, float, np.float32, np.int64], ids=lambda one: one.__name__)
+def test_reals_are_written_as_reals_whatever_they_come_as(number: Callable[[int], Any]) -> None:
+    file = StepFile("IFC4")
+    file.new("IfcDoor", OverallHeight=number(2), OverallWidth=number(1))
+    file.new("IfcCartesianPoint", Coordinates=(number(2) + 0.0, 0.5))
+    assert "((2.,0.5))" in file.text("a.ifc", "DesignTransferView", "")
+    assert ",2.,1.," in file.text("a.ifc", "DesignTransferView", "")
 
 
 def test_a_field_that_an_entity_has_not_is_refused() -> None:
