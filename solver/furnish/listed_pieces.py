@@ -16,7 +16,7 @@ from solver.core import ask
 from solver.furnish.compiled_types import KindTables
 from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
 from solver.furnish.habits import Habits
-from solver.pieces import Candidate, Piece, Placed, Space, Stance
+from solver.pieces import Candidate, Piece, Placed, Space, Stance, Zone
 from solver.relations.subject import Kind
 from solver.requested import PieceRequest
 from solver.scene import WALL_NUMBERS, Room
@@ -58,11 +58,12 @@ class Listing:
     """What is asked for in a room, each piece after those its relations refer to; a relation to a later one is left to the caller.
 
     `kinds` are theirs and those of what stands already, by id; `habits` say where those stand best that say nothing of it; `there` stands
-    already, one candidate each.
+    already, one candidate each. `zones` are the room's own: their edges are walls, those of what stands, which `space` may have, are not.
     """
 
     room: Room
     space: Space
+    zones: tuple[Zone, ...]
     requests: Sequence[PieceRequest]
     kinds: Mapping[str, Kind]
     habits: Habits
@@ -156,7 +157,7 @@ class _ListTables(KindTables):
             rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, *_FREE[:1], WALL_NUMBERS[None]))
         for kind in listing.kinds.values():
             self._added("kind", [kind], lambda kind: self._kind_row(kind, (0, 0), 0))
-        room = room_rows(listing.room, listing.space, 0.0, 0)
+        room = room_rows(listing.room, replace(listing.space, zones=listing.zones), 0.0, 0)
         labels = [*(piece.label for piece in there), *listing.listed]
         return _Rows(self._packed(len(self._words), False, 0), room, b"".join(rows), len(there), labels)
 

@@ -131,10 +131,11 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     frame = frame_of(room, kinds.values(), tucked, (spec for _, spec in relations))
     inside = frame.room(room)
     entrances = {name for _, name in entrances_of((inside,))}
-    space, there = obstacles(inside, replace(setting.space_in(inside), closed=not entrances), catalogs, entrances)
+    empty = replace(setting.space_in(inside), closed=not entrances)
+    space, there = obstacles(inside, empty, catalogs, entrances)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
-    listing = Listing(inside, space, in_order(wanted, goes_to), kinds, habits, there)
+    listing = Listing(inside, space, empty.zones, in_order(wanted, goes_to), kinds, habits, there)
     framed, bare = _bare(inside, space, by_label, names), _bare(room, own, by_label, names)
     return PlaceTask(room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listing, by_label, words)
 

@@ -141,3 +141,16 @@ def test_what_stands_between_millimetres_is_come_to_beside_what_is_placed(
     answer = place(room, [PieceRequest("coffee_table", width=table[0], depth=table[1], height=0.4)])
     assert not answer.best.unplaced
     assert errors(answer.best.scene) == errors(Scene(rooms=(room,)))
+
+
+def test_what_stands_is_no_wall_for_what_stands_at_walls_though_nobody_can_walk_beside_it() -> None:
+    walls = (("north", 2.2), ("south", 2.2), ("east", 2.3), ("west", 2.3))
+    windows = tuple(Opening(wall, "window", wall, long / 2, long - 0.1, 1.5, sill=0.2, connects_to="EXTERIOR") for wall, long in walls)
+    crates = tuple(
+        Furniture(f"crate_{k}", "crate", x=1.1, z=z, width=wide, depth=deep, height=1.0)
+        for k, (z, wide, deep) in enumerate([(0.85, 1.1, 1.1), (2.05, 2.2, 0.5)])
+    )
+    room = Room("den", width=2.2, depth=2.3, openings=windows, furniture=crates)
+    answer = place(room, [PieceRequest("bookshelf", width=0.6, depth=0.25)])
+    assert [piece.id for piece in answer.best.scene.rooms[0].furniture] == ["crate_0", "crate_1"]
+    assert [one.id for one in answer.best.unplaced] == ["bookshelf"]
