@@ -118,10 +118,11 @@ class Space:
 
 
 class Stance(NamedTuple):
-    """What of a piece's pose its neighbours' candidates may depend on: its rotation, and the wall at its back."""
+    """What of a piece's pose its neighbours' candidates may depend on: its rotation, the wall at its back, how high it stands."""
 
     rotation: int
     wall: str | None = None
+    bottom_mm: int = 0
 
 
 class Attach(NamedTuple):

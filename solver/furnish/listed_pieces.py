@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
+from math import inf
 from operator import attrgetter
 from struct import Struct
 from typing import Final, NamedTuple
@@ -16,6 +17,7 @@ from solver.core import ask
 from solver.furnish.compiled_types import KindTables
 from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
 from solver.furnish.habits import Habits
+from solver.geometry import to_mm
 from solver.pieces import Candidate, Piece, Placed, Space, Stance, Zone
 from solver.relations.subject import Kind
 from solver.requested import PieceRequest
@@ -68,6 +70,8 @@ class Listing:
     kinds: Mapping[str, Kind]
     habits: Habits
     there: Sequence[Piece]
+    ceiling: float | None = None
+    """How high the room is, m, where that is known."""
 
     @cached_property
     def listed(self) -> Mapping[str, PieceRequest]:
@@ -87,7 +91,7 @@ class Listing:
 
     def between(self, placed: Sequence[Placed], loose: Collection[str]) -> tuple[Piece, ...]:
         """Returns the few, those labelled so with further candidates: where all their relations hold with the rest as it stands."""
-        made = self._pieces(answer_of(self._asked(every=False, placed=placed, loose=loose)))
+        made = self._pieces(answer_of(self._asked(every=False, placed=placed, loose=loose)), self.few.pieces)
         further = {piece.label: piece.candidates for piece in made}
         ways = ((*further.get(piece.label, ()), *piece.candidates) for piece in self.few.pieces)
         return tuple(replace(piece, candidates=tuple(sorted(own, key=_COST))) for piece, own in zip(self.few.pieces, ways, strict=True))
@@ -110,31 +114,46 @@ class Listing:
     def _with(self, data: bytes) -> ListedPieces:
         answer, labels = answer_of(data), self._rows.labels
         unpaid = [(labels[piece], self.relations(labels[piece])[rule]) for piece, rule in answer.counted]
-        return ListedPieces((*self.there, *self._pieces(answer)), _SURE.unpack_from(data)[0], unpaid)
+        return ListedPieces((*self.there, *self._pieces(answer, self.there)), _SURE.unpack_from(data)[0], unpaid)
 
-    def _pieces(self, answer: Answer) -> list[Piece]:
+    def _pieces(self, answer: Answer, known: Sequence[Piece]) -> list[Piece]:
         labels, kinds = self._rows.labels, [*self.kinds.values()]
         candidates, links = (candidate_of(row, kinds, labels) for row in answer.candidates), iter(links_of(answer, labels))
-        pieces, heights = list[Piece](), {piece.label: piece.candidates[0].bottom_mm for piece in self.there}
+        pieces, stances = list[Piece](), {piece.label: _stances(piece.candidates) for piece in known}
+        most = inf if self.ceiling is None else to_mm(self.ceiling)
         for at, _, number, ways, bonds, _, required, _, skip_cost in answer.pieces:
-            own, kind = (tuple(_raised(islice(candidates, ways), heights)), tuple(islice(links, bonds))), kinds[number]
-            heights[labels[at]] = min((way.bottom_mm for way in own[0]), default=0)
+            raised = _raised(islice(candidates, ways), stances)
+            own, kind = tuple(way for way in raised if way.bottom_mm + way.size_mm[2] <= most), kinds[number]
+            stances.setdefault(labels[at], _stances(own))
             only = kind.name, kind.size
-            pieces.append(Piece(labels[at], bool(required), *own, kind.stands, kind.need_all, skip_cost=skip_cost, only=only))
+            bound = tuple(islice(links, bonds))
+            pieces.append(Piece(labels[at], bool(required), own, bound, kind.stands, kind.need_all, skip_cost=skip_cost, only=only))
         return pieces
 
 
-def _raised(ways: Iterable[Candidate], heights: Mapping[str, int]) -> Iterator[Candidate]:
-    """Yields the ways of a piece, those on another one higher by where that stands, by label."""
+def _stances(ways: Iterable[Candidate]) -> Sequence[Stance]:
+    """Returns how ways stand, each once."""
+    return [*dict.fromkeys(way.stance for way in ways if way.stance)]
+
+
+def _raised(ways: Iterable[Candidate], stances: Mapping[str, Sequence[Stance]]) -> Iterator[Candidate]:
+    """Yields the ways of a piece, those at another one, by label, once for each height at which that stands so: on it, as much higher."""
     for way in ways:
-        height = heights.get(way.on or "", 0)
-        yield replace(way, bottom_mm=way.bottom_mm + height) if height else way
+        attach = way.attach
+        if attach is None or attach.parent_stance is None or way.stance is None:
+            yield way
+            continue
+        for stance in stances[attach.parent]:
+            if stance[:2] == attach.parent_stance[:2]:
+                bottom = way.bottom_mm + (stance.bottom_mm if way.on else 0)
+                at = attach._replace(parent_stance=stance)
+                yield replace(way, attach=at, bottom_mm=bottom, stance=way.stance._replace(bottom_mm=bottom))
 
 
 def _stands_row(placed: Placed | None, is_loose: bool) -> bytes:
     """Returns where a piece stands, and how, as a row."""
     stance = placed.chosen.stance if placed else None
-    rotation, wall = stance or _FREE
+    rotation, wall, _ = stance or _FREE
     return _STANDS.pack(*(placed.footprint if placed and stance else _NOWHERE), rotation, WALL_NUMBERS[wall], is_loose)
 
 
@@ -148,13 +167,13 @@ class _ListTables(KindTables):
         rows = []
         for piece in there:
             way, word = piece.candidates[0], self._word(piece.label)
-            rotation, wall = way.stance or _FREE
+            rotation, wall, _ = way.stance or _FREE
             rows.append(_ASKED.pack(word, word, number[piece.label], 1, 0, 0, *(way.within or _NOWHERE), rotation, WALL_NUMBERS[wall]))
         for label, request in listing.listed.items():
             rules = self._added("rule", listing.relations(label), self._rule)
             words = self._word(label), self._word(request.id)
             cell = listing.habits.cells.get(label, _NOWHERE)
-            rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, *_FREE[:1], WALL_NUMBERS[None]))
+            rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, _FREE.rotation, WALL_NUMBERS[None]))
         for kind in listing.kinds.values():
             self._added("kind", [kind], lambda kind: self._kind_row(kind, (0, 0), 0))
         room = room_rows(listing.room, replace(listing.space, zones=listing.zones), 0.0, 0)

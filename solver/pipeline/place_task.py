@@ -120,7 +120,8 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     sent = checked(room, requests, catalogs, ceiling)
     kinds = kinds_of(room, sent, catalogs)
     if ceiling is not None:
-        kinds = {name: kind.below(to_mm(ceiling)) for name, kind in kinds.items()}
+        bottoms = {one.id: one.y for one in room.furniture}
+        kinds = {name: kind.below(to_mm(ceiling - bottoms.get(name, 0.0))) for name, kind in kinds.items()}
     kinds = {name: replace(kind, at_walls=False) if name in setting.roaming else kind for name, kind in kinds.items()}
     wanted = sent if as_sent else by_content(sent, kinds)
     names = labels_by_name(room, wanted)
@@ -135,7 +136,7 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     space, there = obstacles(inside, empty, catalogs, entrances)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
-    listing = Listing(inside, space, empty.zones, in_order(wanted, goes_to), kinds, habits, there)
+    listing = Listing(inside, space, empty.zones, in_order(wanted, goes_to), kinds, habits, there, ceiling)
     framed, bare = _bare(inside, space, by_label, names), _bare(room, own, by_label, names)
     return PlaceTask(room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listing, by_label, words)
 

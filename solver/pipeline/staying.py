@@ -214,7 +214,7 @@ def obstacles(room: Room, space: Space, catalogs: Catalogs, entrances: Collectio
 def _held(body: Body, named: set[str], use: tuple[tuple[Side, ...], bool]) -> Piece:
     """Returns a body as a piece that stays as it stands; `use` tells its use sides, and whether all are needed."""
     way = as_it_stands(body)
-    way = replace(way, kind=body.name, stance=Stance(way.rotation))
+    way = replace(way, kind=body.name, stance=Stance(way.rotation, bottom_mm=way.bottom_mm))
     if not isinstance(body, Furniture):
         return Piece(body.id, True, (way,), is_there=True)
     under, on = (label if label in named else None for label in (body.under, body.on))

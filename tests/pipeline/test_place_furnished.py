@@ -154,3 +154,31 @@ def test_what_stands_is_no_wall_for_what_stands_at_walls_though_nobody_can_walk_
     answer = place(room, [PieceRequest("bookshelf", width=0.6, depth=0.25)])
     assert [piece.id for piece in answer.best.scene.rooms[0].furniture] == ["crate_0", "crate_1"]
     assert [one.id for one in answer.best.unplaced] == ["bookshelf"]
+
+
+def onto(carrier: str, required: bool = True) -> tuple[RelationSpec, ...]:
+    return (RelationSpec(type="on", of=(carrier,), required=required),)
+
+
+@pytest.mark.parametrize("height", [2.5, 3.0])
+def test_nothing_is_put_through_the_ceiling_onto_what_stands_raised(height: float) -> None:
+    hung = Furniture("hung", "sideboard", x=2.0, z=0.3, y=1.9, width=1.6, depth=0.44, height=0.4)
+    table = Furniture("table", "dining_table", x=2.0, z=2.0, width=1.6, depth=0.9, height=0.75)
+    room = Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(hung, table))
+    box = PieceRequest("box", "crate", 0.6, 0.6, 1.5, relations=onto("table"))
+    plants = [PieceRequest(f"plant_{on}", "plant", 0.2, 0.2, 0.3, relations=onto(on)) for on in ("hung", "box")]
+    answer = place(room, [box, *plants], height=height)
+    stands = {one.id: one.y for one in answer.best.scene.rooms[0].furniture if one.on or one.id.startswith("plant")}
+    assert stands == {"box": 0.75} | ({} if height == 2.5 else {"plant_hung": 2.3, "plant_box": 2.25})
+    assert errors(answer.best.scene) == set()
+
+
+@pytest.mark.parametrize("width", [0.4, 1.7])
+def test_things_stand_as_high_as_what_carries_them_wherever_that_goes(width: float) -> None:
+    table = Furniture("table", "dining_table", x=2.0, z=2.0, width=1.6, depth=0.9, height=0.75)
+    room = Room("den", width=4.0, depth=4.0, openings=(DOOR,), furniture=(table,))
+    box = PieceRequest("box", "crate", width, 0.4, 0.5, relations=onto("table", required=False))
+    answer = place(room, [box, PieceRequest("plant", "plant", 0.2, 0.2, 0.3, relations=onto("box"))])
+    heights = {one.id: one.y for one in answer.best.scene.rooms[0].furniture}
+    assert heights == {"table": 0.0, "box": 0.75, "plant": 1.25} if width == 0.4 else {"table": 0.0, "box": 0.0, "plant": 0.5}
+    assert errors(answer.best.scene) == set()
