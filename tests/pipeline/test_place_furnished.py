@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 from random import Random
 
 import pytest
@@ -13,6 +14,7 @@ from catalogs.schema import RelationSpec
 from solver import place
 from solver.pieces import Piece, Space
 from solver.placement import walkable_when_empty
+from solver.placement.budget import work_of_call
 from solver.requested import PieceRequest
 from solver.scene import Furniture, Opening, Room, Scene
 from solver.validator import validate
@@ -113,6 +115,19 @@ def test_where_nobody_comes_in_one_walks_where_most_floor_is_once_all_stands(
     room = Room("den", width=size[0], depth=size[1], openings=doors, furniture=tuple(pieces))
     answer = place(room, [PieceRequest(name) for name in wanted])
     assert errors(answer.best.scene) - errors(Scene(rooms=(room,))) == set()
+
+
+def test_a_room_in_which_nobody_comes_in_is_no_more_work_where_not_all_fits() -> None:
+    steps = ((5.02, 7.26), (1.84, 7.26), (1.84, 1.69), (0.0, 1.69), (0.0, 0.0), (3.52, 0.0), (3.52, 5.57), (5.02, 5.57))
+    windows = tuple(
+        Opening(f"window_{edge}", "window", edge=edge, position=at, width=wide, height=1.2, sill=0.9, connects_to="EXTERIOR")
+        for edge, at, wide in ((0, 1.18, 1.0), (4, 2.48, 1.3))
+    )
+    wanted = ("car", "table_saw", "small_bed", "garden_shed", "floor_lamp", "office_chair")
+    with work_of_call(inf) as work:
+        answer = place(Room("den", width=5.02, depth=7.26, outline=steps, openings=windows), [PieceRequest(name) for name in wanted])
+    assert {one.id for one in answer.best.unplaced} == {"car", "garden_shed"}
+    assert work.done < 200_000
 
 
 def test_what_stands_at_walls_may_stand_at_inner_edges_of_an_outline_where_windows_take_the_others() -> None:

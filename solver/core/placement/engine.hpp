@@ -170,7 +170,7 @@ struct GridState {
   i64 numbers;  // of targets: of the rectangles of one number any will do
   i64 entered;  // the component one walks in, or 0
   i64 width;  // of who walked last
-  i64 unfinished;  // whether pieces are to come
+  i64 unfinished;  // whether pieces are to come that stand in the room already
 };
 
 // A rectangle with a number: of a block its part, or -1 - its zone; of a target what is to be reached there.

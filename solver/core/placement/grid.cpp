@@ -260,7 +260,7 @@ static void count_reached(const WalkGrid& grid) {
 }
 
 // The component one walks in: at the doors joined outside, else at the first one, that which meets most; where nobody comes in the largest.
-// Which is the largest may change with each piece that is added: while some are to come it may be any.
+// Which is the largest may change with each piece that is added: while some are to come that stand already it may be any.
 static i64 entered_of(const Room& room, const WalkGrid& grid) {
   i64 best = 0;
   if (is_walked_in_largest(room)) {

@@ -203,6 +203,14 @@ static f64 least_rest(const Room& room, const Decisions& decisions, i64 first, c
   return total;
 }
 
+// Tells whether any piece of a group stands in the room already.
+static bool any_stands(const Room& room, const Group& group) {
+  for (i64 piece = group.first; piece < group.last; piece++) {
+    if (room.pieces[piece].required == STANDS) return true;
+  }
+  return false;
+}
+
 // Pushes every way the next piece may join a state; false where the heap is full.
 static bool expand(const Engine& engine, i64 state, i64 piece, i64 depth, const Group& group) {
   const Tree& tree = engine.tree;
@@ -242,7 +250,7 @@ static bool try_entry(const Engine& engine, i64 entry, const Costs& start, const
   const f64 ceiling = (incumbent >= 0 ? tree.costs[incumbent] : start.ceiling) - chosen - rest;
   const bool complete = depth + 1 == group.last - group.first;
   bool closed = false;
-  engine.grid.state->unfinished = !complete;
+  engine.grid.state->unfinished = any_stands(engine.room, {group.first + depth + 1, group.last});
   bool found = weigh(engine, trial, state, limits.qps, ceiling, walk, closed);
   if (limits.every_gap && engine.nodes.result->turned_down > 0) {
     found = evaluate_all(engine, trial, limits.qps, found ? engine.nodes.best_cost[0] + NO_DEARER : ceiling, walk);
