@@ -2,9 +2,10 @@
 
 import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from statistics import median
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -23,6 +24,12 @@ SORTS: Final[dict[str, OpeningKind]] = {
 """What a shape is told to be -> what it is at first; those before count before those after."""
 SAME: Final = 0.6
 """Openings whose middles are nearer than this share of their length are one, drawn in several lines."""
+SHARP: Final = 0.002
+"""Lines meet whose ends are no farther apart than this share of a leaf's width."""
+NARROW: Final = 0.08
+"""A leaf is no thicker than this share of its width; walls are."""
+WAYS: Final = 72
+"""Directions in which lines leave a corner are told apart."""
 
 
 DrawnBox = tuple[float, float, float, float]
@@ -88,13 +95,11 @@ def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> l
     is_mixed = bool(swings) and all(one.sort != "window" for one in shapes)
     found: list[DrawnOpening] = []
     named: dict[str, int] = {}
-    places, owners, lines = Places([]), list[int](), list[list[DrawnStretch]]()
+    places, owners, lines = Places([]), np.empty(len(shapes), dtype=np.int64), list[list[DrawnStretch]]()
     for told, kind in SORTS.items():
         drawn = [(*longer_line(one.points), one) for one in shapes if one.sort == told]
         for start, end, one in sorted(drawn, key=lambda one: (_is_stout(one[2].points), -math.dist(one[0], one[1]))):
-            near = (
-                [named[one.id]] if one.id in named else [] if one.id else list(dict.fromkeys(owners[at] for at in places.all(start, end)))
-            )
+            near = [named[one.id]] if one.id in named else [] if one.id else _in_order(owners[places.all(start, end)])
             if not near and math.dist(start, end) > 0:
                 unsaid = told == "opening" or (told == "door" and is_mixed)
                 near = [len(found)]
@@ -105,14 +110,20 @@ def openings_of(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> l
                 found[near[0]] = replace(found[near[0]], kind="door", unsaid=False)
             same = [at for at in near if found[at].kind == kind and (not lines[at] or _are_beside(lines[at][0], (start, end)))]
             if same and same[0] == near[0]:
-                places.add(start, end)
-                owners.append(same[0])
+                owners[places.add(start, end)] = same[0]
                 lines[same[0]].append((start, end))
                 for other in same[1:]:
-                    owners = [same[0] if owner == other else owner for owner in owners]
+                    owners[owners == other] = same[0]
                     lines[same[0]] += lines[other]
                     lines[other].clear()
     return [_in_the_middle(one, beside) for one, beside in zip(found, lines, strict=True) if beside]
+
+
+def _in_order(owners: NDArray[np.int64]) -> list[int]:
+    """Returns each of some numbers once, in the order in which they come first."""
+    found, first = np.unique(owners, return_index=True)
+    in_order: list[int] = found[np.argsort(first)].tolist()
+    return in_order
 
 
 def _are_beside(a: DrawnStretch, b: DrawnStretch) -> bool:
@@ -146,25 +157,79 @@ class Places:
         for start, end in lines:
             self.add(start, end)
 
-    def add(self, start: Spot, end: Spot) -> None:
-        """Takes in one more line."""
+    def add(self, start: Spot, end: Spot) -> int:
+        """Takes in one more line; returns which it is."""
         if self._count == len(self._rows):
             self._rows = np.concatenate((self._rows, np.empty_like(self._rows)))
         self._rows[self._count] = (*between(start, end), math.dist(start, end))
         self._count += 1
+        return self._count - 1
 
-    def all(self, start: Spot, end: Spot, alike: bool = False) -> list[int]:
+    def all(self, start: Spot, end: Spot, alike: bool = False) -> NDArray[np.int64]:
         """Returns which are one with a line, or where it lies is `alike` and as long."""
         (x, z), rows = between(start, end), self._rows[: self._count]
         length = math.dist(start, end)
         longer = np.maximum(rows[:, 2], length)
         away, other = np.hypot(rows[:, 0] - x, rows[:, 1] - z), np.abs(rows[:, 2] - length)
-        found: list[int] = np.flatnonzero((away < MEET * longer) & (other < MEET * longer) if alike else away < SAME * longer).tolist()
-        return found
+        return np.flatnonzero((away < MEET * longer) & (other < MEET * longer) if alike else away < SAME * longer)
 
     def holds(self, start: Spot, end: Spot, alike: bool = False) -> bool:
         """Tells whether any is one with a line."""
-        return bool(self.all(start, end, alike))
+        return bool(self.all(start, end, alike).size)
+
+
+class Corners:
+    """Lines that end at some spots, of each the longest on each way from there: of many that lie on one another one is kept."""
+
+    def __init__(self, lines: Sequence[DrawnStretch], spots: Iterable[Spot], near: float) -> None:
+        self._near = near
+        self._lines: dict[Spot, dict[int, float]] = {cell: {} for spot in spots for cell in self._around(spot)}
+        for line in lines:
+            for spot, other in (line, line[::-1]):
+                if (there := self._lines.get(self._cell(*spot))) is not None:
+                    way = _way(spot, other)
+                    there[way] = max(there.get(way, 0.0), math.dist(*line))
+
+    def met(self, spot: Spot, other: Spot) -> tuple[bool, bool]:
+        """Tells whether a line that comes from elsewhere to a spot meets others there than narrow ones, and whether one goes on."""
+        own, least = _way(spot, other), NARROW * math.dist(spot, other)
+        ways = {way for cell in self._around(spot) for way, long in self._lines[cell].items() if long > least}
+        turns = {min((way - own) % WAYS, (own - way) % WAYS) for way in ways}
+        return max(turns, default=0) > 1, bool(turns & {WAYS // 2, WAYS // 2 - 1})
+
+    def _cell(self, x: float, z: float) -> Spot:
+        return x // (2 * self._near), z // (2 * self._near)
+
+    def _around(self, spot: Spot) -> set[Spot]:
+        """Returns the cells in which lines end that meet at a spot."""
+        return {self._cell(spot[0] + east, spot[1] + south) for east in (-self._near, self._near) for south in (-self._near, self._near)}
+
+
+def _way(spot: Spot, other: Spot) -> int:
+    """Returns which of the directions from a spot leads to another."""
+    return round(math.atan2(other[1] - spot[1], other[0] - spot[0]) / math.tau * WAYS) % WAYS
+
+
+def without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:
+    """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is.
+
+    A face of a wall does where a corner shower is as wide: its line meets others at both ends, a leaf's no more than its own narrow ones,
+    and goes on at one at most, a threshold's at both.
+    """
+    leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
+    is_along = [one.sort is None and len(one.points) > 1 and leaves.holds(*longer_line(one.points), alike=True) for one in shapes]
+    lines = [one.points for one in itertools.compress(shapes, is_along) if len(one.points) == 2]
+    near = SHARP * median([math.dist(*line) for line in lines] or [0.0]) or 1.0
+    corners = Corners([(one.points[0], one.points[1]) for one in shapes if len(one.points) == 2], itertools.chain(*lines), near)
+
+    def is_face(spots: Sequence[Spot]) -> bool:
+        met = [corners.met(a, b) for a, b in (spots, spots[::-1])]
+        return all(meets for meets, _ in met) and not all(goes_on for _, goes_on in met)
+
+    return [
+        one._replace(sort="door") if along and not (len(one.points) == 2 and is_face(one.points)) else one
+        for one, along in zip(shapes, is_along, strict=True)
+    ]
 
 
 def doors_of_swings(swings: Sequence[DrawnSwing], faces: Sequence[Sequence[Spot]]) -> list[DrawnOpening]:

@@ -32,6 +32,7 @@ from solver.imports.shape_openings import (
     longer_line,
     openings_of,
     to_lines,
+    without_leaves,
 )
 from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
@@ -52,10 +53,6 @@ LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
-SHARP: Final = 0.002
-"""Lines meet whose ends are no farther apart than this share of a leaf's width."""
-NARROW: Final = 0.08
-"""A leaf is no thicker than this share of its width; walls are."""
 IN_A_WALL: Final = (0.03, 0.3)
 """On both sides of a leaf there is wall for the first, m, at least, and on one of them a room before the second."""
 
@@ -222,7 +219,7 @@ def _told_by_form(
     """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall."""
     if any(one.sort in ("room", "wall") for one in shapes):
         return list(shapes)
-    shapes = _without_leaves(shapes, swings)
+    shapes = without_leaves(shapes, swings)
     lines = [one.round() for one in shapes if one.sort is None and len(one.points) > 1]
     doors = doors_of_swings(swings, lines)
     return told_by_form(shapes, names, doors, _length(metres, doors, lines).metres)
@@ -249,33 +246,6 @@ def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) 
     doors = Places([(one.start, one.end) for one in openings if one.kind == "door"])
     left = [one for one in nameless if not any(doors.holds(one.hinge, end) for end in one.ends)]
     return [Unread(left[0].where, f"quarter circles that hang in no gap in a wall are no doors: {len(left)}")] if left else []
-
-
-def _without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -> list[DrawnShape]:
-    """Returns shapes, of which those of no sort that lie along a leaf are doors, as it is.
-
-    A face of a wall does where a corner shower is as wide: its line meets others at both ends, a leaf's no more than its own narrow ones,
-    and goes on at one at most, a threshold's at both.
-    """
-    leaves = Places([(one.hinge, end) for one in swings for end in one.ends])
-    drawn = [one.points for one in shapes if len(one.points) == 2]
-    starts, ends = (np.array([spots[at] for spots in (*drawn, *(two[::-1] for two in drawn))]).reshape(-1, 2) for at in (0, 1))
-    lengths = np.hypot(*(ends - starts).T)
-
-    def is_face(spots: Sequence[Spot], long: float) -> bool:
-        met = []
-        for spot, other in (spots, spots[::-1]):
-            there = (np.hypot(*(starts - spot).T) <= SHARP * long) & (lengths > NARROW * long)
-            onwards = ((ends - spot) @ (np.array(spot) - other)) / long
-            met.append((there.sum() > 1, bool((there & (onwards > (1 - SHARP) * lengths)).any())))
-        return all(meets for meets, _ in met) and not all(goes_on for _, goes_on in met)
-
-    def is_leaf(one: DrawnShape) -> bool:
-        if one.sort is not None or len(one.points) < 2 or not leaves.holds(*longer_line(one.points), alike=True):
-            return False
-        return len(one.points) > 2 or not is_face(one.points, math.dist(*one.points))
-
-    return [one._replace(sort="door") if is_leaf(one) else one for one in shapes]
 
 
 def _untold_layers(shapes: Sequence[DrawnShape], called: Sequence[DrawnShape]) -> Iterator[Unread]:

@@ -7,9 +7,11 @@ from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as files
+import numpy as np
 import pytest
 
 from solver.imported import PlanImport
+from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
 from tests.imports.plans import read
 
 NAMES = {"Kitchen": (2000, 2500), "Bedroom": (6500, 2500)}
@@ -184,6 +186,20 @@ def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: boo
         space.add_text(words, height=150, dxfattribs={"insert": spot})
     doors = [("door", 0.9), ("door", 0.9)]
     assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", doors)]
+
+
+def test_lines_along_a_leaf_are_leaves_however_often_it_is_drawn_and_are_not_gone_over_for_each(monkeypatch: pytest.MonkeyPatch) -> None:
+    counts, distances = [0], np.hypot
+    monkeypatch.setattr(np, "hypot", lambda a, b: [counts.append(np.size(a)), distances(a, b)][1])
+    swing = DrawnSwing((0.0, 0.0), ((900.0, 0.0), (0.0, 900.0)), "arc")
+    lines = [DrawnShape("0", ((0.0, 0.0), (900.0, 0.001 * at)), False, "line", None) for at in (0, 0, *range(1, 399))]
+    face = DrawnShape("0", ((0.0, 0.0), (0.0, 900.0)), False, "line", None)
+    beyond = [DrawnShape("0", ((x, 900.0), (x, 2000.0)), False, "line", None) for x in (0.0, 900.0)]
+    for drawn in ([*lines, face, *beyond], [face, *beyond, *lines[:2]]):
+        told = without_leaves(drawn, [swing])
+        assert {one.sort for one, before in zip(told, drawn, strict=True) if before in lines} == {"door"}
+        assert {one.sort for one, before in zip(told, drawn, strict=True) if before not in lines} == {None}
+    assert sum(counts) < 10 * len(lines)
 
 
 def test_without_names_of_rooms_most_rooms_tell() -> None:
