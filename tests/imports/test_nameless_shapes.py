@@ -190,7 +190,12 @@ def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: boo
 
 def test_lines_along_a_leaf_are_leaves_however_often_it_is_drawn_and_are_not_gone_over_for_each(monkeypatch: pytest.MonkeyPatch) -> None:
     counts, distances = [0], np.hypot
-    monkeypatch.setattr(np, "hypot", lambda a, b: [counts.append(np.size(a)), distances(a, b)][1])
+
+    def counted(a: Any, b: Any) -> Any:
+        counts.append(np.size(a))
+        return distances(a, b)
+
+    monkeypatch.setattr(np, "hypot", counted)
     swing = DrawnSwing((0.0, 0.0), ((900.0, 0.0), (0.0, 900.0)), "arc")
     lines = [DrawnShape("0", ((0.0, 0.0), (900.0, 0.001 * at)), False, "line", None) for at in (0, 0, *range(1, 399))]
     face = DrawnShape("0", ((0.0, 0.0), (0.0, 900.0)), False, "line", None)

@@ -110,11 +110,22 @@ def test_transforms_uses_and_inner_drawings_are_worked_out() -> None:
     assert (door.wall, door.position, door.width) == ("east", 0.75, 0.9)
 
 
-@pytest.mark.parametrize("used", ["#nothing", "http://localhost/symbols.svg#kitchen", ""])
+@pytest.mark.parametrize("used", ["#nothing", "http://localhost/symbols.svg#kitchen", "", "xkitchen", "kitchen"])
 def test_what_is_drawn_in_another_file_is_left_out(used: str) -> None:
-    answer = drawn(f"<rect class='room' id='kitchen' width='300' height='300'/><use href='{used}' x='400'/>", "data-unit='cm'")
+    use = f"<use href='{used}' x='400'/>"
+    answer = drawn(f"<rect class='room' id='kitchen' width='300' height='300'/>{use * 3}", "data-unit='cm'")
     assert sizes_of(answer) == [("kitchen", 0.0, 0.0, 3.0, 3.0)]
-    assert {"place": "use[0]", "reason": "draws what is not in the file"} in answer.unread
+    assert [one for one in answer.unread if "use" in one["reason"]] == [
+        {"place": "use[0]", "reason": "uses of what is not in the file draw nothing: 3"}
+    ]
+
+
+@pytest.mark.parametrize(
+    "unseen", ["<g id='a' display='none'><rect width='9' height='9'/></g>", "<linearGradient id='a'/>", "<image id='a'/>"]
+)
+def test_what_is_in_the_file_is_not_said_to_be_elsewhere(unseen: str) -> None:
+    answer = drawn(f"<defs>{unseen}</defs><rect class='room' id='kitchen' width='300' height='300'/><use href='#a'/>", "data-unit='cm'")
+    assert [one for one in answer.unread if "file" in one["reason"]] == []
 
 
 def test_a_door_beside_a_corner_is_shut_in_the_gap_of_its_wall() -> None:

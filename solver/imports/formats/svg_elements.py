@@ -129,7 +129,7 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         FieldError: a number, a transform, a path or a use is wrong; names the element.
         SyntaxFault: more is drawn than in any plan.
     """
-    known = {key: element for element in root.iter() if (key := element.get("id"))}
+    known = elements_by_id(root)
     hiding = _hiding(root)
     counts: dict[str, int] = {}
     ahead = [_Turn(root, (), IDENTITY, (), 0, {})]
@@ -155,6 +155,11 @@ def drawn_elements(root: Element) -> Iterator[SvgElement]:
         elif tag in ("g", "svg", "a", "switch", "symbol"):
             ahead += [_Turn(one, names, inner, turn.uses, turn.depth + 1, {}) for one in reversed(element) if isinstance(one.tag, str)]
         yield _element(element, _Turn(element, names, matrix, turn.uses, turn.depth, {**turn.said, **said}), where)
+
+
+def elements_by_id(root: Element) -> dict[str, Element]:
+    """Returns the elements that a use may draw, drawn elsewhere or not."""
+    return {key: element for element in root.iter() if (key := element.get("id"))}
 
 
 def _hiding(root: Element) -> frozenset[str]:
@@ -196,13 +201,19 @@ def _used(
 ) -> Iterator[_Turn]:
     """Yields the element that a use draws, moved by its x and y, where it is in the file; refuses one that is drawn within itself."""
     names, matrix, where = place
-    key = said.get("href", "").strip()
+    key = used_id(said)
     if key in turn.uses:
         raise FieldError(where, "is drawn within itself", "an element of the file by its id")
-    if key.startswith("#") and key[1:] in known:
+    if key in known:
         by = (pixels_of(said.get("x")) or 0.0, pixels_of(said.get("y")) or 0.0)
         inner = times(matrix, (1.0, 0.0, 0.0, 1.0, *by))
-        yield _Turn(known[key[1:]], names, inner, (*turn.uses, key), turn.depth + 1, {"href": key[1:]})
+        yield _Turn(known[key], names, inner, (*turn.uses, key), turn.depth + 1, {"href": key})
+
+
+def used_id(said: Mapping[str, str]) -> str:
+    """Returns the id of the element that a use draws; nothing where that is in another file."""
+    key = said.get("href", "").strip()
+    return key[1:] if key.startswith("#") else ""
 
 
 def _view(tag: str, said: Mapping[str, str], matrix: SvgMatrix) -> SvgMatrix:

@@ -5,7 +5,7 @@ Its y points down, as ours points south. Names are ids, classes and labels of sh
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from statistics import median
 from typing import Final, Literal
 
@@ -33,10 +33,12 @@ from solver.imports.formats.svg_elements import (
     PIXELS,
     SvgElement,
     drawn_elements,
+    elements_by_id,
     local_name,
     placed,
     said_of,
     unescaped,
+    used_id,
     view_of,
 )
 from solver.imports.plain_values import a_number, number_in, one_of
@@ -51,8 +53,6 @@ METRIC: Final = (1.0, 0.01, 0.001)
 """Units that drawings for screens are in, m."""
 NAMES: Final = ("label", "data-name", "id", "class")
 """Attributes that call a shape something."""
-ELSEWHERE: Final = "draws what is not in the file"
-"""Why a use draws nothing."""
 START: Final = 4_000
 """Bytes at a file's beginning in which its root is looked for."""
 
@@ -78,7 +78,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     openings = [one for element in elements if "data-opening" in element.said for one in _opening(element)]
     stated = [element for element in elements if "data-room" in element.said and element.lines]
     names = None if stated and openings else drawn_names_of(catalogs or load_catalogs())
-    plan = _shapes_plan(elements, names, lambda found: _unit_of(said, found), metres)
+    plan = _shapes_plan(elements, elements_by_id(root), names, lambda found: _unit_of(said, found), metres)
     drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
     rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
     unit = _unit_of(said, openings) if openings or stated else PlanUnit(plan.metres, plan.unit_words)
@@ -173,7 +173,7 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
     sizes = {one.said["id"]: one.said["data-size"] for one in elements if "data-size" in one.said and "id" in one.said}
     for element in elements:
         said, where = element.said, element.where
-        size = sizes.get(said.get("href", "").strip()[1:])
+        size = sizes.get(used_id(said))
         if element.tag != "use" or size is None or said.get("data-sort") == "dynamic":
             continue
         try:
@@ -190,7 +190,9 @@ def _pieces(elements: Sequence[SvgElement], metres: float | None, elevation: flo
         )  # fmt: skip
 
 
-def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told: UnitTold, metres: float | None) -> DrawnPlan:
+def _shapes_plan(
+    elements: Sequence[SvgElement], known: Container[str], names: DrawnNames | None, told: UnitTold, metres: float | None
+) -> DrawnPlan:
     """Returns what shapes draw by their names, as far as attributes do not say it: then there are no names of rooms to go by."""
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     if names is None:
@@ -214,9 +216,13 @@ def _shapes_plan(elements: Sequence[SvgElement], names: DrawnNames | None, told:
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
             called += shapes[-1].sort is not None
         check_count("shapes", called, MOST_POINTS)
-    ids = {one.said.get("id") for one in elements}
-    lost = [Unread(one.where, ELSEWHERE) for one in elements if one.tag == "use" and one.said.get("href", "").strip()[1:] not in ids]
-    return plan_of_shapes(side_by_side(sheets), told, metres, lost)
+    return plan_of_shapes(side_by_side(sheets), told, metres, _lost(elements, known))
+
+
+def _lost(elements: Sequence[SvgElement], known: Container[str]) -> list[Unread]:
+    """Returns how many uses draw what is not in the file."""
+    lost = [one.where for one in elements if one.tag == "use" and used_id(one.said) not in known]
+    return [Unread(lost[0], f"uses of what is not in the file draw nothing: {len(lost)}")] if lost else []
 
 
 def _stroke(element: SvgElement) -> float:
