@@ -178,7 +178,7 @@ class Places:
         return bool(self.all(start, end, alike).size)
 
 
-class Corners:
+class MeetingLines:
     """Lines that end at some spots, of each the longest on each way from there: of many that lie on one another one is kept."""
 
     def __init__(self, lines: Sequence[DrawnStretch], spots: Iterable[Spot], near: float) -> None:
@@ -220,7 +220,7 @@ def without_leaves(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing]) -
     is_along = [one.sort is None and len(one.points) > 1 and leaves.holds(*longer_line(one.points), alike=True) for one in shapes]
     lines = [one.points for one in itertools.compress(shapes, is_along) if len(one.points) == 2]
     near = SHARP * median([math.dist(*line) for line in lines] or [0.0]) or 1.0
-    corners = Corners([(one.points[0], one.points[1]) for one in shapes if len(one.points) == 2], itertools.chain(*lines), near)
+    corners = MeetingLines([(one.points[0], one.points[1]) for one in shapes if len(one.points) == 2], itertools.chain(*lines), near)
 
     def is_face(spots: Sequence[Spot]) -> bool:
         met = [corners.met(a, b) for a, b in (spots, spots[::-1])]

@@ -26,6 +26,7 @@ from solver.imports.shape_openings import (
     DrawnShape,
     DrawnSwing,
     DrawnText,
+    MeetingLines,
     Places,
     between,
     doors_of_swings,
@@ -168,7 +169,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
     rooms += [labelled(room, texts) for room in found]
-    openings += [one for one in gapless if unit and _is_in_a_wall(one, rooms, unit)]
+    openings += _in_walls(gapless, shapes, rooms, unit) if unit else ()
     told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
     told += (*_left_names(rooms, texts), *_untold_layers(shapes, called))
     plan = DrawnPlan(
@@ -233,12 +234,46 @@ def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple
     return kept, [one for one in openings if one.kind == "door"] if all(one.kind != "door" for one in kept) else []
 
 
-def _is_in_a_wall(door: DrawnOpening, rooms: Sequence[DrawnRoom], metres: float) -> bool:
-    """Tells whether a leaf, shut, lies in no room and beside one: the lines of its wall run on through its door."""
-    (x, z), width = between(door.start, door.end), math.dist(door.start, door.end)
-    across = (door.start[1] - door.end[1]) / width / metres, (door.end[0] - door.start[0]) / width / metres
-    near, far = ([(x + by * across[0], z + by * across[1]) for by in (-away, away)] for away in IN_A_WALL)
-    return not any(room.holds(*spot) for room in rooms for spot in near) and any(room.holds(*spot) for room in rooms for spot in far)
+def _in_walls(
+    doors: Sequence[DrawnOpening], shapes: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres: float
+) -> Iterator[DrawnOpening]:
+    """Yields doors that hang in walls whose lines run on through them, shut the one way or the other: which, these do not tell."""
+    ways = [(one, _shut_the_other_way(one)) for one in doors]
+    tips = [one.towards or one.start for both in ways for one in both]
+    corners = MeetingLines([line for one in shapes for line in pairwise(one.round())], tips, IN_A_WALL[0] / metres)
+    for both in ways:
+        yield from [one for one in both if _is_in_a_wall(one, corners, rooms, metres)][:1]
+
+
+def _shut_the_other_way(door: DrawnOpening) -> DrawnOpening:
+    hinge, shut = (door.end, door.start) if door.hinge == "end" else (door.start, door.end)
+    return replace(door, start=hinge, end=door.towards or shut, hinge="start", towards=shut)
+
+
+def _is_in_a_wall(door: DrawnOpening, corners: MeetingLines, rooms: Sequence[DrawnRoom], metres: float) -> bool:
+    """Tells whether a leaf, shut, lies in no room and beside one, or along a face.
+
+    Along one face alone: open, it stands in the room, and its end at nothing, as none of a corner shower or of a worktop's round end does.
+    """
+    hinge, tip = door.end if door.hinge == "end" else door.start, door.towards or door.start
+    beside, long = IN_A_WALL[0] / metres, math.dist(hinge, tip)
+    near, far = ([_room_at(spot, rooms) for spot in _sides_of(door.start, door.end, by / metres)] for by in IN_A_WALL)
+    if near == [None, None]:
+        return far != near
+    beyond = tip[0] + (tip[0] - hinge[0]) / long * beside, tip[1] + (tip[1] - hinge[1]) / long * beside
+    stands = {_room_at(spot, rooms) for spot in (*_sides_of(hinge, tip, beside), beyond)}
+    return near[0] != near[1] and len(stands) == 1 and stands <= {*near} and not corners.met(tip, hinge)[0]
+
+
+def _sides_of(a: Spot, b: Spot, by: float) -> tuple[Spot, Spot]:
+    """Returns the points so far from the middle of a line, on both sides."""
+    (x, z), long = between(a, b), math.dist(a, b)
+    east, south = (a[1] - b[1]) / long * by, (b[0] - a[0]) / long * by
+    return (x - east, z - south), (x + east, z + south)
+
+
+def _room_at(spot: Spot, rooms: Sequence[DrawnRoom]) -> int | None:
+    return next((at for at, room in enumerate(rooms) if room.holds(*spot)), None)
 
 
 def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:

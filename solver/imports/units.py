@@ -106,8 +106,8 @@ def check_size(plan: DrawnPlan, metres: float) -> None:
     largest = max(_sides(plan), default=0.0) * metres
     is_assumed = plan.unit_words.startswith(ASSUMED)
     if largest > (LARGEST_ASSUMED if is_assumed else LARGEST) and (is_assumed or not _doors(plan.openings)):
-        told = "assumed" if is_assumed else "told"
-        raise FieldError("unit", f"is {told} to be {metres:.5g} m, in which the largest room is {largest:.0f} m across", ALLOWED_UNITS)
+        known = "assumed" if is_assumed else "told"
+        raise FieldError("unit", f"is {known} to be {metres:.5g} m, in which the largest room is {largest:.0f} m across", ALLOWED_UNITS)
 
 
 def _sides(plan: DrawnPlan) -> list[float]:

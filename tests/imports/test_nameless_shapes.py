@@ -167,8 +167,9 @@ def test_faces_of_walls_that_end_at_a_door_without_jambs_are_no_axes(thick: int)
 
 
 @pytest.mark.parametrize("closed", [False, True])
-def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: bool) -> None:
-    """A leaf, shut, lies in no room and beside one; a corner shower lies in one."""
+@pytest.mark.parametrize(("east", "south"), [(4450, 4850), (4500, 4700)])
+def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: bool, east: int, south: int) -> None:
+    """A leaf, shut, lies in no room and beside one, or along a face; a corner shower does along two, and lines end at a worktop's end."""
     made: Any = files.new("R2010")
     made.header["$INSUNITS"] = 4
     space = made.modelspace()
@@ -178,10 +179,13 @@ def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: boo
             space.add_lwpolyline(corners, close=True)
         for a, b in zip(corners, [*corners[1:], corners[0]], strict=True) if not closed else ():
             space.add_line(a, b)
-    for hinge, tip, first in (((4450, 2500), (5350, 2500), 0), ((1500, 4850), (1500, 3950), 270), ((8700, 300), None, 90)):
+    for hinge, tip, first in (
+        ((east, 2500), (east + 900, 2500), 0), ((1500, south), (1500, south - 900), 270), ((8700, 300), None, 90), ((300, 1200), None, 0)
+    ):  # fmt: skip
         space.add_arc(hinge, 900, first, first + 90)
         if tip:
             space.add_line(hinge, tip)
+    space.add_line((1200, 300), (1200, 1200))
     for words, spot in NAMES.items():
         space.add_text(words, height=150, dxfattribs={"insert": spot})
     doors = [("door", 0.9), ("door", 0.9)]

@@ -128,6 +128,17 @@ def test_what_is_in_the_file_is_not_said_to_be_elsewhere(unseen: str) -> None:
     assert [one for one in answer.unread if "file" in one["reason"]] == []
 
 
+def test_a_worktop_with_a_round_end_on_no_layer_is_no_door() -> None:
+    boxes = ((0, 0, 900, 500), (30, 30, 410, 440), (450, 30, 420, 440))
+    walls = "".join(f"<rect x='{x}' y='{y}' width='{wide}' height='{high}'/>" for x, y, wide, high in boxes)
+    names = "<text x='200' y='250'>Kitchen</text><text x='650' y='250'>Bedroom</text>"
+    leaf, worktop = "<path d='M440 200 h-90 a90 90 0 0 1 90 -90'/>", "<path d='M30 30 h60 v90 a60 60 0 0 1 -60 60 z'/>"
+    rooms = drawn(f"{walls}{leaf}{worktop}{names}", "data-unit='cm'").scene.rooms
+    assert [(room.type, [(one.kind, one.width) for one in room.openings]) for room in rooms] == [
+        ("kitchen", [("door", 0.9)]), ("bedroom", [("door", 0.9)])
+    ]  # fmt: skip
+
+
 def test_a_door_beside_a_corner_is_shut_in_the_gap_of_its_wall() -> None:
     """Open, its leaf is nearer to the wall that it swings to than shut to the faces of its own."""
     rooms = "<g class='rooms'><rect width='300' height='300'/><rect x='310' width='200' height='300'/></g>"

@@ -32,6 +32,7 @@ from solver.imports.formats.svg_elements import (
     NAMES_APART,
     PIXELS,
     SvgElement,
+    SvgLine,
     drawn_elements,
     elements_by_id,
     local_name,
@@ -53,6 +54,8 @@ METRIC: Final = (1.0, 0.01, 0.001)
 """Units that drawings for screens are in, m."""
 NAMES: Final = ("label", "data-name", "id", "class")
 """Attributes that call a shape something."""
+WIDEST: Final = 1.2
+"""What a leaf sweeps reaches no farther from its hinge than so many times its width."""
 START: Final = 4_000
 """Bytes at a file's beginning in which its root is looked for."""
 
@@ -206,7 +209,7 @@ def _shapes_plan(
         sort = names.sort_within(element.names)
         label = _label(element, names.rooms, sort == "room") if sort in (None, "room") else ""
         for line in element.lines:
-            if sort in (*SWUNG, None) and line.swing:
+            if sort in (*SWUNG, None) and line.swing and (sort or not _is_rounded(line)):
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where, sort))
                 continue
             is_room = sort == "room" or (sort is None and bool(label) and line.closed)
@@ -217,6 +220,12 @@ def _shapes_plan(
             called += shapes[-1].sort is not None
         check_count("shapes", called, MOST_POINTS)
     return plan_of_shapes(side_by_side(sheets), told, metres, _lost(elements, known))
+
+
+def _is_rounded(line: SvgLine) -> bool:
+    """Tells whether an outline with a quarter circle goes on beyond what a leaf sweeps: a worktop with a round end."""
+    hinge, tip = line.swing[:2] if line.swing else line.points[:2]
+    return line.closed and max(math.dist(hinge, spot) for spot in line.points) > WIDEST * math.dist(hinge, tip)
 
 
 def _lost(elements: Sequence[SvgElement], known: Container[str]) -> list[Unread]:
