@@ -16,6 +16,10 @@ from tests.browser.visit import SMALL
 from tests.browser.ways import Keyboard, Touch, Way, unfold
 
 ON_MAP = "([x, z]) => new DOMPoint(x, z).matrixTransform(document.querySelector('#minimap svg').getScreenCTM()).toJSON()"
+MET = """id => {
+    const at = compose.whereIs(id);
+    return at && document.elementFromPoint(at.x, at.y)?.tagName === 'CANVAS' ? at : null;
+}"""
 ACTS = Acts()
 doing = ACTS.act
 
@@ -108,7 +112,7 @@ def _why(way: Way) -> None:
             continue
         way.choose(piece)
         way.tool("why")
-        expect(way.page.locator("#why li").first).to_be_visible()
+        expect(way.page.locator("#why strong").first).to_be_visible()
         if way.page.locator("#why ul:not(.ways) button").count() and way.page.locator("#why .ways button").count():
             break
         way.let_go()
@@ -208,22 +212,28 @@ def _picture(way: Way) -> None:
 def _fronts(way: Way) -> None:
     certified = scene(way)["certificate"]["rooms"]
     having = [piece for room in certified.values() for piece, fronts in room["fronts"].items() if fronts]
-    piece = next(one for one in having if way.page.evaluate("id => compose.whereIs(id)", one))
-    way.choose(piece)
+    for piece in having:
+        if not way.page.evaluate("id => compose.whereIs(id)", piece):
+            continue
+        way.choose(piece)
+        met = _met(way, [f"{piece}/{front}" for room in certified.values() for front in room["fronts"].get(piece, {})])
+        if isinstance(way, Keyboard) or met:
+            break
+        way.let_go()
     if isinstance(way, Keyboard):
         way.page.keyboard.press("t")
     else:
-        _tap(way, *_front(way, piece, certified))
+        assert met, "a length lies over every front, as each is chosen"
+        _tap(way, met["x"], met["y"])
     way.page.wait_for_function("() => compose.state.openFronts.length > 0")
     way.visit.settle()
     way.page.keyboard.press("t")
     way.page.wait_for_function("() => compose.state.openFronts.length === 0")
 
 
-def _front(way: Way, piece: str, certified: Any) -> tuple[float, float]:
-    names = [f"{piece}/{front}" for room in certified.values() for front in room["fronts"].get(piece, {})]
-    at = next(spot for name in names if (spot := way.page.evaluate("id => compose.whereIs(id)", name)))
-    return at["x"], at["y"]
+def _met(way: Way, fronts: list[str]) -> Any:
+    """Where the first of the fronts is seen over which no length of the chosen piece lies, which would be pressed in its place."""
+    return next((at for front in fronts if (at := way.page.evaluate(MET, front))), None)
 
 
 def _tap(way: Way, x: float, y: float) -> None:
