@@ -170,7 +170,9 @@ class Keyboard(Way):
             control.focus()
             return
         group = control.locator("xpath=ancestor::*[@role='group'][1]")
-        group.locator("[tabindex='0']").focus()
+        stop = group.locator("[tabindex='0']")
+        assert stop.count() == 1 and stop.evaluate(REACHED), f"the Tab key does not reach {control}"
+        stop.focus()
         for _ in range(group.locator("button").count()):
             if control.evaluate("one => one === document.activeElement"):
                 break
