@@ -70,9 +70,3 @@ def test_the_only_table_stands_even_where_it_costs_a_counter(program: str, seed:
     home = generate(Request(seed=seed, program=program))
     assert sum(tables(room) for room in home.scene.rooms) == 1
     assert not [issue.message for issue in home.issues]
-
-
-@pytest.mark.parametrize("seed", range(7_490_000, 7_490_004))
-def test_a_house_without_a_laundry_has_its_washer_in_the_bathroom(seed: int) -> None:
-    rooms = generate(Request(seed=seed, width=12.0, depth=9.0)).scene.rooms
-    assert [room.type for room in rooms for piece in room.furniture if piece.name == "washer"] == ["bathroom"]
