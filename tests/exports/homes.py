@@ -198,8 +198,8 @@ def family() -> Scene:
 
 @cache
 def default() -> Scene:
-    """A house of seven rooms, decorated; `make targets` has those of twenty-odd that the plain request makes."""
-    return generate(Request(seed=2024, width=12.0, depth=9.0, decorate=True)).scene
+    """A house of four rooms, decorated; `make targets` has those of twenty-odd that the plain request makes."""
+    return generate(Request(seed=2024, width=8.0, depth=6.0, decorate=True)).scene
 
 
 SCENES: Final[Mapping[str, Callable[[], Scene]]] = {"own": own, "family": family, "default": default}

@@ -9,7 +9,7 @@ import pytest
 
 from catalogs import load_catalogs
 from solver.export_formats import EXPORTERS
-from solver.exports import describe, written_as
+from solver.exports import describe, home_picture, written_as
 from solver.exports.writers import ExportSettings
 from solver.scene import Room, Scene
 from tests.exports.agreement import NOT_READ, READ_AS, differences, reader_of
@@ -33,15 +33,17 @@ def test_a_format_agrees_with_the_description(home: str, format: str) -> None:
 
 
 @pytest.mark.parametrize("format", READ)
-def test_hostile_names_break_no_file(format: str) -> None:
-    model = described("hostile")
+@pytest.mark.parametrize("home", ["hostile", "storeys"])
+def test_hostile_names_break_no_file_and_bodies_of_all_storeys_agree(home: str, format: str) -> None:
+    model = described(home)
     seen = reader_of(format)(written_as(model, ExportSettings(format)))
     assert differences(model, seen, format) == []
 
 
 @pytest.mark.parametrize("format", EXPORTERS)
 @pytest.mark.parametrize(("width", "depth"), [(1e-12, 1e-12), (0.0004, 0.0004), (1e-12, 4.0)])
-def test_rooms_without_a_floor_break_no_file(width: float, depth: float, format: str) -> None:
+def test_rooms_without_a_floor_break_no_file(width: float, depth: float, format: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(home_picture, "LONG_SIDE", 200)  # of paper alone
     rooms = tuple(Room(name, number, "den", width=width, depth=depth) for number, name in enumerate("ab"))
     assert written_as(describe(Scene(wall_thickness=0.0, rooms=rooms), load_catalogs()), ExportSettings(format))
 

@@ -11,17 +11,11 @@ import pytest
 from solver.exports import ExportSettings, written_as
 from solver.exports.model import HouseModel
 from tests.exports import homes
-from tests.exports.agreement import differences
-from tests.exports.readers.habitat import bounds_of, instances_of, read
+from tests.exports.readers.habitat import bounds_of, instances_of
 
 
 def written(model: HouseModel) -> dict[str, bytes]:
     return written_as(model, ExportSettings("habitat"))
-
-
-def test_bodies_of_all_storeys_agree() -> None:
-    model = homes.described("storeys")
-    assert differences(model, read(written_as(model, ExportSettings("habitat"))), "habitat") == []
 
 
 @pytest.mark.parametrize("name", ["own", "hostile", "storeys"])

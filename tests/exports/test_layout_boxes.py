@@ -11,18 +11,12 @@ import pytest
 
 from solver.exports import ExportSettings, written_as
 from tests.exports import homes
-from tests.exports.agreement import differences
-from tests.exports.readers.boxes import read, rooms_of
+from tests.exports.readers.boxes import rooms_of
 
 
 @cache
 def written(name: str) -> dict[str, bytes]:
     return written_as(homes.described(name), ExportSettings("boxes"))
-
-
-def test_bodies_of_all_storeys_agree() -> None:
-    model = homes.described("storeys")
-    assert differences(model, read(written_as(model, ExportSettings("boxes"))), "boxes") == []
 
 
 def test_a_room_has_what_the_loader_asks_for() -> None:

@@ -12,17 +12,11 @@ import pytest
 from catalogs import load_catalogs
 from solver.exports import ExportSettings, describe, written_as
 from tests.exports import homes
-from tests.exports.agreement import differences
-from tests.exports.readers.procthor import house_of, objects_of, read
+from tests.exports.readers.procthor import house_of, objects_of
 
 
 def house(name: str) -> Any:
     return house_of(written_as(homes.described(name), ExportSettings("procthor")))
-
-
-def test_bodies_of_all_storeys_agree() -> None:
-    model = homes.described("storeys")
-    assert differences(model, read(written_as(model, ExportSettings("procthor"))), "procthor") == []
 
 
 def test_north_is_up_and_yaw_is_clockwise() -> None:
