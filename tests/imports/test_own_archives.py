@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from io import BytesIO
@@ -14,6 +15,7 @@ from solver import Request, export, generate
 from solver.errors import FieldError
 from solver.exchange import dump_scene
 from solver.export_formats import EXPORTERS
+from solver.exports import home_picture
 from solver.scene import Level, Room, Scene
 from tests.imports.plans import read
 
@@ -23,7 +25,7 @@ SEVERAL = ("nav2", "png", "boxes", "habitat", "svg", "arena", "urdf", "sdf", "dx
 
 @cache
 def home() -> Scene:
-    return generate(Request(seed=41, program="one_bed", decorate=True)).scene
+    return generate(Request(seed=41, program="studio", decorate=True)).scene
 
 
 @cache
@@ -34,6 +36,14 @@ def two_storeys() -> Scene:
 @cache
 def exported(name: str, storeys: int) -> dict[str, bytes]:
     return export(two_storeys() if storeys > 1 else home(), name)
+
+
+@pytest.fixture(autouse=True, scope="module")
+def small_pictures() -> Iterator[None]:
+    """Most work of an archive of pictures is to draw what nobody looks at here."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(home_picture, "LONG_SIDE", 200)
+        yield
 
 
 def archive(files: dict[str, bytes], folder: str = "") -> bytes:
