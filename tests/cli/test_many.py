@@ -34,7 +34,7 @@ def test_each_seed_has_its_file(alone: dict[str, bytes]) -> None:
 
 
 def test_the_number_of_processes_changes_no_byte(alone: dict[str, bytes], tmp_path: Path) -> None:
-    assert made(tmp_path, "--workers", "3") == alone
+    assert made(tmp_path, "--workers", "2") == alone
 
 
 def test_what_was_ended_goes_on(alone: dict[str, bytes], tmp_path: Path) -> None:

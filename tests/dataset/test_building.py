@@ -156,7 +156,7 @@ def test_archives_hold_each_home_once(folder: Path) -> None:
 
 
 def test_the_number_of_processes_changes_no_byte(folder: Path, tmp_path: Path) -> None:
-    assert made(tmp_path, "--workers", "3", *FORMATS) == contents(folder)
+    assert made(tmp_path, "--workers", "2", *FORMATS) == contents(folder)
 
 
 def test_killed_and_resumed_is_as_if_it_had_never_been_killed(folder: Path, tmp_path: Path) -> None:

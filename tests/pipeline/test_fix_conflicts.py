@@ -60,7 +60,7 @@ def test_what_could_stand_if_it_were_turned_is_said_not_to_as_it_is() -> None:
     turnable = 0
     for seed in ALL_SEEDS:
         here = room(seed).rooms[0]
-        for conflict in fix(room(seed)).conflicts:
+        for conflict in repaired(seed).conflicts:
             members = [piece for piece in here.furniture if piece.id in conflict.ids and not piece.locked]
             turned = [replace(piece, rotation=(piece.rotation + 90) % 360, wall=None) for piece in members]
             if len(conflict.ids) == 1 and turned and can_stand(here, turned):
@@ -106,7 +106,7 @@ def test_with_remove_the_rest_is_clean_and_everything_gone_is_named(seed: int) -
     gone = pieces(scene).keys() - pieces(fixed.scene).keys()
     assert {removal["id"] for removal in fixed.removed} == gone
     assert all(removal["reason"] for removal in fixed.removed)
-    assert bool(gone) == bool(errors(fix(scene).scene))
+    assert bool(gone) == bool(errors(repaired(seed).scene))
 
 
 SHORT = re.compile(r"([\d.]+) m (?:that are clear |are clear )?(?:from (\w+) to|along the (\w+) wall).*?([\d.]+) cm (?:too long|short)")

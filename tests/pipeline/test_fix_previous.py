@@ -15,8 +15,10 @@ from solver.answers import Pose
 from solver.errors import FieldError
 from solver.exchange import write_scene
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
+from tests.sweeps import times
 
 JUMP = 0.3
+FRAMES = times(60, 30)
 Poses = dict[str, tuple[float, float, float]]
 
 
@@ -61,15 +63,15 @@ def jumps(answers: list[Poses]) -> int:
 
 @pytest.mark.usefixtures("geometry_alone")
 def test_fewer_neighbours_jump_while_a_sofa_is_dragged() -> None:
-    free = [jumps(dragged(living_room(seed), 60, False)) for seed in range(8)]
-    held = [jumps(dragged(living_room(seed), 60, True)) for seed in range(8)]
+    free = [jumps(dragged(living_room(seed), FRAMES, False)) for seed in range(8)]
+    held = [jumps(dragged(living_room(seed), FRAMES, True)) for seed in range(8)]
     assert sum(free) > 0
     assert all(h <= f for h, f in zip(held, free, strict=True))
     assert sum(held) < sum(free)
 
 
 def test_no_more_neighbours_jump_where_ways_are_kept_free() -> None:
-    free, held = (jumps(dragged(living_room(1), 120, hold)) for hold in (False, True))
+    free, held = (jumps(dragged(living_room(1), 2 * FRAMES, hold)) for hold in (False, True))
     assert held <= free
 
 

@@ -18,11 +18,11 @@ from solver.placement import place
 from solver.scene import Furniture
 from solver.streams import Stream
 from tests.placement.rooms import random_space, random_wanted
-from tests.sweeps import times
+from tests.sweeps import seeds, times
 
 ROOT = Path(__file__).parents[2]
-REPEATS = times(1000, 100)
-SEEDS = tuple(range(8))
+REPEATS = times(1000, 25)
+SEEDS = tuple(seeds(range(8), 2))
 """Of houses of 10 x 8 m."""
 DEFAULT = 42
 """The seed of a house of the default size."""
@@ -99,7 +99,7 @@ def asked_apart(hashes: str, share: tuple[int, ...]) -> subprocess.Popen[str]:
 
 
 def test_new_processes_with_other_hashes_at_once() -> None:
-    """Two share eight houses; the one with an empty environment makes the default house, too."""
+    """Two share the houses; the one with an empty environment makes the default house, too."""
     shares = {hashes: SEEDS[number :: len(ENVIRONMENTS)] for number, hashes in enumerate(ENVIRONMENTS)}
     shares["random"] += (DEFAULT,)
     with ExitStack() as running:

@@ -13,7 +13,7 @@ beforeAll(() => { vi.stubGlobal("IDBKeyRange", fake.IDBKeyRange); });
 
 type Draw = () => number;
 /** `make targets` draws all of them. */
-const SEQUENCES = process.env.SWEEPS === "all" ? 200 : 50;
+const SEQUENCES = process.env.SWEEPS === "all" ? 200 : 20;
 const LENGTH = 25;
 
 function house(seed: number): Scene {
