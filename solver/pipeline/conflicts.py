@@ -16,7 +16,7 @@ from solver.pieces import Piece, Space
 from solver.pipeline.judged_again import judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
-from solver.placement import Budget, charge, feasible, is_call_spent, minimal_conflict, work_of_call
+from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
 from solver.placement.lengths import Shortfall, centimetres, least_that, metres, sentence
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
 from solver.scene import Furniture, Room
@@ -167,15 +167,16 @@ class _WhyNot:
     budget: Budget
 
     def why(self, group: Sequence[Piece], label: str, walk: bool = False) -> _Verdict:
-        """Explains why one of the pieces cannot stand, or with `walk` be used, with a group of them."""
+        """Explains why one of the pieces cannot stand, or with `walk` be used, with a group of them: by as few as cannot be used either."""
         space, room = self.repair.problem.space, self.repair.problem.room.id
         ids = minimal_conflict(space, group, label, self.budget, walk)
         if not walk and self.repair.problem.settings.walk:
-            own = [piece for piece in group if piece.label == label and None in piece.parents]
-            if own and len(ids or ()) > 1 and feasible(space, own, self.budget, walk=True) is False:
-                return self.why(own, label, walk=True)
             if ids is None:
                 return self.why(group, label, walk=True)
+            own = [piece for piece in group if piece.label in ids]
+            fewer = minimal_conflict(space, own, label, self.budget, walk=True) if len(ids) > 1 else None
+            if fewer is not None and len(fewer) < len(ids):
+                ids, walk = fewer, True
         if ids is None:
             return _Verdict(label, (label,), at_limit(self._names[label], walk, f" in {room}"), proven=False)
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]

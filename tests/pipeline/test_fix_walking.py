@@ -59,6 +59,17 @@ def test_what_cannot_be_reached_alone_is_no_matter_of_what_it_cannot_stand_with(
     assert "can stand but cannot be reached" in conflict.message
 
 
+def test_of_pieces_that_cannot_stand_together_those_are_told_that_cannot_be_reached_without_the_rest_either() -> None:
+    """Two sofas as wide as the room, before the door's floor, and a shelf: with it they do not fit, without it one shuts the other off."""
+    near, far = body("sofa_1", 1.0, 0.5, (1.9, 1.0, 0.8)), body("sofa_2", 1.0, 1.55, (1.9, 1.0, 0.8))
+    shelf, door = body("gizmo_1", 1.0, 1.0, (1.9, 0.3, 0.8)), Opening("door", "door", "south", 1.0, connects_to="EXTERIOR")
+    for alone in (near, far):
+        assert fix(room_of(alone, shelf, width=2.0, depth=3.0, openings=(door,))).conflicts == ()
+    (conflict,) = fix(room_of(near, far, shelf, width=2.0, depth=3.0, openings=(door,))).conflicts
+    assert conflict.ids == (near.id, far.id)
+    assert "can stand but cannot all be reached" in conflict.message
+
+
 def test_what_could_not_be_reached_without_a_piece_locked_outside_either_has_a_conflict_of_its_own() -> None:
     chest = body("chest_1", 4.0, 1.3, (0.6, 0.6, 0.8), locked=True)
     bed = body("bed_1", 1.0, 0.5, (2.0, 0.9, 0.5))
