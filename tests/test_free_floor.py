@@ -131,3 +131,10 @@ def test_the_validator_agrees(start: int) -> None:
             before = FreeFloor.of_room(replace(room, furniture=room.furniture[:-1]), space, KNOWN.use_sides())
             assert before.connects([bodies[-1]]) == connected
     assert min(seen.values()) > 5
+
+
+def test_where_nobody_comes_in_one_walks_in_the_largest_part() -> None:
+    space = space_of(Room("room_0", width=5.0, depth=2.0), 0.0)
+    for wall, west, east in ((2000, False, True), (2900, True, False)):
+        floor = [FreeFloor(space, [Rect(wall, 0, wall + 100, 2000)], [Goal.beside(Rect(x, 900, x + 100, 1000))]) for x in (0, 4900)]
+        assert [one.connects() for one in floor] == [west, east]

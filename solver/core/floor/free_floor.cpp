@@ -61,17 +61,30 @@ class Cells {
 
   i32 components() const { return components_; }
 
-  // Tells whether a component has so many free centres, of a person who is not smaller than asked.
-  bool has(i32 component, i64 least_area) const {
+  // The area of a component's free centres, of a person who is not smaller than asked; no more is counted once that is `enough`.
+  i64 area(i32 component, i64 enough) const {
     i64 area = 0;
     for (i32 i = 1; i + 1 < labels_.rows; i++) {
       for (i32 j = 1; j + 1 < labels_.columns; j++) {
         if (labels_.at(i, j) != component) continue;
         area += area_within(xs_[i] - xs_[i - 1], zs_[j] - zs_[j - 1], [&](i32 x, i32 z) { return labels_.at(i + x, j + z) == TAKEN; });
-        if (area >= least_area) return true;
+        if (area >= enough) return area;
       }
     }
-    return false;
+    return area;
+  }
+
+  // The component with the most free centres; 0 where there is none.
+  i32 largest() const {
+    i32 best = 0;
+    i64 largest = -1;
+    const i64 whole = (xs_[xs_.size - 1] - xs_[0]) * (zs_[zs_.size - 1] - zs_[0]);
+    for (i32 component = 1; component <= components_; component++) {
+      const i64 own = area(component, whole);
+      if (own > largest) best = component;
+      largest = most(own, largest);
+    }
+    return best;
   }
 
   // Marks the components of which a cell meets a box.
@@ -187,8 +200,9 @@ bool FreeFloor::connects() const {
     }
     if (!goal.need_all) keep(serving, touched);
   }
+  const i32 only = doors_.size > 0 ? 0 : cells.largest();  // nobody comes in
   for (i32 k = 0; k < serving.size; k++) {
-    if (serving[k] && cells.has(k + 1, LEAST_FLOOR)) return true;
+    if (serving[k] && (only == 0 || only == k + 1) && cells.area(k + 1, LEAST_FLOOR) >= LEAST_FLOOR) return true;
   }
   return false;
 }

@@ -23,7 +23,7 @@ class FreeFloor {
   void add(const Rect& body) { taken_.add(grown(body)); }
 
   // Tells whether one component of the floor meets every door and every goal, and is 0.25 m2 of centres. What meets doors that are
-  // joined outside is one component, and one of these doors is enough.
+  // joined outside is one component, and one of these doors is enough; without any door one walks in the largest.
   bool connects() const;
 
   // The same with one more body.
