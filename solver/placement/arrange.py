@@ -12,7 +12,7 @@ from solver.geometry import Rect
 from solver.pieces import Candidate, Doorway, Piece, Space
 from solver.placement import kernel
 from solver.placement.budget import Budget, is_call_spent
-from solver.placement.core import Core, Limits, rounded
+from solver.placement.core import Core, Limits
 from solver.placement.empty_floor import FLOOR, PULL
 from solver.placement.encode import Encoded, encode, lay_out
 from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
@@ -106,8 +106,9 @@ class SolvedRoom:
         )
 
     def footprints(self) -> list[Rect]:
-        """Returns where the chosen pieces are, rounded to millimetres."""
-        return self.core.footprints([chosen.number for chosen in self.chosen], rounded(self.solution.positions))
+        """Returns where the chosen pieces are, on whole millimetres at which all that holds between them still does."""
+        self.core.settle(self.solution.positions, self.solution, self.walkable, tidy=False)
+        return self.core.footprints([chosen.number for chosen in self.chosen])
 
 
 def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:

@@ -138,6 +138,28 @@ def test_who_is_in_the_way_steps_aside_though_the_room_is_parted() -> None:
     assert [move.id for move in fixed.moves] == [walker.id]
 
 
+def test_no_piece_of_a_crowded_l_shaped_room_can_go_back_a_centimetre_by_itself() -> None:
+    crowd = [
+        (180, body("sofa_1", 1.118, 4.171, (2.159, 0.982, 0.85))), (270, body("bookshelf_1", 2.727, 2.331, (0.708, 0.394, 1.9))),
+        (90, body("crate_1", 3.404, 2.437, (0.519, 0.513, 0.5))), (180, body("dining_table_1", 3.086, 0.79, (1.299, 0.751, 0.75))),
+        (0, body("wardrobe_1", 2.863, 2.296, (1.365, 0.558, 2.2))), (270, body("bookshelf_2", 3.113, 0.912, (0.974, 0.377, 1.9))),
+    ]  # fmt: skip
+    outline = ((0.0, 0.0), (4.4, 0.0), (4.4, 2.58), (1.77, 2.58), (1.77, 4.4), (0.0, 4.4))
+    door = Opening("door", "door", position=0.9, width=0.8, connects_to="EXTERIOR", edge=1)
+    sent = replace(
+        room_of(*(replace(one, rotation=turn) for turn, one in crowd), width=4.4, depth=4.4, outline=outline, openings=(door,)),
+        wall_thickness=0.1,
+    )
+    room, wished = fix(sent).scene.rooms[0], pieces(sent)
+    assert errors(replace(sent, rooms=(room,))) == []
+    for piece in room.furniture:
+        for axis in ("x", "z"):
+            away = getattr(wished[piece.id], axis) - getattr(piece, axis)
+            back = replace(piece, **{axis: round(getattr(piece, axis) + (0.01 if away > 0 else -0.01), 4)})
+            trial = replace(room, furniture=tuple(back if one is piece else one for one in room.furniture))
+            assert abs(away) < 0.01 or errors(replace(sent, rooms=(trial,))), (piece.id, axis)
+
+
 def furnished(seed: int) -> Scene:
     """A bedroom of 2.8-3.6 m with pieces thrown in at its walls."""
     stream = Stream(seed, "walked bedrooms")
