@@ -15,28 +15,32 @@ export interface RemakingWords {
   furnished(made: FurnishAnswer, of: Scene): void;
 }
 
+type Make = (before: Shown, signal: AbortSignal) => Promise<GenerateAnswer & Pick<Shown, "made">>;
+
 export class Remaking {
   #look: Look = {};
+  /** What is wished and not shown yet: a newer wish withdraws the question before it, and not what that asked for. */
+  #wishes: ReadonlyMap<string, Make> = new Map();
 
   constructor(readonly home: Home, readonly asking: Asking, readonly words: RemakingWords) {}
 
   /** Gives the home another style or other decorations; the furniture stays. */
   restyle(wish: Look): void {
     if (!this.home.settled) return;
-    const look = (this.#look = { ...this.#look, ...wish }); // a choice withdraws the question before it, and not what that asked for
-    this.#step(say("Changing style and decorations"), async ({ scene, made }, signal) => {
+    const look = (this.#look = { ...this.#look, ...wish });
+    this.#step("look", say("Changing style and decorations"), async ({ scene, made }, signal) => {
       return { ...(await restyle(scene, look, signal)), made: made ? withoutGaps({ ...made, ...look }) : null };
-    }, () => { if (this.#look === look) this.#look = {}; });
+    });
   }
 
   /** Furnishes a room anew; what is locked in it stays. */
   reroll(room: string): void {
-    this.#step(say("Furnishing the room anew"), ({ scene }, signal) => reroll(scene, [room], signal));
+    this.#step(`room ${room}`, say("Furnishing the room anew"), ({ scene }, signal) => reroll(scene, [room], signal));
   }
 
   /** Furnishes the rooms that stand empty, and says what they were taken for. */
   furnish(): void {
-    this.#step(say("Furnishing empty rooms"), async ({ scene }, signal) => {
+    this.#step("empty", say("Furnishing empty rooms"), async ({ scene }, signal) => {
       const made = await furnish(scene, [], signal);
       this.words.furnished(made, scene);
       return made;
@@ -51,14 +55,19 @@ export class Remaking {
     });
   }
 
-  #step(said: string, make: (before: Shown, signal: AbortSignal) => Promise<GenerateAnswer & Pick<Shown, "made">>, done: () => void = () => undefined): void {
+  #step(what: string, said: string, make: Make): void {
+    const wishes = new Map(this.#wishes).set(what, make);
+    this.#wishes = wishes;
     void this.asking.run(said, async (signal) => {
       await this.words.inTurn(async () => {
-        const before = this.home.settled;
-        if (!before || signal.aborted) return;
-        const { scene, issues, timing_ms: timing, made = before.made ?? null } = await make(before, signal);
-        this.home.show({ scene, issues, conflicts: [], timing, made }, "step");
-      }).finally(done);
+        for (const [wished, asked] of wishes) {
+          const before = this.home.settled;
+          if (!before || signal.aborted) return;
+          const { scene, issues, timing_ms: timing, made = before.made ?? null } = await asked(before, signal);
+          wishes.delete(wished);
+          this.home.show({ scene, issues, conflicts: [], timing, made }, "step");
+        }
+      }).finally(() => { if (this.#wishes === wishes) [this.#wishes, this.#look] = [new Map(), {}]; });
       await this.words.read();
     });
   }
