@@ -3,8 +3,8 @@ import type { Progress } from "./panel/progress";
 import { isAbort, useKey } from "./service";
 import { Notice } from "./panel/notice";
 
-/** Does something beside the question, once at a time. */
-export type Beside = (what: string, act: () => Promise<void>) => Promise<void>;
+/** Does something beside the question, `of` what is given once at a time. */
+export type Beside = (what: string, act: () => Promise<void>, of?: unknown) => Promise<void>;
 
 export class Asking {
   /** Called before a question about the home that is shown, or about another one. */
@@ -40,17 +40,17 @@ export class Asking {
     }
   }
 
-  /** Does something beside that, such as a file; what is under way already is not begun again. */
-  readonly beside: Beside = async (what, act) => {
-    if (this.progress.has(what)) return;
-    const end = this.progress.start(what);
+  /** Does something beside that, such as a file; what is under way already is not begun again, which is said. */
+  readonly beside: Beside = async (what, act, of) => {
+    if (this.progress.saysAgain(what, of)) return;
+    const end = this.progress.start(what, of);
     try {
       await act();
       if (this.#refused === what) this.notice.hide();
     } catch (reason) {
       if (isAbort(reason)) return;
       this.#refused = what;
-      this.notice.show(reason, () => void this.beside(what, act));
+      this.notice.show(reason, () => void this.beside(what, act, of));
     } finally {
       end();
     }

@@ -46,6 +46,7 @@ describe("what is under way", () => {
     const written = asking.beside("file", file.act);
     await asking.beside("file", file.act);
     expect(file.times()).toBe(1);
+    expect(seen()[2], "which is said at once").toBe("file… 0 s");
     const answered = asking.run("question", question.act);
     expect(seen().slice(0, 2)).toEqual(["true", "file"]);
     file.end();
@@ -55,6 +56,13 @@ describe("what is under way", () => {
     await answered;
     expect(seen()[0]).toBe("false");
     void asking.beside("file", file.act);
+    expect(file.times()).toBe(2);
+  });
+
+  it("is a file of each home that it was asked for of", async () => {
+    const { asking } = page();
+    const file = held();
+    for (const home of [1, 2, 2]) void asking.beside("file", file.act, home);
     expect(file.times()).toBe(2);
   });
 

@@ -55,7 +55,7 @@ export class Files {
     if (!scene) return;
     void this.beside(say("Writing {file}", { file: fileName(scene, format) }), async () => {
       save(new Blob([await exported(scene, format, new AbortController().signal)]), fileName(scene, format));
-    });
+    }, scene);
   }
 
   /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
@@ -78,7 +78,7 @@ export class Files {
     void this.beside(say("Writing {file}", { file: format }), async () => {
       const { name, content } = await exportedFile(scene, format, new AbortController().signal);
       save(content, name);
-    });
+    }, scene);
   }
 
   #chosen(): void {

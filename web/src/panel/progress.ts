@@ -5,6 +5,8 @@ const [BAR_AFTER_MS, WORDS_AFTER_MS] = [150, 1000];
 
 interface Work {
   readonly what: string;
+  /** What it is done with. */
+  readonly of: unknown;
   readonly since: number;
 }
 
@@ -19,14 +21,23 @@ export class Progress {
     this.#hide(); // until now the page itself was under way
   }
 
-  /** Whether something called so is under way. */
-  has(what: string): boolean {
-    return this.#works.some((work) => work.what === what);
+  #find(what: string, of: unknown = null): Work | undefined {
+    return this.#works.find((work) => work.what === what && work.of === of);
+  }
+
+  /** Whether something called so is under way, which is said at once and before all else then. */
+  saysAgain(what: string, of: unknown = null): boolean {
+    const work = this.#find(what, of);
+    if (!work) return false;
+    this.#set([work, ...this.#works.filter((one) => one !== work)]);
+    this.host.hidden = false;
+    this.#say(work);
+    return true;
   }
 
   /** Shows that something is under way, of several the first, until what is returned is called. */
-  start(what: string): () => void {
-    const work: Work = { what, since: performance.now() };
+  start(what: string, of: unknown = null): () => void {
+    const work: Work = { what, of, since: performance.now() };
     this.#set([...this.#works, work]);
     return () => { this.#set(this.#works.filter((one) => one !== work)); };
   }
@@ -34,7 +45,7 @@ export class Progress {
   /** Shows that something is under way, or no longer, which tells so itself. */
   turn(what: string, isOn: boolean): void {
     const others = this.#works.filter((work) => work.what !== what);
-    this.#set(!isOn ? others : this.has(what) ? this.#works : [...others, { what, since: performance.now() }]);
+    this.#set(!isOn ? others : this.#find(what) ? this.#works : [...others, { what, of: null, since: performance.now() }]);
   }
 
   #set(works: readonly Work[]): void {
