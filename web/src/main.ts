@@ -44,6 +44,8 @@ import { element } from "./element";
 
 type History = "push" | "keep";
 
+const FORKED = new ServiceProblem("This home is kept as one of its own from here on", "Another window has it open, or has forgotten it: what each changes is its own.");
+
 class Page {
   readonly #home = new Home();
   readonly #controls = new Controls(element<HTMLFormElement>("request"));
@@ -329,6 +331,7 @@ class Page {
     const shown = this.#home.shown;
     if (!shown || how === "live") return;
     this.#asking.notice.hide();
+    if (this.#keeping.homes.isFork) this.#failed(FORKED);
     this.#stage.show(shown.scene, shown.issues);
     this.#stage.select(this.#home.selected, this.#home.also);
     if (how === "new") this.#imported.show(null);

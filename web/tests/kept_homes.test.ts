@@ -309,6 +309,10 @@ describe("what is kept", () => {
     const { here, there, own, styles, settled } = await twoWindows();
     here.home.show(made(1, "nordic"), "step");
     there.home.show(made(1, "modern"), "step");
+    expect([here.isFork, there.isFork], "which a person is told").toEqual([true, false]);
+    here.home.undo();
+    here.home.redo();
+    expect(here.isFork, "once").toBe(false);
     await settled();
     expect([here.current === own, there.current]).toEqual([false, own]);
     expect([await styles(own), await styles(here.current)]).toEqual([["none", "rustic", "modern"], ["none", "rustic", "nordic"]]);

@@ -60,6 +60,8 @@ export class KeptHomes {
   #restoring = false;
   /** Another window shows this very home, or has forgotten it: whatever changes here is of a home of its own. */
   #isShared = false;
+  /** Whether what was shown last began a home of its own so. */
+  isFork = false;
 
   /** `tabs` reaches the page's other windows, where there may be some. */
   constructor(readonly home: Home, readonly store: Store, readonly tabs: BroadcastChannel | null = null, readonly now: () => number = Date.now) {
@@ -111,7 +113,9 @@ export class KeptHomes {
   }
 
   #shown(how: Showing): void {
-    if (how === "live" || this.#restoring) return;
+    if (how === "live") return;
+    this.isFork = false;
+    if (this.#restoring) return;
     const steps = this.home.steps;
     const isSame = how === "new" && this.#isSame(steps);
     if (how === "new" && !isSame) this.#begin(steps);
@@ -140,7 +144,7 @@ export class KeptHomes {
     const ahead = from < steps.length && !isSame ? null : this.#head.ahead;
     const shown = steps[this.home.at] as Shown;
     const [id, first] = this.#isShared ? [freshId(), 0] : [this.#head.id, from];
-    this.#isShared = false;
+    [this.isFork, this.#isShared] = [this.#isShared, false];
     this.#keep({ ...this.#head, id, ahead, ...this.#facts(shown) }, steps, first);
   }
 
