@@ -307,10 +307,11 @@ class Page {
     void this.#asking.run(isToBeFurnished ? say("Furnishing the plan") : say("Looking at the plan"), async (signal) => {
       const drawn = await tell();
       const made = isToBeFurnished ? await furnish(drawn, [], signal) : { ...(await report(drawn, [], signal)), scene: drawn, timing_ms: 0, guesses: [], entrance: null };
-      if (!this.#drawing.finish()) return;
+      const left = this.#drawing.finish();
+      if (left === null) return;
       this.#home.show({ scene: made.scene, issues: made.issues, conflicts: [], timing: made.timing_ms, made: null, file: null }, "step");
       this.#imported.show(null);
-      this.#imported.guessed(made, drawn);
+      this.#imported.guessed(made, drawn, left);
       await this.#reads;
     }, true);
   }

@@ -267,6 +267,9 @@ describe("a file that was read", () => {
     expect(host.hidden).toBe(true);
     report.guessed(kitchen, plan);
     expect(told(list)).toEqual(["Guessed (1)", "Room 1: Kitchen, told by its form"]);
+    report.show(null);
+    report.guessed({ guesses: [], entrance: null, issues: [] }, plan, "sofa: no room");
+    expect([host.hidden, ...told(list)], "what went with a wall that was moved").toEqual([false, "Left out (1)", "sofa: no room"]);
   });
 });
 

@@ -64,6 +64,8 @@ export class Board {
   #furnished: ReadonlyMap<string, Room> = new Map();
   /** The plan as the last step left it: what the next one is compared to. */
   #before: Draft = EMPTY;
+  /** The plan of the home that the board was opened on. */
+  #opened: Draft = EMPTY;
   /** The plan that was asked to be shown or furnished. */
   #told: Draft | null = null;
 
@@ -114,7 +116,7 @@ export class Board {
   /** Opens the board: on a home, or on an empty sheet. */
   open(scene: Scene | null): void {
     this.host.hidden = false;
-    this.#before = scene ? draftOf(scene) : EMPTY;
+    this.#opened = this.#before = scene ? draftOf(scene) : EMPTY;
     this.#plan.open(this.#before);
     this.#learn().catch((reason: unknown) => this.words.failed(reason));
     this.#use(scene ? "choose" : "room");
@@ -124,14 +126,17 @@ export class Board {
     this.#sheet.svg.focus();
   }
 
-  /** Closes the board on what is shown now, unless that is no longer what is drawn. */
-  finish(): boolean {
-    const isSame = !this.isOpen || this.#plan.settled === this.#told;
-    if (isSame) {
-      this.#plan.finish();
-      this.close();
-    } else this.#say(say("The plan has changed since: press it again for the plan as it now is."));
-    return isSame;
+  /** Closes the board on what is shown now, and tells what was left out of it; null: that is no longer what is drawn. */
+  finish(): string | null {
+    if (this.isOpen && this.#plan.settled !== this.#told) {
+      this.#say(say("The plan has changed since: press it again for the plan as it now is."));
+      return null;
+    }
+    const stay = new Set(this.#plan.settled.rooms.map(({ id }) => id));
+    const left = leftOutWords({ ...this.#opened, rooms: this.#opened.rooms.filter(({ id }) => stay.has(id)) }, this.#plan.settled);
+    this.#plan.finish();
+    this.close();
+    return left;
   }
 
   close(): void {

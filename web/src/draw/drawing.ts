@@ -45,9 +45,9 @@ export class Drawing {
     if (this.#board?.isOpen) this.#board.close();
   }
 
-  /** Closes the board on what is shown now, unless that is no longer what is drawn. */
-  finish(): boolean {
-    return this.#board?.finish() ?? true;
+  /** Closes the board on what is shown now, and tells what was left out of it; null: that is no longer what is drawn. */
+  finish(): string | null {
+    return this.#board ? this.#board.finish() : "";
   }
 
   async #load(): Promise<Board> {

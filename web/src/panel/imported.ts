@@ -101,14 +101,15 @@ export class ImportReport {
     this.#list(reason.title, []);
   }
 
-  /** Shows what was guessed of a plan that was furnished, before what was said of its file. */
-  guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance" | "issues">, plan: Scene): void {
+  /** Shows what was guessed of a plan that was furnished, before what was said of its file; and what drawing it `left` out. */
+  guessed(answer: Pick<FurnishAnswer, "guesses" | "entrance" | "issues">, plan: Scene, left = ""): void {
     const lines = guessLines(answer, plan);
     if (!this.#read) this.#ways = [];
-    if (lines.length === 0 && toCheck(answer.issues, plan).length === 0) return;
+    if (lines.length === 0 && left === "" && toCheck(answer.issues, plan).length === 0) return;
     const known = new Set(answer.guesses.map(({ room }) => room));
     const { guesses, ...read } = this.#read ?? { scene: plan, changes: [], guesses: [], unread: [] };
-    this.#list(say("What the plan became"), importLines({ ...read, issues: answer.issues, guesses: guesses.filter(({ of, what }) => what !== "type" || !known.has(of)) }, lines));
+    const parts = importLines({ ...read, issues: answer.issues, guesses: guesses.filter(({ of, what }) => what !== "type" || !known.has(of)) }, lines);
+    this.#list(say("What the plan became"), left === "" ? parts : [{ title: say("Left out"), lines: [left] }, ...parts]);
   }
 
   #list(words: string, parts: ReturnType<typeof importLines>): void {
