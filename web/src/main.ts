@@ -15,7 +15,7 @@ import type { LeftHome } from "./memory/kept_homes";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
 import { Files } from "./panel/files";
-import { ImportReport } from "./panel/imported";
+import { ImportReport, offeringUnits } from "./panel/imported";
 import { Issues } from "./panel/issues";
 import { Keys } from "./panel/keys";
 import { Legend } from "./panel/legend";
@@ -278,8 +278,7 @@ class Page {
 
   #openFile(file: GivenFile, history: History): void {
     void this.#asking.run(say("Reading {file}", { file: file.name }), (signal) => this.#openGiven(file, history, signal).catch((reason: unknown) => {
-      this.#imported.refused(reason, (asked) => this.#openFile({ ...file, ...asked }, history));
-      throw reason;
+      throw offeringUnits(reason, (asked) => this.#openFile({ ...file, ...asked }, history));
     }));
   }
 

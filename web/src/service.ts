@@ -11,6 +11,8 @@ interface Refusal {
   readonly status?: number | null;
   /** When to come back [s], where the service says. */
   readonly retryAfter?: number | null;
+  /** What else may be asked for, in words. */
+  readonly ways?: readonly (readonly [words: string, act: () => void])[];
 }
 
 /** Why a call brought no answer, in words for a person. */
@@ -18,6 +20,7 @@ export class ServiceProblem extends Error {
   readonly fields: readonly FieldProblem[];
   readonly status: number | null;
   readonly retryAfter: number | null;
+  readonly ways: NonNullable<Refusal["ways"]>;
 
   constructor(readonly title: string, readonly detail: string, refusal: Refusal = {}) {
     super(`${title}: ${detail}`);
@@ -25,6 +28,7 @@ export class ServiceProblem extends Error {
     this.fields = refusal.fields ?? [];
     this.status = refusal.status ?? null;
     this.retryAfter = refusal.retryAfter ?? null;
+    this.ways = refusal.ways ?? [];
   }
 }
 

@@ -5,7 +5,7 @@ import { drawing } from "./random_requests";
 import { opening, piece, room, scene } from "./rooms";
 import { showFindings } from "../src/panel/found";
 import { tokensOf, writeHighlighted } from "../src/panel/highlight";
-import { ImportReport } from "../src/panel/imported";
+import { ImportReport, offeringUnits } from "../src/panel/imported";
 import { Legend, roomColors } from "../src/panel/legend";
 import { LineList, type Line } from "../src/panel/line_list";
 import type { Found } from "../src/memory/carrying";
@@ -24,6 +24,14 @@ function listed(): { list: LineList; host: HTMLElement; chosen: string[] } {
   const chosen: string[] = [];
   list.onChoose = (id) => chosen.push(id);
   return { list, host, chosen };
+}
+
+function noticed(): { notice: Notice; again: HTMLButtonElement; key: HTMLFormElement; keys: string[] } {
+  document.body.innerHTML = '<div hidden><strong class="notice-title"></strong><p class="notice-detail"></p><form class="notice-key" hidden><input />'
+    + '</form><button class="notice-again"></button><button class="notice-close"></button></div>';
+  const keys: string[] = [];
+  const host = document.querySelector("div") as HTMLElement;
+  return { notice: new Notice(host, (key) => keys.push(key)), keys, again: host.querySelector(".notice-again") as HTMLButtonElement, key: host.querySelector("form") as HTMLFormElement };
 }
 
 describe("a list of lines", () => {
@@ -140,14 +148,6 @@ describe("the link", () => {
 });
 
 describe("the notice", () => {
-  function noticed(): { notice: Notice; again: HTMLButtonElement; key: HTMLFormElement; keys: string[] } {
-    document.body.innerHTML = '<div hidden><strong class="notice-title"></strong><p class="notice-detail"></p><form class="notice-key" hidden><input />'
-      + '</form><button class="notice-again"></button><button class="notice-close"></button></div>';
-    const keys: string[] = [];
-    const host = document.querySelector("div") as HTMLElement;
-    return { notice: new Notice(host, (key) => keys.push(key)), keys, again: host.querySelector(".notice-again") as HTMLButtonElement, key: host.querySelector("form") as HTMLFormElement };
-  }
-
   it("does again what was refused, and nothing else", () => {
     const { notice, again } = noticed();
     const done: string[] = [];
@@ -202,8 +202,8 @@ describe("a file that was read", () => {
     expect(list.children).toHaveLength(0);
   });
 
-  it("may be read in another unit than was guessed or asked for, or in any where it was refused for the want of one", () => {
-    const { host, list, report } = reported();
+  it("may be read in another unit than was guessed or asked for", () => {
+    const { list, report } = reported();
     const asked: unknown[] = [];
     const offered = (): (string | null)[] => [...list.querySelectorAll("button")].map((one) => one.textContent);
     report.show(answer({ guesses: [{ of: "plan", what: "unit", taken: "cm", message: "the file does not say its unit" }] }), {}, (one) => asked.push(one));
@@ -214,14 +214,20 @@ describe("a file that was read", () => {
     expect(offered()[0]).toBe("Read it in centimetres");
     report.show(answer({}));
     expect(offered()).toEqual([]);
-    const refusal = (field: string, allowed: string): ServiceProblem => new ServiceProblem("a cannot be read", "", { fields: [{ field, problem: "", allowed }] });
-    report.refused(refusal("rooms", "at least one room with an outline"), () => undefined);
-    expect(host.hidden).toBe(true);
-    for (const [field, allowed] of [["unit", "m, cm, or a number of metres"], ["rooms", "0.5 to 1000 m: `unit` says how long the file's unit is"]] as const) {
-      report.show(null);
-      report.refused(refusal(field, allowed), (one) => asked.push(one));
-      expect([host.hidden, offered().length]).toEqual([false, 5]);
+  });
+
+  it("is refused with the units it may be read in where it was for the want of one, and with nothing where not", () => {
+    const { notice } = noticed();
+    const asked: unknown[] = [];
+    const offered = (): HTMLElement[] => [...notice.host.querySelectorAll<HTMLElement>(":scope > div button")];
+    for (const [field, allowed, units] of [
+      ["unit", "m, cm, or a number of metres", 5], ["rooms", "0.5 to 1000 m: `unit` says how long the file's unit is", 5], ["rooms", "at least one room with an outline", 0],
+    ] as const) {
+      notice.show(offeringUnits(new ServiceProblem("a cannot be read", "", { fields: [{ field, problem: "", allowed }] }), (one) => asked.push(one)));
+      expect(offered()).toHaveLength(units);
+      offered()[3]?.click();
     }
+    expect(asked).toEqual([{ unit: "in" }, { unit: "in" }]);
   });
 
   it("calls the plan so, and what was left out of a room as things are called", () => {

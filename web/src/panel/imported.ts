@@ -80,6 +80,12 @@ function waysOf(read: ImportAnswer, { unit }: Asked): Way[] {
   return [...storeysLeft(read), ...(taken === undefined ? [] : unitsBut(taken))];
 }
 
+/** Why a file was refused, with the units it may be read in where it was for the want of one. */
+export function offeringUnits(reason: unknown, open: (asked: Asked) => void): unknown {
+  if (!(reason instanceof ServiceProblem) || !reason.fields.some(({ field, allowed }) => field === "unit" || allowed.includes("`unit`"))) return reason;
+  return new ServiceProblem(reason.title, reason.detail, { ...reason, ways: unitsBut(null).map(([words, asked]) => [words, () => open(asked)]) });
+}
+
 export class ImportReport {
   #read: ImportAnswer | null = null;
   #ways: readonly Way[] = [];
@@ -92,13 +98,6 @@ export class ImportReport {
   show(answer: ImportAnswer | null, asked: Asked = {}, open: (asked: Asked) => void = () => undefined): void {
     [this.#read, this.#ways, this.#open] = [answer, answer ? waysOf(answer, asked) : [], open];
     this.#list(say("What the file became"), answer ? importLines(answer) : []);
-  }
-
-  /** Offers the units of a file that was refused for the want of one; says nothing of what else is refused. */
-  refused(reason: unknown, open: (asked: Asked) => void): void {
-    if (!(reason instanceof ServiceProblem) || !reason.fields.some(({ field, allowed }) => field === "unit" || allowed.includes("`unit`"))) return;
-    [this.#read, this.#ways, this.#open] = [null, unitsBut(null), open];
-    this.#list(reason.title, []);
   }
 
   /** Shows what was guessed of a plan that was furnished, before what was said of its file; and what drawing it `left` out. */

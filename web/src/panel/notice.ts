@@ -20,6 +20,7 @@ export class Notice {
   readonly #detail: HTMLElement;
   readonly #again: HTMLButtonElement;
   readonly #key: HTMLFormElement;
+  readonly #ways = document.createElement("div");
   /** The page's own words for wrong fields, a line each; null where it has none. */
   inWords: (problem: ServiceProblem) => readonly string[] | null = () => null;
   #counting = 0;
@@ -30,6 +31,7 @@ export class Notice {
     this.#detail = host.querySelector<HTMLElement>(".notice-detail") as HTMLElement;
     this.#again = host.querySelector<HTMLButtonElement>(".notice-again") as HTMLButtonElement;
     this.#key = host.querySelector<HTMLFormElement>(".notice-key") as HTMLFormElement;
+    this.#detail.after(this.#ways);
     this.#again.addEventListener("click", () => this.#retry?.());
     this.#key.addEventListener("submit", (event) => this.#submitKey(event));
     host.querySelector(".notice-close")?.addEventListener("click", () => this.hide());
@@ -38,11 +40,16 @@ export class Notice {
   /** Says what went wrong, and what is the case now; without `again` a person does it again by hand. */
   show(reason: unknown, again: Again | null = null, outcome: string | null = null): void {
     this.#retry = again;
-    const { fields = [], status = null, retryAfter = null }: Partial<ServiceProblem> = reason instanceof ServiceProblem ? reason : {};
+    const { fields = [], status = null, retryAfter = null, ways = [] }: Partial<ServiceProblem> = reason instanceof ServiceProblem ? reason : {};
     const ofForm = reason instanceof ServiceProblem ? this.inWords(reason) : null;
     const { title, lines } = ofForm ? { title: wrongFields(ofForm.length), lines: ofForm } : refusalWords(reason);
     this.#title.textContent = title;
     this.#detail.textContent = [...lines, ...(outcome === null ? [] : [outcome])].join("\n");
+    this.#ways.replaceChildren(...ways.map(([words, act]) => {
+      const way = Object.assign(document.createElement("button"), { type: "button", textContent: words });
+      way.addEventListener("click", act);
+      return way;
+    }));
     this.#key.hidden = status !== 401;
     const passes = fields.length === 0 || status === 503 || status === 429;
     this.#again.hidden = !again || !passes || status === 401 || status === 413;
