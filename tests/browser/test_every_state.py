@@ -24,19 +24,22 @@ HOME = "?program=studio&decorate=true&seed=3"
 PLAIN_HOME = "?program=studio&seed=3"
 """A home whose text is looked at where it is in view: all its lines, and those of decorations, are looked at in the other."""
 NOT_TWICE = """(() => {
-    const text = document.querySelector('#yaml');
-    if (!text) return [];
     const lookedAt = globalThis.lookedAt ??= new Set();
+    const media = ['print', '(prefers-color-scheme: dark)'].map(one => matchMedia(one).matches);
+    const all = [...media, innerWidth, !document.querySelector(':modal')];
+    const isTwice = (one, ...seen) => {
+        const told = JSON.stringify([...all, one.checkVisibility(), !one.closest('[inert]'), ...seen]);
+        return lookedAt.has(told) || !lookedAt.add(told);
+    };
+    const twice = [...document.querySelectorAll('#controls details.group')].filter(one => isTwice(one, one.outerHTML));
+    const text = document.querySelector('#yaml');
+    if (!text) return twice;
     const {top, bottom} = text.getBoundingClientRect();
     const isOut = ({bottom: end, top: start}) => end < Math.max(top, 0) || start > Math.min(bottom, innerHeight);
     const [out, seen] = [true, false].map(is => [...text.children].filter(one => isOut(one.getBoundingClientRect()) === is));
-    const media = ['print', '(prefers-color-scheme: dark)'].map(one => matchMedia(one).matches);
-    const told = JSON.stringify([media, innerWidth, text.checkVisibility(), text.cloneNode().outerHTML, ...seen.map(one => one.outerHTML)]);
-    if (lookedAt.has(told)) return [text];
-    lookedAt.add(told);
-    return out;
+    return [...twice, ...isTwice(text, text.cloneNode().outerHTML, ...seen.map(one => one.outerHTML)) ? [text] : out];
 })()"""
-"""The text where these lines of it have been looked at in these colours, and else its lines out of view."""
+"""Groups of controls that have been looked at as they are in these colours; so of the text, and else its lines out of view."""
 OPEN = "all => all.forEach(one => { one.open = true; })"
 UNDONE = "window.dispatchEvent(new DragEvent('dragleave', {relatedTarget: null})), 0"
 RULES: dict[str, tuple[str, ...]] = {"light": (), "dark": ("color-contrast", "link-in-text-block")}
@@ -76,7 +79,10 @@ class States:
         self.visit, self.found, self.colours = visit, dict[str, list[str]](), [*RULES]
 
     def look(self, state: str, shown: str | None = None, *, whole: bool = False) -> None:
-        """Wait until what makes the state is seen, and look at it: at the whole text, or at lines in view, which look like all, once."""
+        """Wait until what makes the state is seen, and look at it: at the whole text, or at lines in view, which look like all, once.
+
+        At groups of controls that stay as they were, too, it looks once.
+        """
         if shown is not None:
             expect(self.visit.page.locator(shown).first).to_be_visible()
         if not self.found:
