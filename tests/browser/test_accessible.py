@@ -11,10 +11,14 @@ from playwright.sync_api import Frame, Page, Route
 from tests.browser.visit import SMALL, Visit, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
-RUN = """rules => axe.run({exclude: %s}, {
+RUN = """rules => {
+    const paint = isSeen => { if (globalThis.unseen) unseen.disabled = isSeen; };
+    paint(true);
+    return axe.run({exclude: %s}, {
         resultTypes: ['violations'], selectors: false, ...(rules.length && {runOnly: rules}),
-    }).then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`))"""
-"""Every rule, or some, of the page but some elements.
+    }).then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`)).finally(() => paint(false));
+}"""
+"""Every rule, or some, of the page, as it is when it is seen, but some elements.
 
 What is right need not be told in detail, which costs as much as to find what is wrong.
 """

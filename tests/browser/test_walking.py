@@ -154,7 +154,7 @@ def test_a_click_opens_a_front_in_passing_and_the_key_what_is_looked_at(visit: V
 SET_HOUR = "hour => { const field = document.querySelector('#hour'); field.value = hour; field.dispatchEvent(new Event('input')); }"
 
 
-@pytest.mark.own_page
+@pytest.mark.draws_all
 def test_lamps_light_the_rooms_in_the_evening(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     visit.page.locator("#camera_walk").click()
@@ -170,6 +170,7 @@ def test_lamps_light_the_rooms_in_the_evening(visit: Visit) -> None:
     assert red > 0.55 * seen[15][0], "it is no dark house"
 
 
+@pytest.mark.draws_all
 def test_from_outside_a_home_stands_in_the_dusk_of_its_evening(visit: Visit) -> None:
     visit.open(SMALL.format(4))
     seen = []
