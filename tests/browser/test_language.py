@@ -13,7 +13,7 @@ from tests.browser.conftest import visiting
 from tests.browser.first_picture import LAPTOP
 from tests.browser.service_process import ServiceProcess
 from tests.browser.test_accessible import violations
-from tests.browser.visit import Visit
+from tests.browser.visit import Visit, rows
 from tests.imports import plans
 
 OPENED = "() => { for (const one of document.querySelectorAll('#controls details')) one.open = true; }"
@@ -135,5 +135,4 @@ def in_one_row(page: Page, row: str, count: int) -> None:
     expect(tools).to_have_count(count)
     titles = " ".join(tools.evaluate_all("all => all.map(one => one.title)"))
     assert "Strg+Z" in titles and not re.search("Control|Shift|Delete", titles), titles
-    boxes = [tool.bounding_box() for tool in tools.all()]
-    assert len({round(box["y"] + box["height"] / 2) for box in boxes if box}) == 1
+    assert rows(tools) == 1

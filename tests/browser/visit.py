@@ -270,6 +270,13 @@ def first(page: Page, taken: Sequence[Route]) -> Route:
     return taken[0]
 
 
+def rows(elements: Locator) -> int:
+    """In how many rows elements stand beside each other; each must have a size."""
+    ends: list[list[float]] = elements.evaluate_all("all => all.map(one => one.getBoundingClientRect()).map(box => [box.top, box.bottom])")
+    assert all(top < bottom for top, bottom in ends)
+    return len({round((top + bottom) / 2) for top, bottom in ends})
+
+
 def said(name: str) -> str:
     """A name of the catalogs as the page says it."""
     return SAID.get(name, name.replace("_", " "))
