@@ -33,7 +33,9 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         cover_mm2: how much floor the furniture shall cover at least; 0: whatever it covers.
     """
     lines, edges, half = bounds_of(room), outline_edges(room), (to_mm(wall_thickness) + 1) // 2
-    zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, half)]
+    between = int(_is_between_millimetres(room))
+    inner = half + between
+    zones = [Zone(rect, -1, "outline") for rect in missing_parts(room, inner)]
     doorways: list[Doorway] = []
     openings: list[Opened] = []
     for opening in room.openings:
@@ -45,13 +47,13 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         if zone is None:
             continue
         if opening.kind != "garage_door":
-            zones.append(zone)
+            zones.append(zone._replace(rect=zone.rect.shrunk(-between)))
         if opening.kind != "window":
             swings_in = opening.kind == "door" and opening.swing == "in"
             doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or "", swings_in=swings_in))
     beyond = doorways_of_others(room, others)
     zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
-    entered = (_from_face(one, lines, half) for one in (*doorways, *beyond))
+    entered = (_from_face(one, lines, inner) for one in (*doorways, *beyond))
     found = {"zones": tuple(zones), "doorways": tuple(entered), "openings": tuple(openings), "cover_mm2": cover_mm2}
     return changed(_SPACE, room=room.id, clear=lines.shrunk(half), robot_mm=to_mm(robot_width), **found)
 
@@ -63,14 +65,14 @@ def _opened(opening: Opening, line: WallLine) -> Opened:
     return Opened(kind, line[0], (centre - half, centre + half), line[1])
 
 
-def _from_face(doorway: Doorway, lines: Rect, half: int) -> Doorway:
-    """Returns a doorway with its square from the wall's face on where the wall is not the room's outermost."""
+def _from_face(doorway: Doorway, lines: Rect, inner: int) -> Doorway:
+    """Returns a doorway with its square from the wall's face on, so far `inner`, where the wall is not the room's outermost."""
     square, wall = doorway.square, doorway.wall
     if square.line(wall) == lines.line(wall):
         return doorway
     start, end = square.along(wall)
     deep = square.depth if wall in ALONG_X else square.width
-    return doorway._replace(square=strip_at(wall, square.line(wall) + INWARDS[wall] * half, (start, end), deep - half))
+    return doorway._replace(square=strip_at(wall, square.line(wall) + INWARDS[wall] * inner, (start, end), deep - inner))
 
 
 def scope_of(room: Room, space: Space) -> Scope:
@@ -181,18 +183,19 @@ def _clipped(rect: Rect, room: Rect) -> Rect | None:
     return cut if cut.x0 < cut.x1 and cut.z0 < cut.z1 else None
 
 
-def missing_parts(room: Room, half: int) -> list[Rect]:
-    """Returns the parts of the bounding rectangle outside the outline, grown by half a wall, as maximal columns.
+def _is_between_millimetres(room: Room) -> bool:
+    """Tells whether a corner of a room's outline is: then the faces of its inner walls are taken to lie one farther in."""
+    return any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline or () for v in corner)
 
-    Where a corner lies between two millimetres they are grown by one more.
-    """
+
+def missing_parts(room: Room, inner: int) -> list[Rect]:
+    """Returns the parts of the bounding rectangle outside the outline, grown to the faces of the walls, as maximal columns."""
     if not room.outline:
         return []
     points = [(to_mm(x), to_mm(z)) for x, z in room.outline]
-    between = any(abs(v * 1000 - to_mm(v)) > 1e-4 for corner in room.outline for v in corner)
     lines = bounds_of(room)
     (west, east), (north, south) = ((min(values), max(values)) for values in zip(*points, strict=True))
     across = [(z0, x0, x1) for (x0, z0), (x1, z1) in edges_round(points) if z0 == z1]
     columns = sorted(Rect(x0, z0, x1, z1) for z0, x0, z1, x1 in tiles_between([(north, west, east), *across, (south, west, east)]))
-    grown = (_clipped(rect.shrunk(-half - between), lines) for rect in columns)
+    grown = (_clipped(rect.shrunk(-inner), lines) for rect in columns)
     return [rect for rect in grown if rect]
