@@ -52,7 +52,7 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
             swings_in = opening.kind == "door" and opening.swing == "in"
             doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or "", swings_in=swings_in))
     beyond = doorways_of_others(room, others)
-    zones += [Zone(doorway.square, -1, doorway.id) for doorway in beyond]
+    zones += [Zone(doorway.square.shrunk(-between), -1, doorway.id) for doorway in beyond]
     entered = (_from_face(one, lines, inner) for one in (*doorways, *beyond))
     found = {"zones": tuple(zones), "doorways": tuple(entered), "openings": tuple(openings), "cover_mm2": cover_mm2}
     return changed(_SPACE, room=room.id, clear=lines.shrunk(half), robot_mm=to_mm(robot_width), **found)
