@@ -127,11 +127,15 @@ class Carrying:
         return [*self._tops_of(name, size), *self._insides_of(self._book.kind_of(sort, name, size, said), sort, size)]
 
     def _tops_of(self, name: str, size: KindSize) -> Sequence[CarryingSurface]:
-        """Returns the tops; where the size is not that of a kind of that name all of its top, and every height known for the name."""
+        """Returns the tops; where the size is not that of a kind of that name all of its top, and every height known for the name.
+
+        That counts as the kind has it, and as much higher as the piece is than the kind.
+        """
         known, top = self._tops.get(name, {}), CarryingSurface(size[2])
         if size in known:
             return known[size] or [top]
-        return [top, *(CarryingSurface(one.height, is_top=False) for found in known.values() for one in found)]
+        heights = ((one.height, one.height * size[2] / own[2]) for own, found in known.items() for one in found)
+        return [top, *(CarryingSurface(height, is_top=False) for both in heights for height in both)]
 
     def _insides_of(self, kind: str | None, sort: str, size: KindSize) -> list[CarryingSurface]:
         """Returns the boards and drawers inside a piece, as its kind's shape has them at that size."""

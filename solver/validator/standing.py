@@ -95,10 +95,10 @@ def floating(case: RuleCase) -> Iterator[Finding]:
     """A body's middle is not over a surface of what carries it at its height, or a decoration hangs at no wall.
 
     A parent of a kind and size that the catalogs know carries things on its surfaces, each as far in from its edges as the kind says. Any
-    other parent is what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name. Both carry
-    inside, on the boards of the carcass and in the drawers that their kind's shape has at their size. A thing without a parent, or whose
-    parent is not in the room, lies on the floor or on any of the room's bodies. Furniture that says `on` what it stands is judged like a
-    thing with that parent; of other furniture nothing is said: a cupboard may hang.
+    other parent is what its sizes say: it carries on all of its top, and at the heights that the catalogs know for its name, as they are
+    and as much higher as it is. Both carry inside, on the boards of the carcass and in the drawers that their kind's shape has at their
+    size. A thing without a parent, or whose parent is not in the room, lies on the floor or on any of the room's bodies. Furniture that
+    says `on` what it stands is judged like a thing with that parent; of other furniture nothing is said: a cupboard may hang.
     """
     for told in case.told["floating"]:
         name = case.name(told.body)

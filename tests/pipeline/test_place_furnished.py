@@ -91,6 +91,17 @@ def test_things_are_put_onto_what_stands_raised_or_on_another_piece() -> None:
         assert errors(answer.best.scene) == set()
 
 
+@pytest.mark.parametrize(
+    ("name", "size", "seat"),
+    [("sofa", (2.2, 0.9, 0.7), 0.45 / 0.85), ("bed", (1.6, 2.0, 0.5), 0.5 / 0.9), ("silla", (1.4, 0.6, 0.5), 0.46 / 0.9)],
+)
+def test_a_seat_is_as_much_lower_as_what_it_is_part_of(name: str, size: tuple[float, float, float], seat: float) -> None:
+    upon = PieceRequest("box", "microwave", 0.3, 0.2, 0.2, relations=(RelationSpec(type="on", of=("seat",), required=True),))
+    answer = place(Room("den", width=4.0, depth=4.0, openings=(DOOR,)), [PieceRequest("seat", name, *size), upon])
+    assert [one.y for one in answer.best.scene.rooms[0].furniture if one.id == "box"] == [pytest.approx(seat * size[2], abs=0.01)]
+    assert errors(answer.best.scene) == set()
+
+
 WAY = Opening("way", "door", "west", 0.43, 0.8, 2.0)
 
 
