@@ -41,6 +41,10 @@ class Lister {
     count_ += found.size();
     if (count_ > in_.kept.in_all) return false;
     note_sureness(seeker, found);
+    for (const Bond& pair : seeker.pairs) {
+      const i32 owner = pair.owner < 0 ? seeker.number : pair.owner;
+      if (seeker.share(pair) < 1.0) unpaid_.add({owner, static_cast<i32>(pair.rule - rules_of(owner).data)});
+    }
     add_ways(found);
     List<Candidate> told = found;
     if (others_.size > 0) told = others_[seeker.number].is_loose ? between_others(seeker, whole.all(), others_) : List<Candidate>{};
@@ -195,9 +199,9 @@ class Lister {
     }
   }
 
-  // Relations that no way pays for: to any of several later pieces.
+  // Relations that some way, or each, does not pay for in full: those that it may hold or not, and those to any of several later pieces.
   List<CountRow> unpaid() const {
-    List<CountRow> found;
+    List<CountRow> found = unpaid_;
     for (i32 piece = 0; piece < in_.rows.size; piece++) {
       const Span<Rule> rules = rules_of(piece);
       for (i32 i = 0; i < rules.size; i++) {
@@ -212,6 +216,7 @@ class Lister {
   Span<StandsRow> others_;
   i64 count_ = 0;  // of ways
   f64 least_cost_ = 0.0, spare_ = INFINITE;
+  List<CountRow> unpaid_;
   List<PieceRow> pieces_;
   List<Candidate> candidates_;
   List<Link> links_;

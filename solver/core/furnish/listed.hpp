@@ -18,9 +18,10 @@ struct Kept {
   i64 beside;    // of all stances beside one stance of another piece
   i64 attached;  // of a piece, attached to others
   i64 in_all;    // of all pieces; with more there is no answer
+  bool is_sure;  // whether a way that is not at the only other piece pays in full: where relations to it hold there are ways at it
 };
 // What finds a good placement of any list; what proves one the best, of lists that are short enough.
-constexpr Kept FEW{12, 3, 14, 3, 5, 400, 1'000'000}, NEARLY_ALL{64, 64, 64, 64, 64, 2000, 900};
+constexpr Kept FEW{12, 3, 14, 3, 5, 400, 1'000'000, false}, NEARLY_ALL{64, 64, 64, 64, 64, 2000, 900, true};
 
 // What of a piece's pose others' ways depend on.
 struct Stance {
@@ -99,6 +100,8 @@ struct Seeker {
   const ListedRow& row() const { return in.rows[number]; }
   const Kind& kind() const { return in.type.kind(row().kind); }
   void drop(f64 cost) { dropped = least(dropped, cost); }
+  // The part of a relation's cost that a way pays which is not at any of those it is to.
+  f64 share(const Bond& pair) const;
   // A way that stands so.
   Candidate way(Stance stance, f64 cost, f64 weight) const;
 };
@@ -107,7 +110,7 @@ struct Seeker {
 constexpr Rect ANY_PLACE{-NO_END / 2, -NO_END / 2, NO_END / 2, NO_END / 2};
 // What it costs that a piece of a list is missing, and a way that breaks a required relation.
 constexpr f64 GONE = 100.0;
-// The part of a relation's cost that a way pays which neither holds nor breaks it.
+// The part of a relation's cost that a way pays which may hold it or not.
 constexpr f64 UNSURE = 0.25;
 // Pull, m^-2, to the middle of a box or a rectangle: of a place beside, before or around a piece, and of any other.
 constexpr f64 FIRM = 0.3, LOOSE = 0.03;

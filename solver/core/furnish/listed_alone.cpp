@@ -16,6 +16,12 @@ Candidate Seeker::way(Stance stance, f64 cost, f64 weight) const {
   return made;
 }
 
+f64 Seeker::share(const Bond& pair) const {
+  bool is_only = in.kept.is_sure;
+  for (const Bond& one : pairs) is_only = is_only && one.earlier.size() == 1 && one.earlier[0] == pair.earlier[0];
+  return pair.relation().by_degree && !is_only ? UNSURE : 1.0;
+}
+
 bool fits_both(const Rect& a, const Rect& b, Extent extent, Rect& shared) {
   shared = a.common(b);
   return shared.width() >= extent.x && shared.depth() >= extent.z;
@@ -107,7 +113,7 @@ List<Foothold> footholds(Seeker& seeker) {
 void add_alone(const Seeker& seeker, Span<Foothold> footholds, List<Candidate>& found) {
   f64 unsure = 0.0;
   for (const Bond& pair : seeker.pairs) {
-    unsure += pair.rule->required ? GONE : pair.rule->cost * (pair.relation().by_degree ? UNSURE : 1.0);
+    unsure += pair.rule->required ? GONE : pair.rule->cost * seeker.share(pair);
   }
   for (const Foothold& at : footholds) {
     const bool is_free = at.stance.wall == Wall::none, has_part = is_free && seeker.row().at != Rect{};

@@ -25,6 +25,21 @@ static void add_without(const Footing& at, const Rect& rect, Point point, f64 ha
   for (const Rect& part : beside) add_if_fits(part);
 }
 
+// The parts of a rectangle off the corners of boxes around a point that are as far from it as is wished: free of walls.
+static void add_off_corners(const Footing& at, const Rect& rect, Point point, f64 wished, List<Rect>& found) {
+  for (const auto& share : CORNER_SHARES) {
+    const i64 x = rounded_up(share[0] * wished), z = rounded_up(share[1] * wished);
+    const Interval columns[] = {{rect.x0, point.x - x}, {point.x + x, rect.x1}};
+    const Interval rows[] = {{rect.z0, point.z - z}, {point.z + z, rect.z1}};
+    for (const Interval& across : columns) {
+      for (const Interval& along : rows) {
+        const Rect part = rect.common({across.low, along.low, across.high, along.high});
+        if (part.width() >= at.extent.x && part.depth() >= at.extent.z) found.add(part);
+      }
+    }
+  }
+}
+
 class FarFrom : public Relation {
  public:
   explicit constexpr FarFrom(bool doors) : doors_(doors) {
@@ -52,7 +67,7 @@ class FarFrom : public Relation {
     return off_distance(subject, effect, candidate, FAR_FROM_OPENING_MM, Off::shortfall);
   }
 
-  // Clear of the square around every opening; along a wall, exactly clear of the circle.
+  // Clear of the square around every opening, or where that has no room off a corner of it; along a wall, exactly clear of the circle.
   void regions(const Footing& at, List<Rect>& found) const override {
     const i64 wished = at.asked.rule.distance_or(FAR_FROM_OPENING_MM) + at.asked.tolerance.inside;
     List<Rect> left;
@@ -68,7 +83,11 @@ class FarFrom : public Relation {
         half_z = level ? EVERYWHERE : half;
       }
       List<Rect> parts;
-      for (const Rect& rect : left) add_without(at, rect, one.centre(), half_x, half_z, parts);
+      for (const Rect& rect : left) {
+        const i32 known = parts.size();
+        add_without(at, rect, one.centre(), half_x, half_z, parts);
+        if (at.wall == Wall::none && parts.size() == known) add_off_corners(at, rect, one.centre(), half_x, parts);
+      }
       left = parts;
     }
     found.add_all(left.all());
