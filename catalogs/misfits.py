@@ -47,7 +47,7 @@ def told(wrong: Mapping[str, Any], schema: Mapping[str, Any]) -> Fault:
     if kind == "value_error":
         return Fault("", at, str(context["error"]), allowed(schema, schema_at(schema, at)))
     if kind in UNKNOWN:
-        known = known_keys(schema, at[:-1])
+        known = [key for option in options_of(schema, schema_at(schema, at[:-1])) for key in option.get("properties", ())]
         return Fault("", at, f"is not known{near(str(at[-1]), known)}", ", ".join(known))
     if kind == "literal_error":
         words = QUOTED.findall(str(context["expected"]))
@@ -67,11 +67,6 @@ def _problem(wrong: Mapping[str, Any]) -> str:
     if wrong["type"] == "string_too_long":
         return f"is a text of {len(wrong['input'])} characters"
     return f"is {called(wrong['input'])}"
-
-
-def known_keys(schema: Mapping[str, Any], way: Sequence[str | int]) -> list[str]:
-    """Returns the keys that a schema knows that way inside a document."""
-    return [key for option in options_of(schema, schema_at(schema, way)) for key in option.get("properties", ())]
 
 
 def called(value: object) -> str:

@@ -305,13 +305,11 @@ def _for_access(catalogs: Catalogs, name: str) -> Catalogs:
         kind = rooms[room]
         if kind.home is not None:
             rooms[room] = kind.model_copy(update={"home": kind.home.model_copy(update={"area": size.area, "width": size.width})})
-    rooms = {room: _clear_for(room, of, profile) for room, of in rooms.items()}
+    rooms = {
+        room: of.model_copy(update={"pieces": tuple(_farther_off(piece, room, profile) for piece in of.pieces)})
+        for room, of in rooms.items()
+    }
     return catalogs.model_copy(update={"rooms": rooms, "profile": profile, "fingerprint": made_from.hexdigest()})
-
-
-def _clear_for(name: str, room: RoomType, profile: AccessProfile) -> RoomType:
-    """Returns a room type in which nothing stands on the floor that a profile asks for before another piece: what would, farther off."""
-    return room.model_copy(update={"pieces": tuple(_farther_off(piece, name, profile) for piece in room.pieces)})
 
 
 def _farther_off(piece: PieceSpec, room: str, profile: AccessProfile) -> PieceSpec:

@@ -236,7 +236,8 @@ class RoomNames:
         for key, entry in catalogs.room_names.items():
             for phrase in entry.known_as if entry.means != "nothing" else ():
                 self._by_phrase.setdefault(joined(words_of(phrase)), key)
-        self._endings = tuple(sorted((word for word in self._by_phrase if _may_end(word)), key=lambda word: (-len(word), word)))
+        endings = [word for word in self._by_phrase if len(word) >= LEAST_ENDING or not word.isascii()]
+        self._endings = tuple(sorted(endings, key=lambda word: (-len(word), word)))
         self._endings_by_length = _by_length(self._endings)
         self._by_phrase.pop("", None)
         vague = (word for entry in catalogs.room_names.values() if entry.means == "nothing" for word in entry.known_as)
@@ -292,10 +293,6 @@ def room_names_of(catalogs: Catalogs) -> RoomNames:
     return RoomNames(catalogs)
 
 
-def _may_end(phrase: str) -> bool:
-    return len(phrase) >= LEAST_ENDING or not phrase.isascii()
-
-
 BETWEEN_WORDS: Final = re.compile(r"[\W_]+")
 """What parts the words of a layer's name."""
 STOREYS: Final[Mapping[DrawnName, int | None]] = {
@@ -316,7 +313,7 @@ class DrawnNames:
         storeys = [(word, key) for key in STOREYS if key in entries for word in entries[key].known_as]
         by_length = sorted(storeys, key=lambda one: -len(one[0]))
         self._storeys = [(re.compile(re.escape(word).replace(r"\#", r"0*(\d)")), key) for word, key in by_length]
-        self.storey_of_layer = lru_cache(maxsize=_MANY)(self._storey_of_layer)
+        self.storey_of_layer = lru_cache(maxsize=_MANY)(self._storey)
         """Which storey the name of a layer tells; None where it tells none."""
         self.sort_within = lru_cache(maxsize=_MANY)(self._sort_within)
         """What the names around a shape tell, the outermost first: the nearest that tells anything counts."""
@@ -344,9 +341,6 @@ class DrawnNames:
     def storey(self, title: str) -> int | None:
         """Returns which storey a title tells by the longest word in it, 0 the ground's; None where it tells none."""
         return self._storey(title, passed="storey_layer")
-
-    def _storey_of_layer(self, name: str) -> int | None:
-        return self._storey(name)
 
     def _storey(self, title: str, passed: DrawnName | None = None) -> int | None:
         small = _spaced(title)

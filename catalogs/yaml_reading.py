@@ -91,7 +91,7 @@ class _Reader:
             raise _fault(f"the tag {event.tag!r:.80}", event)
         if depth == self._most_levels:
             raise _fault(f"nested too deeply: more than {self._most_levels} levels", event)
-        inside = takewhile(_goes_on, self._events)
+        inside = takewhile(lambda event: not isinstance(event, yaml.CollectionEndEvent), self._events)
         if is_list:
             return [self._value(item, depth + 1) for item in inside]
         found: dict[str, Any] = {}
@@ -119,10 +119,6 @@ class _Reader:
         if self._aliased > MAX_ALIASED:
             raise _fault(f"aliases repeat more than {MAX_ALIASED} values and letters", event)
         return value
-
-
-def _goes_on(event: Any) -> bool:
-    return not isinstance(event, yaml.CollectionEndEvent)
 
 
 def _fault(problem: str, event: Any) -> YamlFault:

@@ -15,10 +15,8 @@ from typing import Any, Generic, TypeVar
 
 from service.contract import FloorAnswer, Lines, PlaceAnswer, ValidateAnswer
 from service.kept_contract import HomeHead, HomeList, HomeVersions, HomeWithScene, JobHead, JobList
-from solver.answers import Fixed, FurnishedPlan, Generated
+from solver.answers import Explained, Fixed, FurnishedPlan, Generated, PlanImport
 from solver.exchange import read, write_request, write_scene
-from solver.explained import Explained
-from solver.imported import PlanImport
 from solver.request import Request
 from solver.scene import Scene
 

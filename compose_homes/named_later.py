@@ -2,10 +2,8 @@
 
 from catalogs import CatalogError, Catalogs, add_assets, load_catalogs
 from catalogs.schema import RelationSpec
-from solver.answers import ChosenEntrance, FurnishedPlan, RoomGuess
-from solver.explained import Explained, Hold
+from solver.answers import ChosenEntrance, Explained, FurnishedPlan, Hold, ImportSettings, PlanImport, RoomGuess
 from solver.export_formats import EXPORTERS
-from solver.imported import ImportSettings, PlanImport
 from solver.pipeline.import_plan import import_plan
 from solver.requested import Answered, Held, PieceRequest, Placement, Unplaced
 

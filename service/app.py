@@ -24,12 +24,11 @@ from catalogs import Catalogs, load_catalogs
 from service import calls, page, problems
 from service.admission import FOR_OTHER_PAGES, Admission, Admitted
 from service.admitting import admitted_of
-from service.callers import ANY, Callers
 from service.connections import Connections
 from service.contract import USUAL_READING, ImportQuery
 from service.docs import docs
 from service.effort import Terms
-from service.guard import Guard
+from service.guard import ANY, Callers, Guard
 from service.homes import homes
 from service.jobs import Runner, jobs
 from service.measures import Measures, Observed, metrics

@@ -17,12 +17,10 @@ from catalogs import Catalogs
 from service import contract
 from service.effort import limited_to
 from service.generating import check_size, draw_seed, made_house
-from solver.answers import Fixed, FurnishedPlan, Generated
+from solver.answers import Explained, Fixed, FurnishedPlan, Generated, ImportSettings, PlanImport
 from solver.errors import FieldError
 from solver.exchange import FORMATS, misspelt, read, scene_schema, write
-from solver.explained import Explained
 from solver.export_formats import EXPORTERS, Freedom
-from solver.imported import ImportSettings, PlanImport
 from solver.plain import Document
 from solver.request import NO_ACCESS, Request
 from solver.scene import Scene
@@ -215,8 +213,7 @@ def _read_export(document: object) -> contract.ExportBody:
 @_call("export", reads=_read_export)
 def export_scene(body: contract.ExportBody | contract.SceneByItself, catalogs: Catalogs) -> Scene:
     """Writes a scene as a file: JSON or YAML (and reads one that is), or what a simulator, an editor or a training set reads."""
-    from solver.named_assets import with_assets
-    from solver.named_kinds import with_kinds
+    from solver.named_assets import with_assets, with_kinds
 
     scene = body if isinstance(body, Scene) else body.scene
     return with_assets(with_kinds(scene, catalogs), catalogs)

@@ -34,7 +34,7 @@ from solver.whole_files import write_whole
 
 if TYPE_CHECKING:
     from catalogs import Catalogs
-    from solver.imported import ImportSettings
+    from solver.answers import ImportSettings
 
 
 CLEAN: Final = 0
@@ -114,7 +114,7 @@ def _answer_on(scene: object, options: Namespace, **more: object) -> Document:
 
 
 def _furnish(options: Namespace) -> int:
-    from solver.imported import ImportSettings
+    from solver.answers import ImportSettings
 
     name, content = options.scene, read_content(options.scene)
     foreign = format_of_foreign(name, content)
@@ -203,7 +203,7 @@ def _export(options: Namespace) -> int:
 
 
 def _import(options: Namespace) -> int:
-    from solver.imported import ImportSettings
+    from solver.answers import ImportSettings
 
     asked = ImportSettings(options.level, options.unit, options.furniture == "keep")
     answer = _imported(options.plan, read_content(options.plan), options, asked)

@@ -7,11 +7,10 @@ from typing import Annotated, Any, ClassVar, Final
 from annotated_types import Ge, Le, MaxLen, MinLen
 
 from service.effort import EFFORTS, NORMAL
-from solver.answers import KEEPS, ON_CONFLICT, Conflict, Issue, Limited, Pose
+from solver.answers import ALLOWED_UNITS, KEEPS, ON_CONFLICT, Conflict, ImportSettings, Issue, Limited, Pose
 from solver.exchange import SentRoom, SentScene
 from solver.export_formats import FREEDOMS
 from solver.fields import OMITTED, WHOLE, Flag, Free, Like, OneOf, PositiveMetres, Record, Says, Text, Whole, counted
-from solver.imported import ALLOWED_UNITS, ImportSettings
 from solver.request import MAX_COUNT, Seed
 from solver.requested import MOST_ALTERNATIVES, MOST_PIECES, Held, PieceRequest, Placement, Unplaced
 from solver.scene import ROBOT_WIDTH, RobotWidth, Scene, WallThickness

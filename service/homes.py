@@ -1,16 +1,19 @@
-"""The calls about homes that are kept, in threads that wait for the store."""
+"""The calls about homes that are kept, in threads that wait for the store; what is sent is read and packed in a worker."""
 
+import json
 import re
 import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import partial
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 from anyio import to_thread
 from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
-from service.home_texts import HomeSent, home_text, read_sent_home
+from service import problems
 from service.kept_contract import (
     ANY_REVISION,
     HomeBody,
@@ -20,6 +23,7 @@ from service.kept_contract import (
     HomeQuery,
     HomeVersions,
     HomeWithScene,
+    PackedScene,
     Revisions,
     moment,
 )
@@ -27,8 +31,40 @@ from service.openapi import DescribedCalls, query_of, query_types, refusals
 from service.problems import TooLarge, WrongMediaType
 from service.service_store import REFUSALS, WITH_BODY, ServiceStore, ask, id_in, id_type, number_in, number_type
 from service.wire import NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, tags_in, written
-from solver.errors import FieldError
-from solver.exchange import FORMATS, read, write
+from solver.errors import ComposeError, FieldError
+from solver.exchange import FORMATS, GLB, dump_scene, load_text, read, write
+
+
+@dataclass(frozen=True)
+class HomeSent:
+    """What a body says of a home: texts by name, and its scene."""
+
+    texts: Mapping[str, Any]
+    scene: PackedScene | None
+
+
+def read_sent_home(body: bytes, sent: str, is_change: bool) -> HomeSent | Response:
+    """Reads the body of a home, or of a change of one, as it was sent; what is wrong with it becomes a problem document."""
+    try:
+        document = load_text(body, sent)
+        document = {"scene": document} if sent == GLB else document
+        found: HomeBody | HomeChange = read(HomeChange, document) if is_change else read(HomeBody, document)
+        texts = {name: getattr(found, name) for name in ("name", "notes", "tags") if getattr(found, name) is not None}
+        if is_change and not texts and found.scene is None:
+            raise FieldError("body", "changes nothing", "at least one of name, notes, tags and scene")
+        if "tags" in texts:
+            texts["tags"] = tuple(dict.fromkeys(texts["tags"]))
+        scene = None if found.scene is None else PackedScene(zlib.compress(dump_scene(found.scene, "json"), 6), len(found.scene.rooms))
+        return HomeSent(texts, scene)
+    except ComposeError as error:
+        return problems.of_error(None, error)
+
+
+def home_text(home: HomeHead, scene: bytes) -> bytes:
+    """Writes a home with its packed scene as JSON; the scene is not read for it."""
+    head = json.dumps(write(home), ensure_ascii=False).encode()
+    return head[:-1] + b', "scene": ' + zlib.decompress(scene).strip() + b"}"
+
 
 MOST_PICTURE: Final = 512 * 1024
 """Largest picture, bytes. Our choice."""

@@ -11,7 +11,7 @@ from uvicorn import Config, Server
 
 from catalogs import Catalogs
 from service.app import ComposeApp, create_app
-from service.callers import LOOPBACK
+from service.guard import LOOPBACK
 from service.measures import log_access
 from service.pool import ending_as_interrupted
 from service.service_settings import Settings

@@ -1,6 +1,7 @@
 """The words and keys of answers: scenes with what breaks a rule, how far what was moved, repairs of a conflict, what ended the search.
 
-And of somebody's own plan what was guessed: the types of its rooms, its main entrance.
+Of somebody's own plan what was guessed: the types of its rooms, its main entrance. Of an import everything that is not as the file says. Of
+an explanation why a piece stands where it does.
 """
 
 from collections.abc import Mapping
@@ -237,3 +238,128 @@ class FurnishedPlan(Record):
     issues: tuple[Issue, ...]
     timing_ms: Mapping[str, float]
     limited: Limited | None = field(default=None, metadata={OMITTED: True})
+
+
+HOLDERS = ("wall", "piece", "use_side", "door", "window", "outline", "floor", "way", "relation")
+"""What may hold a piece."""
+FloorPoint = Annotated[tuple[float, float], Says("x, z of the footprint's centre in the room, m")]
+
+
+@dataclass(frozen=True)
+class Hold(Record):
+    """What keeps a piece from going on in one direction, and what a metre more room there would save.
+
+    `by` is the id of a piece or an opening, or null; `what` is `use_side` where it is the floor that a person needs to use that piece,
+    `floor` where it is floor at a side of that piece that is better kept free.
+    """
+
+    by: str | None
+    what: Annotated[str, OneOf(*HOLDERS)]
+    towards: Annotated[str, OneOf("north", "east", "south", "west")]
+    cost_per_m: float
+    message: str
+
+
+@dataclass(frozen=True)
+class MovedPiece(Record):
+    """How a piece would stand: its footprint's centre in the room, m, its rotation, degrees, and its kind, perhaps another size of it.
+
+    `y` is its underside, m, and `on` what it would stand on.
+    """
+
+    id: str
+    kind: str
+    x: float
+    y: float
+    z: float
+    rotation: int
+    width: float
+    depth: float
+    height: float
+    on: str | None
+
+
+@dataclass(frozen=True)
+class OtherWay(Record):
+    """Another way to stand: at which wall and how it is turned, and what the room would have cost more with it; null: it could not.
+
+    `moves` is all that would then stand elsewhere, the piece itself too; `left_out` who would have no place.
+    """
+
+    wall: Annotated[str, OneOf("north", "east", "south", "west")] | None
+    rotation: int
+    cost: float | None
+    moves: tuple[MovedPiece, ...]
+    left_out: tuple[str, ...]
+    message: str
+
+
+@dataclass(frozen=True)
+class Explained(Record):
+    """Why a piece stands where it does: where it was wished, what holds it back from there, and how else it could stand."""
+
+    id: str
+    room: str
+    stands: FloorPoint
+    wished: FloorPoint | None
+    holds: tuple[Hold, ...]
+    notes: tuple[str, ...]
+    ways: tuple[OtherWay, ...] = ()
+
+
+UNITS: Final = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
+"""Units of files by name, m."""
+ALLOWED_UNITS: Final = f"{', '.join(UNITS)}, or a number of metres"
+
+
+@dataclass(frozen=True)
+class ImportSettings(Record):
+    """What the caller says: the level to take (None: the lowest with rooms), the unit, whether furniture comes along."""
+
+    level: int | None = None
+    unit: str | None = None
+    furniture: bool = True
+
+
+@dataclass(frozen=True)
+class ImportChange(Record):
+    """Something that is not as it was drawn: in which step, of what (a room's or opening's id, or `plan`), by how much, m."""
+
+    step: str
+    of: str
+    amount: float
+    message: str
+
+
+@dataclass(frozen=True)
+class ImportGuess(Record):
+    """Something that the file does not say: of what (an id, or `plan`), which key, what was taken."""
+
+    of: str
+    what: str
+    taken: str
+    message: str
+
+
+@dataclass(frozen=True)
+class Unread(Record):
+    """Something that was left out: its place in the file, and why."""
+
+    place: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class PlanImport(Record):
+    """A foreign plan as a scene; `format` is what the file was read as.
+
+    `changes`, `guesses` and `unread` say what is not as in the file; `understood_as`, by id, what foreign names were taken for.
+    """
+
+    scene: Scene
+    format: str
+    changes: tuple[Annotated[Mapping[str, object], Like(ImportChange)], ...]
+    guesses: tuple[Annotated[Mapping[str, str], Like(ImportGuess)], ...]
+    unread: tuple[Annotated[Mapping[str, str], Like(Unread)], ...]
+    issues: tuple[Issue, ...]
+    understood_as: Mapping[str, str] = field(default_factory=dict)

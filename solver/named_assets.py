@@ -1,7 +1,8 @@
-"""The assets that a scene's bodies are shown as, written into it: of those that fit one, drawn by the scene's seed.
+"""What a scene's bodies are shown as, written into it once, for whoever draws or exports it: their kinds, and assets of those that fit.
 
 A body's box never changes: an asset is stretched into it, by at most 15 % a side. What lies on a body needs a surface of the asset at
-that height. Of what fits, those are drawn from that are least distorted. Furniture of one kind and size in a room is one set.
+that height. Of what fits, those are drawn by the scene's seed that are least distorted. Furniture of one kind
+and size in a room is one set.
 """
 
 from collections.abc import Iterable, Mapping
@@ -17,6 +18,25 @@ from catalogs.insides import insides_of
 from catalogs.kind_book import KindBook
 from solver.scene import Decoration, Furniture, Room, Scene
 from solver.streams import Stream
+
+Named = TypeVar("Named", Furniture, Decoration)
+
+
+def with_kinds(scene: Scene, catalogs: Catalogs) -> Scene:
+    """Returns a scene whose furniture and decorations name their kinds; one that the catalogs do not know names none."""
+    book = KindBook(catalogs)
+    rooms = (
+        replace(room, furniture=naming("furniture", room.furniture, book), decorations=naming("decoration", room.decorations, book))
+        for room in scene.rooms
+    )
+    return replace(scene, rooms=tuple(rooms))
+
+
+def naming(sort: str, bodies: Iterable[Named], book: KindBook) -> tuple[Named, ...]:
+    """Returns bodies that name their kinds."""
+    kinds = ((body, book.kind_of(sort, body.name, (body.width, body.depth, body.height), body.kind)) for body in bodies)
+    return tuple(body if kind == body.kind else replace(body, kind=kind) for body, kind in kinds)
+
 
 MOST_STRETCHED: Final = log(1.15)
 """By how much a side may be stretched, or shrunk, as a logarithm. Our choice: more shows."""
@@ -82,7 +102,7 @@ class _Chooser:
     def room(self, room: Room) -> Room:
         """Returns a room whose bodies name their assets."""
         sets: dict[str, set[float]] = {}
-        keys = {piece.id: _set_of(piece) for piece in room.furniture}
+        keys = {piece.id: f"{piece.kind or piece.name}/{piece.width}/{piece.depth}/{piece.height}" for piece in room.furniture}
         for piece in room.furniture:
             sets.setdefault(keys[piece.id], set()).update(self._heights(piece))
         furniture = (self._shown(piece, "furniture", f"{room.id}/{keys[piece.id]}", sets[keys[piece.id]]) for piece in room.furniture)
@@ -113,10 +133,6 @@ class _Chooser:
         least, _ = min(fitting)
         good = [name for spread, name in fitting if spread <= least + AS_GOOD]
         return replace(body, asset=Stream(self._seed, "assets", drawn_by).pick(good))
-
-
-def _set_of(piece: Furniture) -> str:
-    return f"{piece.kind or piece.name}/{piece.width}/{piece.depth}/{piece.height}"
 
 
 @lru_cache(maxsize=8)

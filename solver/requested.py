@@ -12,16 +12,14 @@ from typing import TYPE_CHECKING, Annotated, Final
 from annotated_types import Ge, Le, MaxLen, MinLen
 
 from catalogs import Catalogs
-from catalogs.checks import BETWEEN, TO_SOMETHING
+from catalogs.checks import BETWEEN, OPENINGS, TO_SOMETHING
 from catalogs.kind_book import KindBook
-from catalogs.relation_keys import OPENINGS
 from catalogs.schema import RelationSpec
 from catalogs.synonyms import synonyms_of
 from solver.answers import Conflict, Issue
 from solver.errors import RequestError, all_of
 from solver.fields import GIVEN, STRICT, WHOLE, Flag, Record
-from solver.relations.rows import RELATION_WORDS
-from solver.relations.subject import Kind, as_its_size_says
+from solver.relations.subject import RELATION_WORDS, Kind, as_its_size_says
 from solver.scene import Room, Scene
 from solver.scene_bodies import check_is, check_listed
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from solver.answers import PlanImport
 from solver.errors import ComposeError, FieldError
-from solver.imported import PlanImport
 from tests.told_forms import is_told
 from tests.told_sources import NAME
 

@@ -299,13 +299,10 @@ class GlbBook:
     def roots(self) -> list[Any]:
         """Returns the numbers of the nodes of the scene that is shown."""
         if "scenes" not in self.document:
-            below = {child for node in _list(self.document, "nodes") if isinstance(node, Mapping) for child in _hashed(node)}
+            nodes = [node for node in _list(self.document, "nodes") if isinstance(node, Mapping)]
+            below = {child for node in nodes for child in _list(node, "children") if isinstance(child, int)}
             return [number for number in range(len(_list(self.document, "nodes"))) if number not in below]
         return _list(self.item("scenes", self.document.get("scene", 0)), "nodes")
-
-
-def _hashed(node: Mapping[str, Any]) -> list[int]:
-    return [child for child in _list(node, "children") if isinstance(child, int)]
 
 
 def _list(document: Mapping[str, Any], key: str) -> list[Any]:

@@ -4,7 +4,6 @@ Comes in: Rooms, their Spaces, the catalogs. Goes out: the Rooms, decorated. May
 where furniture stands (placement); nothing here moves it.
 """
 
-from solver.decorations.compiled_decorating import DecorationSettings
-from solver.decorations.decorating import BareRoom, decorated_rooms
+from solver.decorations.decorating import BareRoom, DecorationSettings, decorated_rooms
 
 __all__ = ["BareRoom", "DecorationSettings", "decorated_rooms"]

@@ -6,11 +6,10 @@ May import: the ground floor. Not here: rules (validate), where bytes come from 
 The types of the fields in `solver.scene` (`solver.fields`) drive the reader, the writer and the schema.
 """
 
-from solver.exchange.misspelt import misspelt
 from solver.exchange.reader import A_SCENE, SentRoom, SentScene, checked_request, read, read_request, read_scene, scene_schema
 from solver.exchange.scene_text import dump_scene
 from solver.exchange.text import FORMATS, GLB, dump_plain, dump_text, format_of_file, format_of_name, load_text
-from solver.exchange.told_keys import tell_keys
+from solver.exchange.told_keys import misspelt, tell_keys
 from solver.exchange.writer import write, write_request, write_scene
 
 __all__ = [

@@ -70,7 +70,8 @@ def identified(scene: Scene) -> Scene:
     room_ids = _Ids(_given(scene.rooms, "rooms"))
     rooms = _named(scene.rooms, lambda room: room_ids.take(f"{room.type}_{room.index}"))
     body_ids = _Ids(_body_ids(scene))
-    opening_ids = _Ids(_given(_openings_once(scene)))
+    openings = {opening.id: opening for room in scene.rooms for opening in room.openings}  # both rooms of a door list it
+    opening_ids = _Ids(_given([*openings.values()]))
     rooms = tuple(_filled(room, body_ids, opening_ids) for room in rooms)
     dynamic = _named(scene.dynamic, lambda body: body_ids.count(body.kind))
     return replace(scene, rooms=rooms, dynamic=dynamic)
@@ -82,11 +83,6 @@ def _check_levels(scene: Scene) -> None:
         if level.index in found:
             raise _deep(Wrong(f"is {level.index}, which another level has too", "a number for each level"), "levels", place, "index")
         found.add(level.index)
-
-
-def _openings_once(scene: Scene) -> list[Opening]:
-    """Returns an opening of each given id: both rooms of a door list it."""
-    return [*{opening.id: opening for room in scene.rooms for opening in room.openings}.values()]
 
 
 def _body_ids(scene: Scene) -> Iterator[tuple[_Way, str]]:

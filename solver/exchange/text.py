@@ -41,15 +41,11 @@ def format_of_name(name: str) -> str | None:
     return ENDINGS.get(PurePath(name).suffix.lower())
 
 
-def format_of_content(content: bytes) -> str:
-    """Tells a document's format by its first character: JSON objects and lists begin with a bracket."""
-    return "json" if content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"[") else "yaml"
-
-
 def format_of_file(name: str, content: bytes) -> str:
-    """Tells the format in which a file is to be read: by its name, else by its content."""
+    """Tells the format in which a file is to be read: by its name, else by its first character, a bracket in JSON objects and lists."""
     is_glb = PurePath(name).suffix.lower() == f".{GLB}" or content.startswith(MAGIC)
-    return GLB if is_glb else format_of_name(name) or format_of_content(content)
+    as_text = "json" if content.lstrip(b"\xef\xbb\xbf \t\r\n")[:1] in (b"{", b"[") else "yaml"
+    return GLB if is_glb else format_of_name(name) or as_text
 
 
 def load_text(text: bytes | str, format: str) -> object:

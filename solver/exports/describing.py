@@ -23,8 +23,7 @@ from solver.exports.kind_facts import (
 )
 from solver.exports.model import FloorPlate, HouseModel, ModelBody, Paint, Sort
 from solver.exports.paints import PLAIN_FLOOR, Paints, paints_of
-from solver.exports.wall_bands import WallBands, on_lattice, thick
-from solver.exports.wall_lines import RoomFinder, openings_of, runs_of
+from solver.exports.wall_bands import RoomFinder, WallBands, on_lattice, openings_of, runs_of, thick
 from solver.exports.wall_panels import WallPlan, boxes_of, fittings_of, panels_of
 from solver.geometry import doubled_area
 from solver.scene import Decoration, Dynamic, Flooring, Furniture, Room, Scene

@@ -9,8 +9,7 @@ from typing import Final, NamedTuple
 from catalogs.assets.asset_entry import Asset
 from catalogs.shapes import Axis, Form
 from solver.body_parts import BodyPart
-from solver.exports.asset_files import fit_of
-from solver.exports.asset_surfaces import AssetSurface, surfaces_of
+from solver.exports.asset_surfaces import AssetSurface, fit_of, surfaces_of
 from solver.exports.colliders import Collider, Triple, box_around
 from solver.exports.model import ModelBody, Paint
 from solver.exports.moving_parts import LinkPart

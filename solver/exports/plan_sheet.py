@@ -6,8 +6,7 @@ from itertools import pairwise
 from typing import Final
 
 from solver.exports.model import PlacedOpening
-from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, WIDE, Dimension, PlanBox, RoomLabel, length_of, number_box
+from solver.exports.plan_rooms import LINE, WIDE, Dimension, PlanBox, RoomLabel, length_of, number_box, too_short
 from solver.exports.xml_text import xml_text
 
 SCALES: Final = (20, 25, 50, 75, 100, 150, 200, 250, 500, 1000, 2000)

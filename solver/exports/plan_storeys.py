@@ -9,8 +9,19 @@ from typing import Final, Literal, NamedTuple
 
 from solver.body_parts import BodyPart
 from solver.exports.model import DoorLeaf, FloorPlate, HouseModel, ModelBody, PlacedOpening
-from solver.exports.plan_facades import Facades, chains_of
-from solver.exports.plan_rooms import Dimension, Obstacle, PlanBox, PlanRoom, RoomLabel, clear_corners, label_of, name_of, words_of
+from solver.exports.plan_rooms import (
+    Dimension,
+    Facades,
+    Obstacle,
+    PlanBox,
+    PlanRoom,
+    RoomLabel,
+    chains_of,
+    clear_corners,
+    label_of,
+    name_of,
+    words_of,
+)
 from solver.exports.plan_sheet import PlanSheet, sheet_for
 from solver.geometry import gaps_between, square_metres
 

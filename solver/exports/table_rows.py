@@ -15,8 +15,7 @@ from catalogs.kind_book import UPRIGHT, KindBook
 from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, count_decorations, count_furniture, rows_in
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
-from solver.exports.wall_bands import WallBands
-from solver.exports.wall_lines import RoomFinder, openings_of
+from solver.exports.wall_bands import RoomFinder, WallBands, openings_of
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
 from solver.scene_bodies import storey_levels
 

@@ -10,8 +10,7 @@ from typing import Final
 
 from catalogs.assets.asset_entry import Asset
 from solver.body_parts import BodyPart
-from solver.exports.asset_files import fit_of
-from solver.exports.asset_surfaces import AssetSurface, surfaces_of
+from solver.exports.asset_surfaces import AssetSurface, fit_of, surfaces_of
 from solver.exports.colliders import Collider, colliders_of, z_up
 from solver.exports.model import DoorLeaf, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import HeldThing, MovingPart, moving_leaf, still_part

@@ -10,8 +10,7 @@ from solver.body_parts import BodyPart
 from solver.demanded import demand
 from solver.exports.model import Cuboid, Fitting, Paint, PanelHole, PlacedOpening, Point, WallBox, WallPanel
 from solver.exports.paints import PLAIN_WALL, REVEAL, SURFACES, WALL_ROUGHNESS
-from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis
-from solver.exports.wall_lines import RoomFinder, WallRun
+from solver.exports.wall_bands import EDGE_WORK, NEGLIGIBLE, Line, PlanAxis, RoomFinder, WallRun
 from solver.geometry import gaps_between
 from solver.scene import Level, Room
 from solver.wall_fittings import GLASS_THICKNESS, THRESHOLD, Bar, Span, around, cut_at_holes, door_bars, frame_of, window_bars, within_frame

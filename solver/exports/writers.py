@@ -12,7 +12,7 @@ from typing import Any, Final
 from solver.body_parts import BodyPart
 from solver.errors import RequestError
 from solver.export_formats import EXPORTERS
-from solver.exports.asset_files import CREDITS, credits_of
+from solver.exports.asset_surfaces import CREDITS, credits_of
 from solver.exports.model import HouseModel, ModelBody
 
 Files = dict[str, bytes]

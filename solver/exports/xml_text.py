@@ -10,16 +10,12 @@ _WRITTEN: Final = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "
 
 def xml_text(words: str) -> str:
     """Returns text that reads back from an attribute or an element; a character that XML 1.0 forbids becomes U+FFFD."""
-    return _SPECIAL.sub(_replaced, words)
+    return _SPECIAL.sub(lambda found: _WRITTEN.get(found[0], "\ufffd"), words)
 
 
 def xml_comment(words: str) -> str:
     """Returns text for a comment, in which two hyphens may not meet, nor a hyphen end it."""
     return xml_text(words).replace("-", "\u2010")
-
-
-def _replaced(found: re.Match[str]) -> str:
-    return _WRITTEN.get(found[0], "\ufffd")
 
 
 def xml_numbers(*values: float) -> str:

@@ -8,8 +8,7 @@ from typing import Any, Final, NamedTuple
 from solver.furnish.compiled_types import CompiledType
 from solver.geometry import WALL_BEHIND, Rect
 from solver.pieces import DOORWAY, Attach, Candidate, Link, Piece, Space, Stance, Stand
-from solver.relations.rows import RELATION_WORDS, SIDES, WALLS_ASKED, opened_rows
-from solver.relations.subject import NO_SIDES, Kind
+from solver.relations.subject import NO_SIDES, RELATION_WORDS, SIDES, WALLS_ASKED, Kind, opened_rows
 from solver.scene import WALLS, Room
 
 _ROOM: Final = Struct("<Qd5q6i")

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import NamedTuple
 
-from catalogs.relation_keys import OPENINGS
+from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RoomType
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type

@@ -9,9 +9,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Final, Literal, NamedTuple
 
+from solver.answers import ImportChange, ImportGuess, Unread
 from solver.errors import FieldError
 from solver.geometry import encloses
-from solver.imported import ImportChange, ImportGuess, Unread
 
 Spot = tuple[float, float]
 """A point (x, z)."""

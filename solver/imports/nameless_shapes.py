@@ -10,8 +10,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from solver.answers import Unread
 from solver.geometry import bounds_of_points, encloses
-from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening
 from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnText, longer_line
 from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between

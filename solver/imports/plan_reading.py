@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs
+from solver.answers import ImportSettings
 from solver.errors import FieldError, SyntaxFault
 from solver.foreign_plans import is_features, is_procthor, is_rplan
 from solver.geometry import to_m
-from solver.imported import ImportSettings
 from solver.imports.carried_things import with_carriers
 from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
 from solver.imports.formats.dxf_reading import is_dxf, read_dxf

@@ -17,8 +17,8 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from catalogs.synonyms import STOREYS, DrawnNames
+from solver.answers import Unread
 from solver.geometry import bounds_of_points, doubled_area
-from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.nameless_shapes import told_by_form, without_pieces
 from solver.imports.shape_openings import (

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final, NamedTuple
 
+from solver.answers import Unread
 from solver.geometry import bounds_of_points
-from solver.imported import Unread
 from solver.imports.drawn import DrawnLevel, DrawnPlan, Spot
 from solver.imports.shape_openings import DrawnBox
 

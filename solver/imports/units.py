@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 from typing import Any, Final, NamedTuple
 
+from solver.answers import ALLOWED_UNITS, UNITS
 from solver.errors import FieldError
 from solver.geometry import doubled_area
-from solver.imported import ALLOWED_UNITS, UNITS
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes
 
 DOOR_WIDTHS: Final = (0.7, 1.0)

@@ -7,8 +7,8 @@ from itertools import pairwise
 from statistics import median
 from typing import Final, NamedTuple
 
+from solver.answers import Unread
 from solver.geometry import bounds_of_points, edges_round, encloses
-from solver.imported import Unread
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.rectilinear import FloorCorners
 from solver.imports.shape_openings import between

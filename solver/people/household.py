@@ -43,13 +43,9 @@ def sights(room: Room, space: Space, catalogs: Catalogs) -> list[Sight]:
         kind = named.get(piece.name)
         is_worktop = kind is not None and kind.category == "table" and kind.use is not None
         if piece.category == "seating" or piece.name == SCREEN or is_worktop:
-            found.append(Sight(footprint(piece), _open_side(piece)))
+            looked_at = "back" if piece.under else "front"  # a chair at a table from behind
+            found.append(Sight(footprint(piece), wall_faced(looked_at, piece.rotation)))
     return found + list(_openings(room, space))
-
-
-def _open_side(piece: Furniture) -> str:
-    """Returns the side a piece is looked at from: a chair at a table from behind, all else from the front."""
-    return wall_faced("back" if piece.under else "front", piece.rotation)
 
 
 def _openings(room: Room, space: Space) -> Iterator[Sight]:

@@ -13,7 +13,7 @@ from typing import Any
 from solver.answers import Conflict
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
-from solver.pipeline.judged_again import judged_again
+from solver.pipeline.left_over import judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
 from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
@@ -274,7 +274,8 @@ def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None
     members = [member for member in members if member in bodies]  # what ends another conflict may leave one out
     loose = [bodies[member] for member in members if member not in locked]
     leaving = [repair for member in members if (repair := _tried(goal, {"action": "leave_out", "id": member}))]
-    moves = [_set_free(goal, body) for body in loose if isinstance(body, Furniture) and body.wall is not None]
+    hung = [body for body in loose if isinstance(body, Furniture) and body.wall is not None]
+    moves = [_moved(goal, {"action": "move", "id": body.id, "wall": None}) for body in hung]
     unlocks = [_unlocked(goal, member) for member in members if member in locked]
     able = {repair["id"] for repair in leaving}
     loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
@@ -302,10 +303,6 @@ def _unlocked(goal: RepairGoal, label: str) -> Repair | None:
     if len(ids) > 1:
         return None
     return _moved(goal, {"action": "unlock", "id": ids[0]})
-
-
-def _set_free(goal: RepairGoal, body: Body) -> Repair | None:
-    return _moved(goal, {"action": "move", "id": body.id, "wall": None})
 
 
 def _moved(goal: RepairGoal, repair: dict[str, Any]) -> Repair | None:

@@ -10,8 +10,8 @@ from math import inf
 from typing import NamedTuple
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import Explained, Hold, MovedPiece, OtherWay
 from solver.certificate import mark_of
-from solver.explained import Explained, Hold, MovedPiece, OtherWay
 from solver.furnished import ids_of
 from solver.geometry import Rect, to_m, to_mm
 from solver.pieces import Arrangement, Candidate, Piece, Placed, Space

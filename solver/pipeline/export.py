@@ -10,8 +10,7 @@ from solver.errors import SceneError
 from solver.exchange import dump_scene
 from solver.export_formats import EXPORTERS, SCENE_FILE, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
-from solver.named_assets import with_assets
-from solver.named_kinds import with_kinds
+from solver.named_assets import with_assets, with_kinds
 from solver.scene import Scene
 from solver.scene_bodies import check_scene
 from solver.validator import floors, validate

@@ -276,7 +276,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     }
     return Scene(
         seed=setting.seed,
-        request=write_request(_with_extents(request)),
+        request=write_request(request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1])),
         size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
         levels=(Level(0, 0.0, STOREY_HEIGHT),),
@@ -285,11 +285,6 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
         adjacency=plan.adjacency,
         certificate=certificate(rooms, arrangements, RULES, of_plan),
     )
-
-
-def _with_extents(request: Request) -> Request:
-    """Returns a plain request with the size that its house has by default."""
-    return request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1])
 
 
 def reroll(

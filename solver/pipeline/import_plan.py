@@ -6,12 +6,12 @@ from math import hypot
 from typing import Final
 
 from catalogs import Catalogs, load_catalogs
+from solver.answers import ImportSettings, PlanImport
 from solver.certificate import certified
 from solver.errors import FieldError, SyntaxFault
 from solver.exchange import FORMATS, format_of_file, format_of_name, load_text, misspelt, read_scene, write
 from solver.export_formats import EXPORTERS
 from solver.guessing import with_entrance
-from solver.imported import ImportSettings, PlanImport
 from solver.imports import READERS, PlanFile, PlanNotes, format_of_plan, imported, in_metres, scene_unit, unpacked
 from solver.pipeline.fix import fix
 from solver.pipeline.room_spaces import room_problem

@@ -3,17 +3,33 @@
 Each way out is tried: the validator judges the house without the body.
 """
 
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from solver.answers import Conflict, Issue
-from solver.pipeline.judged_again import judged_again
 from solver.placement import Budget
 from solver.repair import RepairSettings, all_bodies, seated_along, without
 from solver.scene import EXTERIOR, Room, Scene
 from solver.scene_bodies import people_in
-from solver.validator import Checked
+from solver.validator import FINDING_WORK, Checked
+
+ROOM_WORK, BODY_WORK, WALKED_WORK = 15.0, 10.0, 2.0
+"""What each room counts, each body of a room that changed, and each that is walked past anew; measured."""
+
+
+def judged_again(house: Checked, scene: Scene, changed: Collection[str], budget: Budget) -> Checked:
+    """Returns a house of which nothing but the bodies of some rooms, given by their ids, and people changed, with its issues.
+
+    What is found wrong in the rooms that changed counts as it does anywhere: so a heap is judged less often, not refused.
+    """
+    bodies = {room.id: len(all_bodies(room)) for room in scene.rooms}
+    own = sum(bodies[name] for name in changed)
+    budget.left -= ROOM_WORK * len(bodies) + BODY_WORK * own + WALKED_WORK * sum(bodies.values())
+    after = house.after(scene)
+    budget.left -= FINDING_WORK * sum(len(case.judged.findings) for case in after.cases if case.room.room.id in changed)
+    return after
+
 
 WAYS_IN = ("door", "passage", "garage_door")
 """Openings that lead into a room."""

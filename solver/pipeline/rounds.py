@@ -140,7 +140,8 @@ def _freedom(space: Space, piece: Piece) -> float:
 
 def _mended(task: PlaceTask, wanted: Sequence[Piece], found: Round) -> Round:
     """Takes pieces that are missing or miss a relation out and puts them in again between the others, which may slide."""
-    return _judged(task, arrange(task.listing.space, _reopened(task, wanted, found, set(_to_be_tried_again(found))), limits=MENDING))
+    loose = {label for label, _ in (*found.arrangement.left_out, *found.lost)}
+    return _judged(task, arrange(task.listing.space, _reopened(task, wanted, found, loose), limits=MENDING))
 
 
 def _reopened(task: PlaceTask, wanted: Sequence[Piece], found: Round, loose: set[str]) -> list[Piece]:
@@ -185,11 +186,6 @@ def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
 def _early(listed: Sequence[str], gone: Container[str]) -> float:
     """Returns how early in a list those are that are gone, less than 1: of two lists the one with the first of them is more."""
     return sum(2.0 ** -(place + 1) for place, label in enumerate(listed) if label in gone)
-
-
-def _to_be_tried_again(found: Round) -> list[str]:
-    """Returns the pieces that are missing or miss a relation."""
-    return list(dict.fromkeys([*(label for label, _ in found.arrangement.left_out), *(label for label, _ in found.lost)]))
 
 
 def settled(task: PlaceTask, found: Round) -> Placement:

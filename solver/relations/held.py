@@ -15,8 +15,7 @@ from typing import Final, NamedTuple
 from catalogs.schema import RelationSpec
 from solver.core import borrowed
 from solver.geometry import WALL_BEHIND, Rect, extents
-from solver.relations.rows import RELATION_WORDS, RULE, name_row, opened_rows, rule_row, side_numbers
-from solver.relations.subject import Scope
+from solver.relations.subject import RELATION_WORDS, RULE, Scope, name_row, opened_rows, rule_row, side_numbers
 from solver.scene import WALL_NUMBERS, Furniture
 
 _NONE: Final = Rect(0, 0, 0, 0)

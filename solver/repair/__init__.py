@@ -6,11 +6,22 @@ may stand (furnish).
 """
 
 from solver.repair.as_sent import as_it_stands, holders, pieces_as_sent
-from solver.repair.bodies import Body, all_bodies, floor_bodies, root_of, seated_along, squared, with_bodies, without
-from solver.repair.changes import Repair, applied, with_walls_told, written_back
-from solver.repair.in_hand import InHand, in_hand
+from solver.repair.bodies import (
+    Body,
+    Repair,
+    all_bodies,
+    applied,
+    floor_bodies,
+    root_of,
+    seated_along,
+    squared,
+    with_bodies,
+    with_walls_told,
+    without,
+    written_back,
+)
+from solver.repair.in_hand import InHand, LastAnswer, in_hand
 from solver.repair.moved_people import Crowd, people_out_of_the_way
-from solver.repair.previous import LastAnswer
 from solver.repair.resting import put_to_rest
 from solver.repair.room_problem import RepairSettings, RoomProblem, Walls
 

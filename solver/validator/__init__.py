@@ -8,10 +8,9 @@ found, so that a changed scene is checked again only where it changed. Adding a 
 
 from solver.validator.accessibility import access_of
 from solver.validator.checking import Checked, RoomAlone, check, check_made, room_alone, validate
-from solver.validator.floor import floors
-from solver.validator.house_plan import sharing_floor
 from solver.validator.judging import FINDING_WORK
-from solver.validator.metrics import metrics
+from solver.validator.metrics import floors, metrics
+from solver.validator.room_rules import sharing_floor
 from solver.validator.rules import RULES
 
 __all__ = [

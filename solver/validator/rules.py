@@ -7,12 +7,10 @@ from solver.answers import Issue
 from solver.demanded import demand
 from solver.scene import Scene
 from solver.scene_bodies import home_of
-from solver.validator.house_plan import opening_wrong, rooms_overlap
 from solver.validator.judging import FINDING_WORK, JUDGED, Finding, RuleCase
 from solver.validator.lattice import metres
 from solver.validator.opening import front_blocked
-from solver.validator.reaching import unreachable
-from solver.validator.requirements import missing_required
+from solver.validator.room_rules import missing_required, opening_wrong, rooms_overlap, unreachable
 from solver.validator.standing import above_ceiling, blocks_door, blocks_window, floating, out_of_bounds, overlap, shapes_cross, wall_far
 
 _SEVERITIES: Final[dict[Callable[[RuleCase], Iterator[Finding]], str]] = {

@@ -9,7 +9,7 @@ from typing import Final
 from solver.scene import Decoration
 from solver.validator.judging import Finding, RuleCase, Told
 from solver.validator.lattice import exact, words
-from solver.validator.sent_openings import openings_on
+from solver.validator.sent_rooms import openings_on
 
 WALL_REACH: Final = exact(0.2)
 """A piece with a wall is no farther than this from its line,"""

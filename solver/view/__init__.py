@@ -1,7 +1,7 @@
 """A scene as text for a person: the readable YAML, and the report of what is wrong with it.
 
 Comes in: a scene, its issues and what a person flagged. Goes out: text, and for each of its lines the body it shows.
-May import: scene. Start reading in readable.py (the YAML) or report.py (the report); nesting.py says what lies under what.
+May import: scene. Start reading in readable.py (the YAML) or report.py (the report).
 """
 
 from solver.view.readable import view

@@ -11,8 +11,21 @@ from typing import Final
 from solver.geometry import square_metres
 from solver.scene import Decoration, Dynamic, Opening, Room, Scene
 from solver.scene_bodies import people_in
-from solver.view.nesting import ShownBody, carried_by, remarks, sections, strangers, together
-from solver.view.wording import TextLine, decimal, number, proofs, target_of, visible, written
+from solver.view.wording import (
+    ShownBody,
+    TextLine,
+    carried_by,
+    decimal,
+    number,
+    proofs,
+    remarks,
+    sections,
+    strangers,
+    target_of,
+    together,
+    visible,
+    written,
+)
 
 FLAT: Final = 0.02
 """What is no higher is a rug or a mat, of which only the extents are of interest, m."""
@@ -109,16 +122,12 @@ def _section(
             if depth > last:
                 yield TextLine(f"{start[:-2]}{_NESTED}:")
             last = depth
-            yield TextLine(f"{start}- {_label(item)}: {_position(item)}   # {visible(_note(item))}", item.id)
+            yield TextLine(f"{start}- {_label(item)}: [{item.x + 0.0:.2f}, {item.z + 0.0:.2f}]   # {visible(_note(item))}", item.id)
 
 
 def _label(body: ShownBody) -> str:
     name = body.kind if isinstance(body, Dynamic) else body.name
     return _text(body.id if name == _NESTED else name)
-
-
-def _position(body: ShownBody) -> str:
-    return f"[{body.x + 0.0:.2f}, {body.z + 0.0:.2f}]"
 
 
 def _note(body: ShownBody) -> str:

@@ -12,8 +12,22 @@ from typing import Any, Final, NamedTuple
 from solver.answers import Issue
 from solver.scene import Dynamic, Furniture, Opening, Room, Scene
 from solver.scene_bodies import body_ids, counted, people_in
-from solver.view.nesting import ShownBody, carried_by, remarks, sections, strangers, together
-from solver.view.wording import TextLine, is_changed, number, proofs, room_certificates, target_of, visible, written
+from solver.view.wording import (
+    ShownBody,
+    TextLine,
+    carried_by,
+    is_changed,
+    number,
+    proofs,
+    remarks,
+    room_certificates,
+    sections,
+    strangers,
+    target_of,
+    together,
+    visible,
+    written,
+)
 
 WRONG: Final = ">> "
 FLAGGED: Final = "!! "

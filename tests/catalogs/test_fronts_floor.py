@@ -8,7 +8,7 @@ import pytest
 
 from catalogs import load_catalogs
 from catalogs.fronts import BodyFront, floor_before, fronts_of
-from solver.furnish.floor_about import floors_about
+from solver.furnish.compiled_types import floors_about
 from solver.wall_fittings import FRAME_PROUD
 from tests.every import every
 

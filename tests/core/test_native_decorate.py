@@ -6,8 +6,7 @@ from random import Random
 
 from catalogs import load_catalogs
 from solver.core import borrowed
-from solver.decorations.compiled_decorating import compiled_decorating
-from solver.decorations.decorating import decorated_rows
+from solver.decorations.decorating import compiled_decorating, decorated_rows
 from solver.furnish import space_of
 from tests.core.native import Native
 from tests.decorations.random_rooms import furnished, settings_named

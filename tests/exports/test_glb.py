@@ -20,7 +20,7 @@ from solver.body_parts import BodyPart
 from solver.errors import SyntaxFault
 from solver.exports import ExportSettings, describe, written_as
 from solver.exports.solid_meshes import BoxFace, SolidSurface, box_faces, surface_of
-from solver.named_kinds import with_kinds
+from solver.named_assets import with_kinds
 from solver.scene import Scene
 from tests.architecture.tree import ROOT
 from tests.exports import homes

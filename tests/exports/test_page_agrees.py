@@ -23,7 +23,7 @@ from solver.exchange import write_scene
 from solver.exports import HouseModel, describe
 from solver.exports.model import Cuboid, Paint
 from solver.exports.plan_rooms import clear_corners
-from solver.named_kinds import with_kinds
+from solver.named_assets import with_kinds
 from tests.architecture.tree import ROOT
 from tests.imports.plans import floor_area
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from solver.exports.wall_lines import WallRun
+from solver.exports.wall_bands import WallRun
 from solver.exports.wall_panels import WallPlan, panels_of
 
 LAST_DIGIT = 1e-9

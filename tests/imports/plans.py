@@ -6,7 +6,7 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from solver.imported import ImportSettings, PlanImport
+from solver.answers import ImportSettings, PlanImport
 from solver.pipeline.import_plan import import_plan
 from solver.scene import Opening, Room
 

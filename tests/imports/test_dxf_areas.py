@@ -9,8 +9,8 @@ from typing import Any
 import ezdxf.filemanagement as files
 import pytest
 
+from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imported import PlanImport
 from tests.imports.plans import read
 
 Box = tuple[float, float, float, float]

@@ -13,9 +13,9 @@ import pytest
 
 from catalogs import load_catalogs
 from solver import export
+from solver.answers import PlanImport
 from solver.errors import FieldError
 from solver.exports import describe
-from solver.imported import PlanImport
 from solver.imports.drawn import DrawnOpening
 from solver.imports.joining import PlacedDrawing
 from solver.imports.missing_walls import without_niches

@@ -7,8 +7,8 @@ import json
 import pytest
 
 from solver import fix
+from solver.answers import PlanImport
 from solver.exchange import dump_scene, read_scene
-from solver.imported import PlanImport
 from solver.scene import Furniture, Room, Scene
 from tests.imports.plans import Feature, box, collection, line, piece, read
 

@@ -7,8 +7,8 @@ from typing import Any
 import ifcopenshell.api.root
 import pytest
 
+from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imported import PlanImport
 from tests.imports.plans import read
 from tests.imports.test_ifc_furniture import Building, Corner, corners_of, shell
 

@@ -9,7 +9,7 @@ from typing import Any
 import ifcopenshell
 import pytest
 
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from tests.imports.plans import floor_area, read
 
 Point = tuple[float, float]

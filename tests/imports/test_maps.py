@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from tests.imports.plans import Feature, box, collection, line, piece, read
 
 

@@ -10,7 +10,7 @@ import ezdxf.filemanagement as files
 import numpy as np
 import pytest
 
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
 from tests.imports.plans import read
 

@@ -13,7 +13,7 @@ import pytest
 from ezdxf.math import Matrix44
 
 from solver import Request, export, generate
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from solver.scene import EXTERIOR, Decoration, Level, Opening, Room, Scene
 from tests.imports.plans import read
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from solver.answers import ImportSettings
 from solver.errors import FieldError
-from solver.imported import ImportSettings
 from solver.pipeline.import_plan import import_plan
 
 WALLS = (

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imported import PlanImport
 from tests.imports.plans import read
 
 UPPER = ("Bedroom", "Bathroom", "Office")

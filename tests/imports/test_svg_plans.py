@@ -10,8 +10,8 @@ import pytest
 
 from catalogs import load_catalogs
 from compose_homes import import_plan
+from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imported import PlanImport
 from tests.imports.plans import box, collection, opening, read, rooms_of
 
 SVG = "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' {}>{}</svg>"

@@ -11,7 +11,7 @@ import ifcopenshell
 import pytest
 
 from solver import export
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from tests.imports.plans import read
 from tests.imports.test_round_trips import home
 

@@ -9,7 +9,7 @@ from typing import Any
 import ezdxf.filemanagement as files
 import pytest
 
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from solver.imports.drawn import Spot
 from solver.imports.shape_openings import DrawnSwing, doors_of_swings
 from solver.scene import Opening

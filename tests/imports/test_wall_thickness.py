@@ -12,7 +12,7 @@ import pytest
 
 from compose_homes import Request, generate, load, validate
 from solver import export
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from solver.imports.drawn import DrawnWall
 from solver.imports.rectilinear import PlanEdge
 from solver.imports.wall_depths import WallDepths

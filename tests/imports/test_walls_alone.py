@@ -16,8 +16,8 @@ import ifcopenshell.api.root
 import pytest
 
 from solver import export
+from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imported import PlanImport
 from solver.imports import wall_faces
 from solver.imports.steps_inside import connected
 from solver.imports.wall_faces import DrawnLine

@@ -8,7 +8,7 @@ from typing import Any
 import ezdxf.filemanagement as files
 import pytest
 
-from solver.imported import PlanImport
+from solver.answers import PlanImport
 from solver.imports.units import without_area
 from tests.imports.plans import read
 

@@ -17,10 +17,10 @@ from typing import Any, Final
 from catalogs import load_catalogs
 from service.contract import PlaceBody
 from solver import fix, place
+from solver.answers import ImportSettings
 from solver.errors import ComposeError, FieldError
 from solver.exchange import read, read_scene, write_scene
 from solver.furnished import furnished
-from solver.imported import ImportSettings
 from solver.imports import READERS, PlanFile, format_of_plan, imported
 from solver.placement import place as place_wanted
 from solver.scene import FORMAT, Scene

@@ -11,7 +11,7 @@ import pytest
 
 from catalogs import load_catalogs
 from compose_homes import Explained, PieceRequest, RelationSpec, Request, Scene, SceneError, explain, generate, place, validate
-from solver.explained import HOLDERS
+from solver.answers import HOLDERS
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Piece, Space
 from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, AsFurnished, _floor_holder, other_ways

@@ -10,8 +10,7 @@ from catalogs.schema import RelationSpec, RoomType
 from solver.furnish import space_of, wanted_pieces
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate
-from solver.relations.knee_room import PartBox
-from solver.relations.subject import Kind
+from solver.relations.subject import Kind, PartBox
 from solver.scene import Room
 from solver.streams import Stream
 from tests.every import every

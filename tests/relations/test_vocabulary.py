@@ -9,14 +9,12 @@ from typing import get_args
 import pytest
 
 from catalogs import load_catalogs
-from catalogs.checks import BETWEEN, BY_DEGREE, TO_SOMETHING
-from catalogs.relation_keys import EVERY, KEYS
+from catalogs.checks import BETWEEN, BY_DEGREE, EVERY, KEYS, TO_SOMETHING
 from catalogs.schema import RelationSpec, RelationWord
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate
 from solver.relations.held import Standing, holds_in_room, holds_with, traits
-from solver.relations.rows import RELATION_WORDS
-from solver.relations.subject import Kind
+from solver.relations.subject import RELATION_WORDS, Kind
 from tests.furnish.reference.slots import SIDES
 from tests.relations.ways import SCOPE, beside, holding
 

@@ -9,7 +9,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from service.app import create_app
-from service.callers import host_name
+from service.guard import host_name
 from service.service_settings import Settings
 from service.service_store import NONE
 from tests.cli.programs import GUARD_S

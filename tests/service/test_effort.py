@@ -20,8 +20,7 @@ from solver import fix, place
 from solver.errors import FieldError
 from solver.exchange import read, read_scene
 from solver.pieces import Piece
-from solver.pipeline.judged_again import WALKED_WORK
-from solver.pipeline.left_over import LEAVING_WORK
+from solver.pipeline.left_over import LEAVING_WORK, WALKED_WORK
 from solver.placement import work_of_call
 from solver.repair import as_sent
 from solver.scene import Scene

@@ -15,8 +15,7 @@ from solver.errors import RequestError
 from solver.request import Request
 from solver.scene import Decoration, Furniture, Opening, Room, Scene
 from solver.validator import access_of
-from solver.validator.accessibility import AccessFinding
-from solver.validator.bare_floor import largest_square
+from solver.validator.accessibility import AccessFinding, largest_square
 from solver.validator.lattice import ExactBox
 
 CATALOGS = load_catalogs()

@@ -1,4 +1,4 @@
-// What the catalogs say of decorations, in one style, as Python compiles it (solver/decorations/compiled_decorating.py): rows of plain
+// What the catalogs say of decorations, in one style, as Python compiles it (solver/decorations/decorating.py): rows of plain
 // structs; names are words, numbers that stand for equal strings; lengths are mm. The first words are the keys of decorating.yaml.
 #pragma once
 

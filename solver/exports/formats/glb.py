@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 from catalogs.fronts import BodyFront
 from catalogs.shapes import Axis
 from solver.body_parts import BodyPart
-from solver.exports.asset_files import fit_of
+from solver.exports.asset_surfaces import fit_of
 from solver.exports.colliders import FLOOR
 from solver.exports.formats.glb_book import AssetNodes, Geometry, GltfBook, geometry_of
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, Point, WallBox

@@ -14,7 +14,7 @@ import numpy as np
 
 from catalogs.assets.asset_entry import Asset
 from catalogs.assets.glb_file import MATERIALS, GlbFault
-from solver.exports.asset_files import AssetFile, AssetFit, asset_file, changed
+from solver.exports.asset_surfaces import AssetFile, AssetFit, asset_file, changed
 from solver.exports.model import Paint
 from solver.exports.paints import linear
 from solver.exports.solid_meshes import SolidSurface

@@ -14,8 +14,7 @@ from itertools import pairwise
 from typing import Any, Final, NamedTuple
 
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, PlacedOpening
-from solver.exports.plan_facades import too_short
-from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, said_of_room
+from solver.exports.plan_rooms import LINE, Dimension, PlanBox, RoomLabel, said_of_room, too_short
 from solver.exports.plan_storeys import HIGH, PlanMark, PlanStorey, marks_of, open_leaf, opening_box, storeys_of
 from solver.exports.writers import ExportSettings, Files
 from solver.free_names import FreeNames

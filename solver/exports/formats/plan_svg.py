@@ -39,7 +39,8 @@ def _drawn(model: HouseModel, storey: PlanStorey) -> Iterator[str]:
     yield from map(_stated, storey.openings)
     yield from (_leaf(leaf) for leaf in storey.leaves if leaf.motion == "swing")
     yield from (entrance_mark(opening, storey.sheet) for opening in storey.openings if opening.is_main_entrance)
-    yield _dimensions(storey)
+    for axis in ("x", "z"):  # a group each: who shows a part of the sheet leaves out those that are cut
+        yield _chains(axis, [dimension(line, storey.sheet) for line in storey.outside if line.axis == axis])
     yield from map(room_name, storey.labels)
     yield frame(storey.sheet) + foot(storey.sheet, storey.words) + "</svg>\n"
 
@@ -139,11 +140,6 @@ def _leaf(leaf: DoorLeaf) -> str:
     start, end = (f"{x * 1000:.0f} {z * 1000:.0f}" for x, z in (stands.shut, stands.opened))
     arc = f"M{start}A{radius} {radius} 0 0 {0 if leaf.swing > 0 else 1} {end}"
     return f'<path class="arc" d="{arc}"/><polygon class="opening" data-id="{xml_text(leaf.opening)}" points="{points}"/>\n'
-
-
-def _dimensions(storey: PlanStorey) -> str:
-    """Returns the chains along x and along z, a group each: who shows a part of the sheet leaves out those that are cut."""
-    return "".join(_chains(axis, [dimension(line, storey.sheet) for line in storey.outside if line.axis == axis]) for axis in ("x", "z"))
 
 
 def _chains(axis: str, drawn: Sequence[tuple[str, str, str]]) -> str:

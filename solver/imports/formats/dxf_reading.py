@@ -16,8 +16,8 @@ from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import DrawnNames, drawn_names_of
+from solver.answers import Unread
 from solver.errors import FieldError, SyntaxFault
-from solver.imported import Unread
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import MOST_POINTS, DrawnPiece, DrawnPlan, DrawnRoom, Spot
 from solver.imports.plain_values import a_number

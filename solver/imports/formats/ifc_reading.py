@@ -13,8 +13,8 @@ from typing import Any, Final
 
 import numpy as np
 
+from solver.answers import Unread
 from solver.errors import FieldError, SyntaxFault
-from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import (

@@ -11,8 +11,8 @@ from difflib import get_close_matches
 from itertools import pairwise
 from typing import Any, Final, get_args
 
+from solver.answers import Unread
 from solver.errors import FieldError
-from solver.imported import Unread
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,

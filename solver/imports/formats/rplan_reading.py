@@ -6,8 +6,8 @@ Its y points down. The image is 18 m wide, so a pixel is 7 cm; doors, 12 pixels,
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
+from solver.answers import Unread
 from solver.errors import FieldError
-from solver.imported import Unread
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, Spot, check_count
 from solver.imports.plain_values import a_list, a_number
 

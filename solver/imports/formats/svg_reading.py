@@ -11,8 +11,8 @@ from typing import Final, Literal
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
+from solver.answers import Unread
 from solver.errors import FieldError, SyntaxFault
-from solver.imported import Unread
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
 from solver.imports.drawn import (

@@ -13,8 +13,8 @@ from xml.etree.ElementTree import Element
 
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import drawn_names_of
+from solver.answers import Unread
 from solver.errors import SyntaxFault
-from solver.imported import Unread
 from solver.imports.along_walls import drawn_along
 from solver.imports.bounded_files import numbered, xml_of
 from solver.imports.drawn import (

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from catalogs.schema import Catalogs
-from solver.furnish.floor_about import FloorAbout, floors_about
+from solver.furnish.compiled_types import FloorAbout, floors_about
 from solver.pieces import Attach, Candidate, Piece
 from tests.furnish.reference.at_side import at_side, spans, whole
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
-from catalogs.relation_keys import OPENINGS
+from catalogs.checks import OPENINGS
 from catalogs.schema import RelationSpec
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, WALL_BEHIND, Rect, to_mm
 from solver.pieces import LOOKS_AT, Candidate, Link, Opened

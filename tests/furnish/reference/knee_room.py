@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from solver.geometry import Rect, rotate
-from solver.relations.knee_room import PartBox
+from solver.relations.subject import PartBox
 
 CLEAR_MM = 5
 """How far apart, seen from above, two parts are kept."""

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from catalogs.schema import Catalogs, PieceSpec, RelationSpec, RoomType
 from solver.furnish import scope_of
-from solver.furnish.floor_about import floors_about
+from solver.furnish.compiled_types import floors_about
 from solver.geometry import Rect, rotate, strip, to_mm, turned, wall_faced
 from solver.pieces import Candidate, Piece, Space, Stand
 from solver.relations.subject import Kind, Scope
