@@ -59,8 +59,6 @@ class SolvedRoom:
         solves: QPs.
         proven: the placement is the optimum, and no required piece left out could stand beside those before it.
         best: no other candidates of the required pieces are cheaper, within the widenings tried first.
-        wanted: what a room was arranged from, in order of importance; none of one that was solved otherwise.
-        wide: whether ways from door to door were to be wider than who walks.
     """
 
     core: Core
@@ -72,8 +70,6 @@ class SolvedRoom:
     solves: int = 0
     proven: bool = True
     best: bool = True
-    wanted: tuple[Piece, ...] = ()
-    wide: bool = False
 
     @cached_property
     def problem(self) -> Problem:
@@ -175,8 +171,7 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
         if decision == ABSENT and not piece.is_floor:
             left_out.append((piece, REASONS[fate if whole.complete else SPENT]))
     found = solved_room(core, decisions, whole.walk)
-    said = replace(found, left_out=tuple(left_out), solves=whole.solves, proven=whole.proven, best=whole.best)
-    return replace(said, wanted=tuple(pieces), wide=wide)
+    return replace(found, left_out=tuple(left_out), solves=whole.solves, proven=whole.proven, best=whole.best)
 
 
 def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate], whole: kernel.ArrangedRoom) -> Encoded:

@@ -9,10 +9,7 @@ from dataclasses import replace
 from solver.errors import RequestError
 from solver.geometry import WALL_BEHIND
 from solver.pieces import Arrangement, Piece, Placed, Space
-from solver.placement.arrange import LIMITS, NOT_WALKABLE, SolvedRoom, arrange, solved_room
-from solver.placement.budget import Budget
-from solver.placement.core import Core
-from solver.placement.encode import encode
+from solver.placement.arrange import NOT_WALKABLE, SolvedRoom, arrange
 from solver.placement.layout import WAYS
 from solver.placement.left_out import why_left_out
 from solver.placement.problem import Confirmed
@@ -21,8 +18,6 @@ from solver.placement.qp import confirmed
 NEAR_WALL_MM = 150
 """A companion whose back is this close to its parent's wall counts as standing at it (the rule wall_far: beyond 0.2 m
 from the wall's line)."""
-MARGIN_MM = 2
-"""Rounding to millimetres moves each of two bodies by less than one."""
 
 
 def place(rooms: Sequence[tuple[Space, Sequence[Piece]]], engine: str = "osqp", tidy: bool = False) -> list[Arrangement]:
@@ -62,9 +57,6 @@ def _solve(rooms: Sequence[SolvedRoom], engine: str) -> list[Confirmed]:
 
 def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangement:
     walkable, more = room.core.settle(confirmed.positions, room.solution, room.walkable, tidy)
-    if room.walkable and not walkable and (wider := _with_margin(room)) is not None:
-        room, confirmed = wider, Confirmed(wider.solution.positions)
-        walkable, more = room.core.settle(confirmed.positions, room.solution, True, tidy)
     if room.walkable and not walkable and room.space.ways_mm:
         room.core.engine.room.space[WAYS] = 0
         walkable, more = room.core.settle(confirmed.positions, room.solution, True, tidy)
@@ -82,14 +74,3 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
     notes = () if walkable else (NOT_WALKABLE,)
     cost = round(room.cost + more, 6)
     return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best, confirmed.residuals)
-
-
-def _with_margin(room: SolvedRoom) -> SolvedRoom | None:
-    """Searches a room once more for a person `MARGIN_MM` wider, so that the walk outlasts the snap: as it was decided, else anew."""
-    ways = room.space.ways_mm and room.space.ways_mm + MARGIN_MM
-    wider = replace(room.space, robot_mm=room.space.robot_mm + MARGIN_MM, ways_mm=ways)
-    core = Core(encode(wider, room.core.encoded.pieces, room.core.encoded.walk))
-    if core.evaluate(room.decisions, LIMITS.final_qps, Budget(is_known=True), True):
-        return replace(solved_room(core, room.decisions, True), left_out=room.left_out, solves=room.solves, proven=False, best=False)
-    anew = arrange(replace(wider, ways_mm=0), room.wanted, wide=room.wide) if room.wanted else None
-    return replace(anew, solves=room.solves, proven=False, best=False) if anew and anew.walkable else None
