@@ -10,7 +10,7 @@ from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 
 WALL_REACH: Final = 200
-"""How far from a room's edge its wall may be drawn, mm."""
+"""How far from a room's edge its wall may be drawn, mm, or as half of what the file's walls are thick, if that is more."""
 NARROWEST: Final = 600
 """A gap in the walls that is a passage is wider, mm."""
 WIDEST: Final = 2000
@@ -32,7 +32,7 @@ def passages(
     """
     walls = plan.walls or [DrawnWall(a, b, 0.0) for a, b in plan.faces]
     edges = [edge for room in rooms for edge in room] if walls else []
-    made: list[Joined] = []
+    reach, made = max(WALL_REACH, (plan.wall_thickness or 0.0) / 2 + SHALLOW), list[Joined]()
     for edge in (one for one in edges if one.out > 0):
         for other in edges:
             if (other.axis, other.out) != (edge.axis, -edge.out) or other.room == edge.room:
@@ -44,7 +44,7 @@ def passages(
             span = (max(edge.low, other.low), min(edge.high, other.high))
             if span[1] - span[0] < NARROWEST:
                 continue
-            taken = [_of_wall(wall, edge) for wall in walls] + [
+            taken = [_of_wall(wall, edge, reach) for wall in walls] + [
                 (one.low, one.high) for one in found if edge in one.edges or other in one.edges
             ]
             for low, high in _left(span, (part for part in taken if part)):
@@ -61,12 +61,12 @@ def _drawn(edge: PlanEdge, low: int, high: int) -> DrawnOpening:
     return DrawnOpening("passage", *ends, "where no wall is drawn")
 
 
-def _of_wall(wall: DrawnWall, edge: PlanEdge) -> AlongWall | None:
+def _of_wall(wall: DrawnWall, edge: PlanEdge, reach: float) -> AlongWall | None:
     """Returns what a wall covers of an edge's line."""
     along, across = (0, 1) if edge.axis == "x" else (1, 0)
     run, rise = abs(wall.end[along] - wall.start[along]), abs(wall.end[across] - wall.start[across])
     line = (wall.start[across] + wall.end[across]) / 2
-    if rise > run / 2 or abs(line - edge.at) > WALL_REACH + wall.thickness / 2:
+    if rise > run / 2 or abs(line - edge.at) > reach + wall.thickness / 2:
         return None
     low, high = sorted((wall.start[along], wall.end[along]))
     return math.floor(low - wall.thickness / 2), math.ceil(high + wall.thickness / 2)

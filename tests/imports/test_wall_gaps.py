@@ -153,6 +153,21 @@ def test_leaves_that_slide_past_one_another_are_one_door(parts: tuple[tuple[int,
     assert [one.width for one in doors(imported(made)) if one.kind == "door"] == [0.885] * wide
 
 
+@pytest.mark.parametrize("thick", [410, 590])
+def test_walls_thicker_than_most_go_on_beside_their_doors(thick: int) -> None:
+    """A wall between two rooms with a door in it, each face of which goes on for 1.5 m on either side."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    west, east, south = thick + 3000, 2 * thick + 3000, thick + 3900
+    for x0, y0, x1, y1 in (
+        (0, 0, east + 3000 + thick, thick), (0, south, east + 3000 + thick, south + thick), (0, thick, thick, south),
+        (east + 3000, thick, east + 3000 + thick, south), (west, thick, east, thick + 1500), (west, south - 1500, east, south),
+    ):  # fmt: skip
+        made.modelspace().add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "Walls"})
+    made.modelspace().add_line((west, thick + 1500), (west, south - 1500), dxfattribs={"layer": "Doors"})
+    assert [[(one.kind, one.width) for one in room.openings] for room in imported(made).scene.rooms] == [[("door", 0.9)], [("door", 0.9)]]
+
+
 def test_gaps_between_rooms_that_are_drawn_are_passages_too() -> None:
     """By a millimetre narrower, so that its middle is on a whole one. Where no piece of their wall is drawn, it is none of those drawn."""
     made = drawing({})
