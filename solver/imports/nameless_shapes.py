@@ -11,9 +11,9 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from solver.answers import Unread
-from solver.geometry import bounds_of_points, encloses
-from solver.imports.drawn import MOST_POINTS, DrawnOpening
-from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnText, longer_line
+from solver.geometry import bounds_of_points, edges_round, encloses
+from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, Spot
+from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnText, longer_line, sides_of
 from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, rooms_between
@@ -36,23 +36,27 @@ def told_by_form(
 ) -> list[DrawnShape]:
     """Returns shapes of a drawing that calls none a room or a wall, of which some are rooms, or else walls and windows.
 
-    Walls are what on one layer, of closed shapes or of open ones, encloses most of what is named, else most rooms; of lines those that
-    run beside another, if they do. Windows are drawn from jamb to jamb. `metres` is the length of the unit, None where nothing tells.
+    Walls are what on one layer, of areas, of closed shapes or of open ones, encloses most of what is named, else most rooms; of lines
+    those that run beside another, if they do. Windows are drawn from jamb to jamb. `metres` is the length of the unit, where it is told.
     """
     rooms = _around_texts(shapes, names)
     is_large = sum(len(one.points) for one in shapes if one.sort is None) > MOST_POINTS
     if metres is None or is_large or 2 * sum(one.sort == "room" for one in rooms) > len(names):
         return rooms
     found = _with_windows(shapes, metres * 1000)
-    groups: dict[tuple[str, bool], list[int]] = {}
+    groups: dict[tuple[str, bool, bool], list[int]] = {}
     for at, one in enumerate(found):
         if one.sort is None and len(one.points) > 1:
-            groups.setdefault((one.names, one.closed), []).append(at)
+            groups.setdefault((one.names, one.closed, one.filled), []).append(at)
     counts = {key: sum(len(found[at].points) for at in members) for key, members in groups.items()}
     several = [groups[key] for key in sorted(counts, key=lambda key: -counts[key])[:MOST_LAYERS] if counts[key] >= LEAST_POINTS]
-    ways = [(way, way is not members) for members in several for way in (_side_by_side(members, found, metres * 1000), members)]
-    scores = [_score(found, way, names, doors, metres) for way, _ in ways]
-    ranks = [(named, count * is_paired, count, -at) for at, ((named, count), (_, is_paired)) in enumerate(zip(scores, ways, strict=True))]
+    ways = [
+        (*_without_furniture(way, found, names, doors, metres), way is not members)
+        for members in several
+        for way in (_side_by_side(members, found, metres * 1000), members)
+    ]
+    scores = [_score(rooms, names) for _, rooms, _ in ways]
+    ranks = [(named, count * is_paired, count, -at) for at, ((named, count), (*_, is_paired)) in enumerate(zip(scores, ways, strict=True))]
     named, _, count, at = max(ranks, default=(0, 0, 0, 0))
     if not named and count < LEAST_ROOMS:
         return rooms
@@ -60,16 +64,42 @@ def told_by_form(
     return [one._replace(sort="wall") if at in walls else one for at, one in enumerate(found)]
 
 
-def _score(
+def _rooms_of(
     shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
-) -> tuple[int, int]:
-    """Returns in how many rooms between shapes one room is named, and how many there are."""
+) -> list[DrawnRoom]:
     windows = [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
     walls = [shapes[at].round() for at in way]
     openings, gaps = fitted([*doors, *windows], gaps_of(walls, metres), metres)
-    rooms = rooms_between(walls, openings, metres, gaps, names).rooms if walls else []
+    return rooms_between(walls, openings, metres, gaps, names).rooms if walls else []
+
+
+def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:
+    """Returns in how many rooms one room is named, and how many there are."""
     named = [{name.name for name in names if room.holds(name.x, name.z)} for room in rooms]
     return sum(len(one) == 1 for one in named), len(rooms)
+
+
+def _without_furniture(
+    way: Sequence[int], shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
+) -> tuple[Sequence[int], list[DrawnRoom]]:
+    """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms."""
+    rooms = _rooms_of(shapes, way, names, doors, metres)
+    by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
+    spots = np.array([sides_of(a, b, by) for _, a, b in sides]).reshape(-1, 2)
+    are_floor = _are_in(spots, [points for room in rooms for points in (room.points, *room.holes)]).reshape(-1, 2)
+    left_out = {at for (at, *_), is_floor in zip(sides, are_floor, strict=True) if is_floor.all()}
+    if not left_out:
+        return way, rooms
+    kept = [at for at in way if at not in left_out]
+    return kept, _rooms_of(shapes, kept, names, doors, metres)
+
+
+def _are_in(spots: np.ndarray, outlines: Sequence[Sequence[Spot]]) -> np.ndarray:
+    """Tells of points whether they lie in an odd number of outlines, of rooms and of what is in these."""
+    inside, (xs, zs) = np.zeros(len(spots), dtype=np.bool_), spots.T
+    for (x0, z0), (x1, z1) in (edge for points in outlines for edge in edges_round(points) if edge[0][1] != edge[1][1]):
+        inside ^= ((z0 > zs) != (z1 > zs)) & (xs < x0 + (zs - z0) / (z1 - z0) * (x1 - x0))
+    return inside
 
 
 def without_pieces(shapes: list[DrawnShape], texts: list[DrawnText]) -> tuple[list[DrawnShape], list[DrawnText], list[Unread]]:
@@ -93,7 +123,7 @@ def _around_texts(shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], are_
     Of those around a text the largest is it: others are furniture, and frames of texts; where there is one text, it is the smallest.
     So it is of texts that name pieces.
     """
-    places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and len(one.points) > 2]
+    places = [at for at, one in enumerate(shapes) if one.sort is None and one.closed and not one.filled and len(one.points) > 2]
     boxes = np.array([bounds_of_points(shapes[at].points) for at in places]).reshape(-1, 4)
     sizes = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
     held: list[list[int]] = []

@@ -39,7 +39,7 @@ DrawnStretch = tuple[Spot, Spot]
 class DrawnShape(NamedTuple):
     """A shape: its layer's name, its points, whether it is closed, its place in the file, which of WORDS it is, what it is called.
 
-    `width` is how thick its line is drawn, 0 where that means nothing; `id` is what our own export says it is called.
+    `width` is how thick its line is drawn, 0 where that means nothing; `id` is what our own export says it is called; `filled`: an area.
     """
 
     names: str
@@ -50,12 +50,15 @@ class DrawnShape(NamedTuple):
     label: str = ""
     width: float = 0.0
     id: str = ""
+    filled: bool = False
 
     def round(self) -> tuple[Spot, ...]:
         """Returns its points, of a closed one the first again at the end."""
         return (*self.points, *self.points[: self.closed])
 
 
+WIDEST: Final = 1.2
+"""What a leaf sweeps reaches no farther from its hinge than so many times its width."""
 SWUNG: Final = ("door", "opening", "passage", "window")
 """What a leaf's arc is drawn as: some layers hold all openings."""
 
@@ -300,6 +303,13 @@ def to_lines(spot: Spot, lines: NDArray[np.float64]) -> float:
 def between(a: Spot, b: Spot) -> Spot:
     """Returns the middle of two points."""
     return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+
+def sides_of(a: Spot, b: Spot, by: float) -> tuple[Spot, Spot]:
+    """Returns the points so far from the middle of a line, on both sides."""
+    (x, z), long = between(a, b), math.dist(a, b)
+    east, south = (a[1] - b[1]) / long * by, (b[0] - a[0]) / long * by
+    return (x - east, z - south), (x + east, z + south)
 
 
 def longer_line(points: Sequence[Spot]) -> tuple[Spot, Spot]:

@@ -20,13 +20,13 @@ from catalogs.synonyms import STOREYS, DrawnNames
 from solver.answers import Unread
 from solver.geometry import bounds_of_points, doubled_area
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
+from solver.imports.in_walls import doors_in_walls, windows_in_walls
 from solver.imports.nameless_shapes import told_by_form, without_pieces
 from solver.imports.shape_openings import (
     DrawnBox,
     DrawnShape,
     DrawnSwing,
     DrawnText,
-    MeetingLines,
     Places,
     between,
     doors_of_swings,
@@ -54,8 +54,6 @@ LONG: Final = 3.0
 """A piece of wall is so many times as long as it is thick."""
 ALIKE: Final = 0.01
 """Walls are as thick as one another whose thicknesses differ by no more than this share."""
-IN_A_WALL: Final = (0.03, 0.3)
-"""On both sides of a leaf there is wall for the first, m, at least, and on one of them a room before the second."""
 
 
 UnitTold = Callable[[Sequence[DrawnOpening]], PlanUnit]
@@ -114,7 +112,10 @@ def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unre
     Raises:
         FieldError: there are more shapes than in any home.
     """
+    called = [one for one in sheet.shapes if one.sort is not None]
     check_count("texts", len(sheet.texts), MOST_POINTS)
+    check_count("shapes", len(called) + len(sheet.swings), MOST_POINTS)
+    check_count("points of shapes", sum(len(one.points) for one in called), MOST_DRAWN)
     shapes, texts, left = without_pieces(sheet.shapes, sheet.texts)
     sheet, unread = sheet._replace(shapes=shapes, texts=texts), (*unread, *left)
     plan = _plan(sheet, (lambda _: PlanUnit(metres)) if metres else told, unread)
@@ -135,16 +136,13 @@ def _area(room: DrawnRoom) -> float:
 
 def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> DrawnPlan:
     shapes, texts, swings = sheet
-    called = [one for one in shapes if one.sort is not None]
-    check_count("shapes", len(called) + len(swings), MOST_POINTS)
-    check_count("points of shapes", sum(len(one.points) for one in called), MOST_DRAWN)
     turn = turn_of(next((some for sort in ("room", "wall", None) if (some := [one.points for one in shapes if one.sort == sort])), []))
     shapes, texts, swings = _turned(sheet, turn)
     names = [NamedSpot(one.x, one.z, one.means) for one in texts if one.means]
     is_swung = any(one.sort for one in swings) or any(one.sort in ("door", "opening") for one in shapes)
     nameless = [one for one in swings if not one.sort]
     swings = [one for one in swings if one.sort or not is_swung]
-    shapes = _told_by_form(shapes, swings, names, metres)
+    shapes, untold = _told_by_form(shapes, swings, names, metres)
     drawn_rooms, drawn_walls = ([one for one in shapes if one.sort == sort] for sort in ("room", "wall"))
     rooms = [labelled(DrawnRoom(one.points, one.label, one.where), texts) for one in drawn_rooms if one.closed and len(one.points) > 2]
     outlines = [(one.round(), one.closed) for one in drawn_walls]
@@ -169,9 +167,10 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
         openings += passages
     rooms += [labelled(room, texts) for room in found]
-    openings += _in_walls(gapless, shapes, rooms, unit) if unit else ()
+    openings += doors_in_walls(gapless, shapes, rooms, unit) if unit else ()
+    openings += windows_in_walls(openings, untold, shapes, rooms, unit) if unit else ()
     told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
-    told += (*_left_names(rooms, texts), *_untold_layers(shapes, called))
+    told += (*_left_names(rooms, texts), *_untold_layers(shapes, sheet.shapes))
     plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(drawn_walls), unread=(*unread, *told), turned=turn, solid=_solid_walls(drawn_walls),
@@ -216,14 +215,15 @@ def _openings(shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], faces:
 
 def _told_by_form(
     shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], names: Sequence[NamedSpot], metres: UnitTold
-) -> list[DrawnShape]:
-    """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall."""
+) -> tuple[list[DrawnShape], list[DrawnShape]]:
+    """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall; and of these the others."""
     if any(one.sort in ("room", "wall") for one in shapes):
-        return list(shapes)
+        return list(shapes), [one for one in shapes if one.sort is None]
     shapes = without_leaves(shapes, swings)
     lines = [one.round() for one in shapes if one.sort is None and len(one.points) > 1]
     doors = doors_of_swings(swings, lines)
-    return told_by_form(shapes, names, doors, _length(metres, doors, lines).metres)
+    found = told_by_form(shapes, names, doors, _length(metres, doors, lines).metres)
+    return found, [now for one, now in zip(shapes, found, strict=True) if one.sort is None and now.sort in (None, "wall")]
 
 
 def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple[list[DrawnOpening], list[DrawnOpening]]:
@@ -234,48 +234,6 @@ def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple
     return kept, [one for one in openings if one.kind == "door"] if all(one.kind != "door" for one in kept) else []
 
 
-def _in_walls(
-    doors: Sequence[DrawnOpening], shapes: Sequence[DrawnShape], rooms: Sequence[DrawnRoom], metres: float
-) -> Iterator[DrawnOpening]:
-    """Yields doors that hang in walls whose lines run on through them, shut the one way or the other: which, these do not tell."""
-    ways = [(one, _shut_the_other_way(one)) for one in doors]
-    tips = [one.towards or one.start for both in ways for one in both]
-    corners = MeetingLines([line for one in shapes for line in pairwise(one.round())], tips, IN_A_WALL[0] / metres)
-    for both in ways:
-        yield from [one for one in both if _is_in_a_wall(one, corners, rooms, metres)][:1]
-
-
-def _shut_the_other_way(door: DrawnOpening) -> DrawnOpening:
-    hinge, shut = (door.end, door.start) if door.hinge == "end" else (door.start, door.end)
-    return replace(door, start=hinge, end=door.towards or shut, hinge="start", towards=shut)
-
-
-def _is_in_a_wall(door: DrawnOpening, corners: MeetingLines, rooms: Sequence[DrawnRoom], metres: float) -> bool:
-    """Tells whether a leaf, shut, lies in no room and beside one, or along a face.
-
-    Along one face alone: open, it stands in the room, and its end at nothing, as none of a corner shower or of a worktop's round end does.
-    """
-    hinge, tip = door.end if door.hinge == "end" else door.start, door.towards or door.start
-    beside, long = IN_A_WALL[0] / metres, math.dist(hinge, tip)
-    near, far = ([_room_at(spot, rooms) for spot in _sides_of(door.start, door.end, by / metres)] for by in IN_A_WALL)
-    if near == [None, None]:
-        return far != near
-    beyond = tip[0] + (tip[0] - hinge[0]) / long * beside, tip[1] + (tip[1] - hinge[1]) / long * beside
-    stands = {_room_at(spot, rooms) for spot in (*_sides_of(hinge, tip, beside), beyond)}
-    return near[0] != near[1] and len(stands) == 1 and stands <= {*near} and not corners.met(tip, hinge)[0]
-
-
-def _sides_of(a: Spot, b: Spot, by: float) -> tuple[Spot, Spot]:
-    """Returns the points so far from the middle of a line, on both sides."""
-    (x, z), long = between(a, b), math.dist(a, b)
-    east, south = (a[1] - b[1]) / long * by, (b[0] - a[0]) / long * by
-    return (x - east, z - south), (x + east, z + south)
-
-
-def _room_at(spot: Spot, rooms: Sequence[DrawnRoom]) -> int | None:
-    return next((at for at, room in enumerate(rooms) if room.holds(*spot)), None)
-
-
 def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:
     """Returns how many quarter circles on layers that tell nothing are at no door."""
     doors = Places([(one.start, one.end) for one in openings if one.kind == "door"])
@@ -283,9 +241,9 @@ def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) 
     return [Unread(left[0].where, f"quarter circles that hang in no gap in a wall are no doors: {len(left)}")] if left else []
 
 
-def _untold_layers(shapes: Sequence[DrawnShape], called: Sequence[DrawnShape]) -> Iterator[Unread]:
+def _untold_layers(shapes: Sequence[DrawnShape], drawn: Sequence[DrawnShape]) -> Iterator[Unread]:
     """Yields the layers whose names tell nothing: those of walls that are so by their form, and those of which nothing is read."""
-    walls = {one.names for one in shapes if one.sort == "wall"} - {one.names for one in called}
+    walls = {one.names for one in shapes if one.sort == "wall"} - {one.names for one in drawn if one.sort}
     yield from (
         Unread(f"layer {quoted(name)}", "it is taken as walls, as it encloses rooms: its name does not say what it holds")
         for name in sorted(walls)

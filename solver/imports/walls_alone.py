@@ -111,6 +111,7 @@ def rooms_between(
     one; or where there would be no room.
     """
     found = _enclosed(walls, openings, metres)
+    found = found._replace(rooms=[room for room in found.rooms if not _is_ground(room, found.rooms, names)])
     wide = _empty(gaps, openings, metres)
     kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
     inside = {spot for room in kept for spot in names if room.holds(spot.x, spot.z)}
@@ -131,6 +132,13 @@ def rooms_between(
     passages = [_passage(gap) for gap in wide if _beside(gap, added, within)]
     told = [Unread("walls", GAPS_TAKEN.format(len(passages)))] if passages else []
     return Between([*kept, *added], found.thickness, [*(() if added and not kept else found.told), *told], passages)
+
+
+def _is_ground(room: DrawnRoom, rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> bool:
+    """Tells whether what is enclosed lies around all other rooms, and is named by nothing: the ground, within a frame."""
+    others = [other for other in rooms if other is not room]
+    is_around = all(any(encloses(hole, *other.points[0]) for hole in room.holes) for other in others)
+    return bool(others) and is_around and not _names_in(room, names)
 
 
 def _empty(gaps: Sequence[WallGap], openings: Sequence[DrawnOpening], metres: float | None) -> list[WallGap]:

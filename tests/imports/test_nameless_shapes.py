@@ -9,6 +9,7 @@ from typing import Any
 import ezdxf.filemanagement as files
 import numpy as np
 import pytest
+from ezdxf.math import Matrix44
 
 from solver.answers import PlanImport
 from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
@@ -107,14 +108,16 @@ def test_a_plan_is_read_by_its_form(layers: dict[str, str], closed: bool, turn: 
     assert f"layer '{layers['wall']}'" in [one["place"] for one in answer.unread if str(one["reason"]).startswith("it is taken as walls")]
 
 
-def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> None:
-    made = drawing(ONE)
+@pytest.mark.parametrize("closed", [False, True])
+def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls(closed: bool) -> None:
+    made = drawing(ONE, closed=closed)
     space = made.modelspace()
     lengths = [((300, 1800), (4400, 1800)), ((0, -900), (9000, -900)), ((0, -1000), (0, -800)), ((9000, -1000), (9000, -800))]
     axes, worktop = [((4450, -3000), (4450, 8000)), ((-3000, 4850), (12000, 4850))], [((300, 900), (4400, 900))]
     for a, b in (*lengths, *axes, *worktop):
         space.add_line(a, b, dxfattribs={"layer": "0"})
-    for x0, y0, x1, y1 in ((-3000, -3000, 12000, 8000), (1200, 1900, 3000, 2900), (330, 3000, 930, 4500)):
+    frame = ((-3000, -3000, 12000, 8000), (-3200, -3200, 12200, 8200))
+    for x0, y0, x1, y1 in (*frame, (1200, 1900, 3000, 2900), (330, 3000, 930, 4500)):
         space.add_lwpolyline([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], close=True, dxfattribs={"layer": "0"})
     for middle, width, first in (((7000, 1000), 400, 0), ((300, 4700), 1200, 270)):
         space.add_arc(middle, width, first, first + 90, dxfattribs={"layer": "0"})
@@ -122,6 +125,26 @@ def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls() -> 
     assert seen(answer) == WANTED
     assert sorted((room.width, room.depth) for room in answer.scene.rooms) == [(4.2, 4.5), (4.3, 4.5)]
     assert "quarter circles that hang in no gap in a wall are no doors: 2" in [one["reason"] for one in answer.unread]
+
+
+@pytest.mark.parametrize("turn", [0, 17])
+def test_walls_that_are_areas_and_doors_that_are_polylines_are_read_by_their_form(turn: int) -> None:
+    """Both on a layer that says nothing; a table of round corners is no door."""
+    made = drawing(ONE, closed=True)
+    space = made.modelspace()
+    for wall in list(space.query("LWPOLYLINE")):
+        space.add_hatch().paths.add_polyline_path(wall.get_points("xy"), is_closed=True)
+        space.delete_entity(wall)
+    for part in [*space.query("ARC"), *(line for line in space.query("LINE") if line.dxf.start.vec2 in [leaf[0] for leaf in LEAVES])]:
+        space.delete_entity(part)
+    for (x, y), tip, shut in LEAVES:
+        turns = math.copysign(math.tan(math.pi / 8), (tip[0] - x) * (shut[1] - y) - (tip[1] - y) * (shut[0] - x))
+        space.add_lwpolyline([(x, y, 0), (*tip, turns), (*shut, 0)], format="xyb")
+    corners = ((1500, 1000), (2400, 1000), (2600, 1200), (2600, 1500), (2400, 1700), (1500, 1700))
+    space.add_lwpolyline([(*spot, 0.414 * (at in (1, 3))) for at, spot in enumerate(corners)], format="xyb", close=True)
+    for one in space:
+        one.transform(Matrix44.z_rotate(math.radians(turn)))
+    assert seen(imported(made)) == WANTED
 
 
 @pytest.mark.parametrize("layers", [ONE, NUMBERS])
@@ -168,8 +191,11 @@ def test_faces_of_walls_that_end_at_a_door_without_jambs_are_no_axes(thick: int)
 
 @pytest.mark.parametrize("closed", [False, True])
 @pytest.mark.parametrize(("east", "south"), [(4450, 4850), (4500, 4700)])
-def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: bool, east: int, south: int) -> None:
-    """A leaf, shut, lies in no room and beside one, or along a face; a corner shower does along two, and lines end at a worktop's end."""
+def test_doors_and_windows_lie_in_walls_whose_lines_run_on_through_them(closed: bool, east: int, south: int) -> None:
+    """A leaf, shut, lies in no room and beside one, or along a face; a corner shower does along two, and lines end at a worktop's end.
+
+    A window lies between the faces of an outer wall; an axis, a line in an inner wall or outside is none.
+    """
     made: Any = files.new("R2010")
     made.header["$INSUNITS"] = 4
     space = made.modelspace()
@@ -186,10 +212,17 @@ def test_leaves_hang_in_walls_whose_lines_run_on_through_their_doors(closed: boo
         if tip:
             space.add_line(hinge, tip)
     space.add_line((1200, 300), (1200, 1200))
+    if closed:
+        space.add_lwpolyline([(1300, 120), (2500, 120), (2500, 180), (1300, 180)], close=True)
+    else:
+        space.add_line((1300, 120), (2500, 120))
+        space.add_line((1300, 180), (2500, 180))
+    for a, b in (((-200, 150), (9200, 150)), ((4450, 3600), (4450, 4300)), ((5000, -200), (6000, -200))):
+        space.add_line(a, b)
     for words, spot in NAMES.items():
         space.add_text(words, height=150, dxfattribs={"insert": spot})
     doors = [("door", 0.9), ("door", 0.9)]
-    assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", doors)]
+    assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", [*doors, ("window", 1.2)])]
 
 
 def test_lines_along_a_leaf_are_leaves_however_often_it_is_drawn_and_are_not_gone_over_for_each(monkeypatch: pytest.MonkeyPatch) -> None:

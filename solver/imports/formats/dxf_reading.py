@@ -21,7 +21,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.imports.bounded_files import MOST_BYTES, said
 from solver.imports.drawn import MOST_POINTS, DrawnPiece, DrawnPlan, DrawnRoom, Spot
 from solver.imports.plain_values import a_number
-from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
+from solver.imports.shape_openings import SWUNG, WIDEST, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import told_by_doors
 
@@ -57,7 +57,7 @@ DEEPEST: Final = 8
 BINARY: Final = b"AutoCAD Binary DXF"
 """How a DXF begins that is no text."""
 FILLED: Final = frozenset({"HATCH", "SOLID", "TRACE"})
-"""Areas: of walls they are taken as outlines."""
+"""Areas: of walls, and on layers that tell nothing, they are taken as outlines."""
 SAYS: Final = frozenset({"TEXT", "MTEXT", "ATTRIB", "DIMENSION", "INSERT"})
 """What draws no wall or room, whatever its layer is called."""
 PARTS: Final = frozenset({"SECTION", "ENDSEC", "VERTEX", "ATTRIB", "SEQEND"})
@@ -323,8 +323,8 @@ def _plan(space: Any, told: UnitTold, metres: float | None, names: DrawnNames, b
             called = next((tag.value for tag in said[where] if tag.code == TEXT), "")
             shape = DrawnShape(layer, points[:-1] if closed else points, closed, where, sort, width=width, id=called)
             shapes += [shape] if points else []
-        elif kind in FILLED and sort == "wall":
-            shapes += [DrawnShape(layer, points, True, where, sort) for points in _filled(one) if len(points) > 2]
+        elif kind in FILLED and sort in ("wall", None):
+            shapes += [DrawnShape(layer, points, True, where, sort, filled=True) for points in _filled(one) if len(points) > 2]
         elif kind == "LINE":
             shapes.append(DrawnShape(layer, _spots((one.dxf.start, one.dxf.end)), False, where, sort))
         elif kind in ("TEXT", "ATTRIB", "MTEXT"):
@@ -359,7 +359,16 @@ def _told_itself(one: Any, said: Sequence[Any]) -> Any:
 
 
 def _is_quarter(one: Any, kind: str) -> bool:
-    return kind == "ARC" and abs((one.dxf.end_angle - one.dxf.start_angle) % 360 - 90) <= QUARTER
+    """Tells whether an entity is a quarter circle, or a line with one arc, that, along which nothing leaves what a leaf sweeps."""
+    arcs = [part for part in one.virtual_entities() if part.dxftype() == "ARC"] if kind in WIDTHS and one.has_arc else [one]
+    if len(arcs) != 1 or arcs[0].dxftype() != "ARC" or abs((arcs[0].dxf.end_angle - arcs[0].dxf.start_angle) % 360 - 90) > QUARTER:
+        return False
+    middle, far = arcs[0].ocs().to_wcs(arcs[0].dxf.center), WIDEST * arcs[0].dxf.radius
+    return one is arcs[0] or all(middle.distance(end) <= far for part in one.virtual_entities() for end in _ends(part))
+
+
+def _ends(part: Any) -> tuple[Any, Any]:
+    return (part.start_point, part.end_point) if part.dxftype() == "ARC" else (part.dxf.start, part.dxf.end)
 
 
 def _arcs(one: Any, kind: str) -> Iterator[tuple[Spot, tuple[Spot, Spot]]]:

@@ -43,7 +43,7 @@ from solver.imports.formats.svg_elements import (
     view_of,
 )
 from solver.imports.plain_values import a_number, number_in, one_of
-from solver.imports.shape_openings import SWUNG, DrawnShape, DrawnSwing
+from solver.imports.shape_openings import SWUNG, WIDEST, DrawnShape, DrawnSwing
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
@@ -54,8 +54,6 @@ METRIC: Final = (1.0, 0.01, 0.001)
 """Units that drawings for screens are in, m."""
 NAMES: Final = ("label", "data-name", "id", "class")
 """Attributes that call a shape something."""
-WIDEST: Final = 1.2
-"""What a leaf sweeps reaches no farther from its hinge than so many times its width."""
 START: Final = 4_000
 """Bytes at a file's beginning in which its root is looked for."""
 
