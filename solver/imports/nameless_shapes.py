@@ -82,16 +82,19 @@ def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int,
 def _without_furniture(
     way: Sequence[int], shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
 ) -> tuple[Sequence[int], list[DrawnRoom]]:
-    """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms."""
+    """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms.
+
+    Where rooms are lost with these, walls are drawn as single lines, and all stay.
+    """
     rooms = _rooms_of(shapes, way, names, doors, metres)
     by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
     spots = np.array([sides_of(a, b, by) for _, a, b in sides]).reshape(-1, 2)
     are_floor = _are_in(spots, [points for room in rooms for points in (room.points, *room.holes)]).reshape(-1, 2)
     left_out = {at for (at, *_), is_floor in zip(sides, are_floor, strict=True) if is_floor.all()}
-    if not left_out:
-        return way, rooms
     kept = [at for at in way if at not in left_out]
-    return kept, _rooms_of(shapes, kept, names, doors, metres)
+    others = _rooms_of(shapes, kept, names, doors, metres) if left_out else rooms
+    is_single = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
+    return (way, rooms) if is_single else (kept, others)
 
 
 def _are_in(spots: np.ndarray, outlines: Sequence[Sequence[Spot]]) -> np.ndarray:

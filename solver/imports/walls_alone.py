@@ -138,7 +138,7 @@ def _is_ground(room: DrawnRoom, rooms: Sequence[DrawnRoom], names: Sequence[Name
     """Tells whether what is enclosed lies around all other rooms, and is named by nothing: the ground, within a frame."""
     others = [other for other in rooms if other is not room]
     is_around = all(any(encloses(hole, *other.points[0]) for hole in room.holes) for other in others)
-    return bool(others) and is_around and not _names_in(room, names)
+    return len(others) > 1 and is_around and not _names_in(room, names)
 
 
 def _empty(gaps: Sequence[WallGap], openings: Sequence[DrawnOpening], metres: float | None) -> list[WallGap]:
