@@ -73,7 +73,7 @@ def test_a_bed_a_sofa_and_coats_find_a_whole_wall(program: str, kind: str, depth
     assert count(without_keeping()) <= kept - more
 
 
-@pytest.mark.parametrize(("program", "cornered"), [("family", 0.9), ("large", 0.9), (None, 0.6)])
+@pytest.mark.parametrize(("program", "cornered"), [("family", 0.9), ("large", 0.9), (None, 0.75)])
 def test_doors_of_bedrooms_stand_near_a_corner_and_do_not_face_others(program: str | None, cornered: float) -> None:
     near, doors, facing = 0, 0, 0
     for seed in range(330, 345):
@@ -87,7 +87,7 @@ def test_doors_of_bedrooms_stand_near_a_corner_and_do_not_face_others(program: s
             facing += any(_faces(room, door, other, rooms[door.connects_to or ""]) for other in rooms[door.connects_to or ""].openings)
     assert doors >= 40
     assert near >= cornered * doors
-    assert facing <= (0.1 if program else 0.4) * doors
+    assert facing <= 0.1 * doors  # 0.38 of plain homes' where doors of the hallway with the front door stayed
 
 
 def _faces(room: Room, door: Opening, other: Opening, hallway: Room) -> bool:

@@ -9,8 +9,7 @@ namespace {
 constexpr i64 WIDE_MM = 1200;       // of a passage where two hallways meet or the shared wall is long
 constexpr i64 WIDE_WALL_MM = 3000;  // shared wall from which a passage is wide: what is left takes a sofa's end
 constexpr i64 CAR_DOOR_MM = 2400;   // width of a garage door for each car
-// Doors whose middles are closer along a hallway face each other, which is as awkward as so far a way from the corner.
-constexpr i64 FACING_MM = 500, FACES_MM = 1000;
+constexpr i64 FACES_MM = 1000;  // facing another door is as awkward as so far a way from the corner
 // How many doors in a row may give way to one another in a house too small for doors in the middle of walls; places tried in all for them.
 constexpr i32 EJECTIONS = 3;
 constexpr i32 TRIES = 2000;
@@ -173,24 +172,19 @@ void place_doors(Doorways& doorways) {
   }
 }
 
-// By how much a door stands in the way, mm: how far it is from the corner of the room that its leaf is in, and whether it faces another one
-// across the room before it.
+// By how much a door stands in the way, mm: how far it is from the corner of the room that its leaf is in, unless one enters the home beside
+// it, where walls stay whole for coats; and how many doors it faces.
 static i64 awkwardness(const Doorways& doorways, const Cut& cut) {
   const House& house = doorways.house;
-  const i64 beyond = cut.leaf == cut.room ? cut.other : cut.room;
+  const i64 faced = FACES_MM * doorways.faced(cut), entrance = house.header.entrance_room;
+  if (cut.room == entrance || cut.other == entrance) return faced;
   const Interval wall = house.rooms[cut.leaf].rect.along(cut.wall_of(cut.leaf)), ends = cut.ends();
-  i64 sum = least(ends.low - wall.low, wall.high - ends.high);
-  for (const OpeningSide& other : doorways.sides(beyond)) {
-    const bool is_across = other.cut.has_square() && other.wall == opposite(cut.wall_of(beyond));
-    if (is_across && magnitude(other.cut.centre - cut.centre) < FACING_MM) sum += FACES_MM;
-  }
-  return sum;
+  return least(ends.low - wall.low, wall.high - ends.high) + faced;
 }
 
-// Rooms that one does not walk through; walls where one enters the home stay as they are, for coats.
+// Into rooms that one does not walk through.
 static bool is_for_a_corner(const House& house, const Cut& cut) {
   if (cut.kind != CutKind::door || cut.leaf == NONE || cut.other == NONE) return false;
-  if (cut.room == house.header.entrance_room || cut.other == house.header.entrance_room) return false;
   return house.rooms[cut.leaf].has(HABITABLE) && !house.rooms[cut.leaf].has(PASSAGE);
 }
 

@@ -5,6 +5,7 @@ namespace openings {
 namespace {
 
 constexpr i64 SQUARE_MM = 900;  // greatest depth of the square that stays free at a door
+constexpr i64 FACING_MM = 500;  // doors whose middles are closer along a hallway face each other
 
 }  // namespace
 
@@ -91,6 +92,18 @@ f64 Doorways::score(const Cut& cut) const {
     }
   });
   return sum;
+}
+
+i64 Doorways::faced(const Cut& cut) const {
+  i64 count = 0;
+  each_room(cut, [&](i64 room) {
+    if (room == cut.leaf || !cut.has_square()) return;
+    for (const OpeningSide& other : by_room_[room]) {
+      const bool is_across = other.cut.has_square() && other.wall == opposite(cut.wall_of(room));
+      count += is_across && magnitude(other.cut.centre - cut.centre) < FACING_MM;
+    }
+  });
+  return count;
 }
 
 i32 Doorways::colliding(const Cut& cut, Cut* found, i32 most) const {

@@ -39,6 +39,8 @@ class Doorways {
   OpeningSide side(const Cut& cut, i64 room) const;
   // 0 is free of all, COLLISION and more cannot be.
   f64 score(const Cut& cut) const;
+  // How many openings that one walks through an opening faces across the rooms that its leaf is not in.
+  i64 faced(const Cut& cut) const;
   // Adds the openings that this one cannot stand together with, some in all at most; returns how many there are.
   i32 colliding(const Cut& cut, Cut* found, i32 most) const;
   // Whether a stretch of an outside wall holds no opening.

@@ -114,9 +114,9 @@ class Walls {
     }
   }
 
-  // Whether an opening there meets no more than it did, and leads no farther round in a room whose walls win nothing.
+  // Whether an opening there meets and faces no more than it did, and leads no farther round in a room whose walls win nothing.
   bool is_in_nobodys_way(const Cut& cut, const Cut& placed, const Gains& gains) const {
-    if (doorways_.score(placed) > doorways_.score(cut)) return false;
+    if (doorways_.score(placed) > doorways_.score(cut) || doorways_.faced(placed) > doorways_.faced(cut)) return false;
     const auto is_farther = [&](i64 room, i64 gain) { return gain <= 0 && way(room, placed) > way(room, cut); };
     return !is_farther(gains.room, gains.gain) && (gains.beyond == NONE || !is_farther(gains.beyond, gains.gain_beyond));
   }

@@ -134,6 +134,14 @@ class Doorways:
         """Returns the openings of a room as it sees them."""
         return self._by_room.get(room, ())
 
+    def faced(self, cut: Cut) -> int:
+        """Returns how many openings that one walks through an opening faces across the rooms that its leaf is not in."""
+        if cut.kind not in {"door", "passage"}:
+            return 0
+        seen = [(side, cut.wall_of(room)) for room in cut.sides if room != cut.leaf for side in self.sides(room)]
+        across = [side for side, wall in seen if side.square is not None and side.wall == OPPOSITE[wall]]
+        return sum(abs(side.cut.centre - cut.centre) < FACING_MM for side in across)
+
     def restore(self, cuts: Sequence[Cut]) -> None:
         """Goes back to the openings there were."""
         for cut in [cut for cut in self.cuts if cut not in cuts]:
@@ -264,30 +272,27 @@ def place_doors(doorways: Doorways, tree: Sequence[tuple[Joint, int]]) -> None:
 
 
 def move_to_corners(doorways: Doorways, tree: Sequence[tuple[Joint, int]], entrance: int) -> None:
-    """Moves doors of habitable rooms that are no passages to a corner of theirs, but for those into the room where one enters."""
+    """Moves doors of habitable rooms that are no passages to a corner of theirs, and away from doors that they face.
+
+    To no corner move those of the room where one enters: its walls stay whole for coats.
+    """
     stretches = {(joint.a, joint.b): (joint.low, joint.high) for joint, _ in tree}
     for cut in tuple(doorways.cuts):
-        if cut.kind != "door" or cut.leaf is None or cut.other is None or entrance in cut.sides:
+        if cut.kind != "door" or cut.leaf is None or cut.other is None:
             continue
         plan = doorways.plan_of(cut.leaf).plan
         if not plan.habitable or plan.passage:
             continue
         moved = (cut.at(centre) for centre in places(cut.width, stretches[cut.room, cut.other], doorways))
         free = [one for one in moved if doorways.score(one) <= doorways.score(cut)]
-        doorways.replace(cut, min((cut, *free), key=partial(_awkwardness, doorways, cut.leaf)))
+        doorways.replace(cut, min((cut, *free), key=partial(_awkwardness, doorways, cut.leaf, entrance in cut.sides)))
 
 
-def _awkwardness(doorways: Doorways, room: int, cut: Cut) -> int:
-    """Returns how far a door is from the corner of its leaf's room, mm, and more for each other one that it faces."""
+def _awkwardness(doorways: Doorways, room: int, entered: bool, cut: Cut) -> int:
+    """Returns how far a door is from the corner of its leaf's room, mm, unless one enters there, and more for each that it faces."""
     rect = doorways.layout.rooms[room]
-    beyond = next(side for side in cut.sides if side != room)
     low, high = (rect.x0, rect.x1) if cut.wall in ("north", "south") else (rect.z0, rect.z1)
-    faced = [
-        side
-        for side in doorways.sides(beyond)
-        if side.wall == OPPOSITE[cut.wall_of(beyond)] and abs(side.cut.centre - cut.centre) < FACING_MM
-    ]
-    return min(cut.ends[0] - low, high - cut.ends[1]) + FACES_MM * len(faced)
+    return (0 if entered else min(cut.ends[0] - low, high - cut.ends[1])) + FACES_MM * doorways.faced(cut)
 
 
 def _forms(doorways: Doorways, joint: Joint, entered: int, number: int) -> Iterator[Cut]:

@@ -26,7 +26,7 @@ def keep_walls(doorways: Doorways, shared: tuple[Joint, ...]) -> None:
     """Moves openings to the ends of their walls where a room has no wall as whole as its type's `plan.keeps` asks.
 
     Args:
-        doorways: all openings; those that move are replaced. None comes to meet another one that it did not meet before, and the way
+        doorways: all openings; those that move are replaced. None comes to meet or face another one that it did not before, and the way
             from door to door gets no longer in a room that wins nothing.
         shared: the walls that two rooms share.
     """
@@ -99,8 +99,9 @@ class _Walls:
         return move is not None
 
     def _is_in_nobodys_way(self, cut: Cut, placed: Cut, gains: Mapping[int, int]) -> bool:
-        """Tells whether an opening there meets no more than it did, and leads no farther round in a room whose walls win nothing."""
-        if self.doorways.score(placed) > self.doorways.score(cut):
+        """Tells whether an opening there meets and faces no more than it did, and leads no farther where walls win nothing."""
+        doorways = self.doorways
+        if doorways.score(placed) > doorways.score(cut) or doorways.faced(placed) > doorways.faced(cut):
             return False
         return not any(gain <= 0 and self._way(room, placed) > self._way(room, cut) for room, gain in gains.items())
 
