@@ -172,8 +172,8 @@ void place_doors(Doorways& doorways) {
   }
 }
 
-// By how much a door stands in the way, mm: how far it is from the corner of the room that its leaf is in, unless one enters the home beside
-// it, where walls stay whole for coats; and how many doors it faces.
+// By how much a door stands in the way, mm: how far it is from the corner of the room that its leaf is in, unless one enters the home
+// beside it, where walls stay whole for coats; and how many doors it faces.
 static i64 awkwardness(const Doorways& doorways, const Cut& cut) {
   const House& house = doorways.house;
   const i64 faced = FACES_MM * doorways.faced(cut), entrance = house.header.entrance_room;
