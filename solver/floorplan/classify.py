@@ -29,6 +29,8 @@ MOST: Final = {"kitchen": 1, "bedroom_master": 1, "living_room": 2, "dining_room
 """Of which a household has no more, however well a room would suit them; as many again for every 40 rooms."""
 HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop")
 """Types whose repetition makes two households of a house, or looks odd in a home: it costs thrice as much."""
+SMALL: Final = 0.75
+"""Below this share of its typical area a second one of a type is no gain."""
 TOO_MANY: Final = 100.0
 """Cost of a type of which there are the most already: above that of any misfit."""
 FOYER: Final = (1.5, 3.0)
@@ -140,14 +142,16 @@ class _Draft:
         return cost - (2.0 if room in self.fitness.access_plan.through else 0.0), room
 
     def _master(self, room: int) -> tuple[float, int]:
+        """A master bedroom has a bathroom behind it that is not too large."""
         small = 20.0 if self.area[room] < MASTER_M2 else 0.0
-        own = 1.0 if room in self.fitness.access_plan.through else 0.0
-        return self.fitness.cost(room, "bedroom_master", self.types) + small - own, room
+        behind = self.fitness.children.get(room, ())
+        bath = min((0.0, *(self.fitness.shape(i, "bathroom") - 1.0 for i in behind)))
+        return self.fitness.cost(room, "bedroom_master", self.types) + small + bath, room
 
     def _more(self, room: int, name: str) -> float:
         """Cost of a type besides what it costs in the room: of one more room of it.
 
-        That is a bonus up to the wish, then ever steeper; a second one that is too large is no bonus.
+        That is a bonus up to the wish, then ever steeper; a second one that is too large or small is no bonus.
         """
         if name == "hallway":
             return FOYER[bool(self.fitness.outside[room])]
@@ -156,7 +160,8 @@ class _Draft:
         if there >= self.households * MOST.get(group, MAX_ROOMS):
             return TOO_MANY
         if over <= 0:
-            return 2.0 if there and self.area[room] > self.fitness.rooms[name].area.max else -0.8
+            asked = self.fitness.rooms[name].area
+            return 2.0 if there and not SMALL * asked.typical <= self.area[room] <= asked.max else -0.8
         return (6.0 if group in HOUSEHOLD else 2.0) * math.pow(over, 1.3)
 
     def _least(self, room: int, names: Sequence[str]) -> tuple[float, str]:

@@ -76,7 +76,7 @@ def test_bathrooms_are_used_from_free_floor_and_basins_have_mirrors() -> None:
     scenes = [generate(Request(seed=seed, decorate=True)).scene for seed in range(8_642_000, 8_642_012)]
     for line, share in ((ruler.baths_free("vanity", "sink"), 0.9), (ruler.baths_free("shower"), 0.85), (ruler.basins_mirrored, 0.98)):
         found = [line(one) for one in scenes]
-        assert sum(held for held, _ in found) >= share * sum(cases for _, cases in found) > 25  # 0.82, 0.75 and 0.96 before
+        assert sum(held for held, _ in found) >= share * sum(cases for _, cases in found) > 20  # 0.82, 0.75 and 0.96 before
 
 
 def test_a_mirror_is_seen_and_things_at_a_wall_hang_apart() -> None:

@@ -211,3 +211,14 @@ def test_bad_requests_name_the_field(fields: dict[str, object], field: str, allo
         drawn(**fields)
     assert caught.value.field == field
     assert allowed in caught.value.allowed
+
+
+def test_the_bathroom_behind_a_master_bedroom_is_no_larger_than_others() -> None:
+    large = []
+    for seed in range(8_700, 8_730):
+        home = draw(Request(seed=seed), CATALOGS)
+        rooms = {room.id: room for room in home.rooms}
+        beside = (door.connects_to or "" for room in home.rooms if room.type == "bedroom_master" for door in room.openings)
+        large += [area(room) > 10.0 + 1e-6 for name in beside if (room := rooms.get(name)) and room.type == "bathroom"]
+    assert len(large) >= 25
+    assert sum(large) <= 0.15 * len(large)  # 0.6 where any room behind it would do
