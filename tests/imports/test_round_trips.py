@@ -39,11 +39,13 @@ def home(program: str) -> Scene:
 
 @cache
 def few_decorated() -> Scene:
-    """The decorated home with every fourth of what lies on furniture and hangs: the others read back as they do."""
+    """The decorated home with every fourth of what lies on furniture and hangs, and what lies on that: the others read back as they do."""
     scene = home("an L, decorated")
     small = {one.id for room in scene.rooms for one in room.decorations}
-    kept = ([one for one in room.decorations if one.parent not in small][::4] for room in scene.rooms)
-    return replace(scene, rooms=tuple(replace(room, decorations=tuple(few)) for room, few in zip(scene.rooms, kept, strict=True)))
+    few = {one.id for room in scene.rooms for one in [one for one in room.decorations if one.parent not in small][::4]}
+    kept = [[one for one in room.decorations if {one.id, one.parent} & few] for room in scene.rooms]
+    assert any(one.parent in few for rooms in kept for one in rooms), "something lies on a small thing"
+    return replace(scene, rooms=tuple(replace(room, decorations=tuple(rest)) for room, rest in zip(scene.rooms, kept, strict=True)))
 
 
 @cache
