@@ -11,7 +11,7 @@ from typing import Final, Literal, NamedTuple
 
 from solver.answers import ImportChange, ImportGuess, Unread
 from solver.errors import FieldError
-from solver.geometry import encloses
+from solver.geometry import doubled_area, encloses
 
 Spot = tuple[float, float]
 """A point (x, z)."""
@@ -45,6 +45,12 @@ class DrawnRoom:
         if "type" not in said or self.label not in said.get("label", ""):
             return self
         return replace(self, type=said["type"], label=said.get("name", ""), outdoor=said.get("outdoor", "").lower() == "true")
+
+    @property
+    def area(self) -> float:
+        """How large its floor is, without the holes."""
+        outer, *inner = (abs(doubled_area(points)) / 2 for points in (self.points, *self.holes))
+        return outer - sum(inner)
 
     def holds(self, x: float, z: float) -> bool:
         """Tells whether a point is in the room."""

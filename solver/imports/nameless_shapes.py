@@ -29,6 +29,8 @@ THINNEST: Final = 40
 LEAST_POINTS: Final = 8
 LEAST_ROOMS: Final = 2
 """As many rooms walls enclose, or one that is named."""
+LOST: Final = 0.05
+"""Such a share of the floor is lost with walls, not with furniture."""
 
 
 def told_by_form(
@@ -84,7 +86,7 @@ def _without_furniture(
 ) -> tuple[Sequence[int], list[DrawnRoom]]:
     """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms.
 
-    Where rooms are lost with these, walls are drawn as single lines, and all stay.
+    Where rooms or floor are lost with these, walls are drawn as single lines, and all stay.
     """
     rooms = _rooms_of(shapes, way, names, doors, metres)
     by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
@@ -93,8 +95,9 @@ def _without_furniture(
     left_out = {at for (at, *_), is_floor in zip(sides, are_floor, strict=True) if is_floor.all()}
     kept = [at for at in way if at not in left_out]
     others = _rooms_of(shapes, kept, names, doors, metres) if left_out else rooms
-    is_single = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
-    return (way, rooms) if is_single else (kept, others)
+    is_less = sum(room.area for room in others) < (1 - LOST) * sum(room.area for room in rooms)
+    are_fewer = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
+    return (way, rooms) if is_less or are_fewer else (kept, others)
 
 
 def _are_in(spots: np.ndarray, outlines: Sequence[Sequence[Spot]]) -> np.ndarray:

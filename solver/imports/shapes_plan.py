@@ -18,7 +18,7 @@ import numpy as np
 
 from catalogs.synonyms import STOREYS, DrawnNames
 from solver.answers import Unread
-from solver.geometry import bounds_of_points, doubled_area
+from solver.geometry import bounds_of_points
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
 from solver.imports.in_walls import doors_in_walls, windows_in_walls
 from solver.imports.nameless_shapes import told_by_form, without_pieces
@@ -119,7 +119,7 @@ def plan_of_shapes(sheet: DrawnSheet, told: UnitTold, metres: float | None, unre
     shapes, texts, left = without_pieces(sheet.shapes, sheet.texts)
     sheet, unread = sheet._replace(shapes=shapes, texts=texts), (*unread, *left)
     plan = _plan(sheet, (lambda _: PlanUnit(metres)) if metres else told, unread)
-    unit = None if metres else told_by_areas([(_area(room), one) for room in plan.rooms if (one := _said_area(room, sheet.texts))], plan)
+    unit = None if metres else told_by_areas([(room.area, one) for room in plan.rooms if (one := _said_area(room, sheet.texts))], plan)
     return plan if unit is None else _plan(sheet, lambda _: unit, unread)
 
 
@@ -127,11 +127,6 @@ def _said_area(room: DrawnRoom, texts: Sequence[DrawnText]) -> float:
     """Returns the area that is written in a room, m2; 0 where none or several are."""
     said = {one.area for one in texts if one.area and room.holds(one.x, one.z)}
     return said.pop() if len(said) == 1 else 0.0
-
-
-def _area(room: DrawnRoom) -> float:
-    outer, *inner = (abs(doubled_area(points)) / 2 for points in (room.points, *room.holes))
-    return outer - sum(inner)
 
 
 def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> DrawnPlan:
@@ -218,7 +213,7 @@ def _told_by_form(
 ) -> tuple[list[DrawnShape], list[DrawnShape]]:
     """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall; and of these the others."""
     if any(one.sort in ("room", "wall") for one in shapes):
-        return list(shapes), [one for one in shapes if one.sort is None]
+        return list(shapes), []
     shapes = without_leaves(shapes, swings)
     lines = [one.round() for one in shapes if one.sort is None and len(one.points) > 1]
     doors = doors_of_swings(swings, lines)

@@ -8,7 +8,6 @@ from typing import Any, Final, NamedTuple
 
 from solver.answers import ALLOWED_UNITS, UNITS
 from solver.errors import FieldError
-from solver.geometry import doubled_area
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes
 
 DOOR_WIDTHS: Final = (0.7, 1.0)
@@ -111,7 +110,7 @@ def check_size(plan: DrawnPlan, metres: float) -> None:
 
 
 def _sides(plan: DrawnPlan) -> list[float]:
-    return [(abs(doubled_area(room.points)) / 2) ** 0.5 for room in plan.rooms]
+    return [room.area**0.5 for room in plan.rooms]
 
 
 def told_by_doors(openings: Sequence[DrawnOpening], said: float | None) -> PlanUnit:

@@ -135,9 +135,9 @@ def rooms_between(
 
 
 def _is_ground(room: DrawnRoom, rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> bool:
-    """Tells whether what is enclosed lies around all other rooms, and is named by nothing: the ground, within a frame."""
+    """Tells whether what is enclosed lies around all other rooms, side by side, and is named by nothing: the ground, in a frame."""
     others = [other for other in rooms if other is not room]
-    is_around = all(any(encloses(hole, *other.points[0]) for hole in room.holes) for other in others)
+    is_around = any(all(encloses(hole, *other.points[0]) for other in others) for hole in room.holes)
     return len(others) > 1 and is_around and not _names_in(room, names)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from io import StringIO
+from itertools import chain, pairwise
 from typing import Any
 
 import ezdxf.filemanagement as files
@@ -127,6 +128,23 @@ def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls(close
     assert "quarter circles that hang in no gap in a wall are no doors: 2" in [one["reason"] for one in answer.unread]
 
 
+def test_single_lines_are_walls_and_furniture_between_them_is_none() -> None:
+    """Both on one layer: three rooms; then one, whose walls are a polyline in part, around two tables that nothing names."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    outer = [(0, 0), (9000, 0), (9000, 5000), (0, 5000), (0, 0)]
+    for a, b in (*pairwise(outer), ((4000, 0), (4000, 5000)), ((4000, 3000), (9000, 3000))):
+        space.add_line(a, b)
+    assert sorted((room.width, room.depth) for room in imported(made).scene.rooms) == [(4, 5), (5, 2), (5, 3)]
+    space.delete_all_entities()
+    space.add_lwpolyline([*outer[:2], (9000, 3000), (6000, 3000), (9000, 3000), outer[2]])
+    tables = (pairwise([(x, 800), (x + 1200, 800), (x + 1200, 1700), (x, 1700), (x, 800)]) for x in (1000, 3000))
+    for a, b in chain(pairwise(outer[2:]), *tables):
+        space.add_line(a, b)
+    assert (9, 5) in [(room.width, room.depth) for room in imported(made).scene.rooms]
+
+
 @pytest.mark.parametrize("turn", [0, 17])
 def test_walls_that_are_areas_and_doors_that_are_polylines_are_read_by_their_form(turn: int) -> None:
     """Both on a layer that says nothing; a table of round corners is no door."""
@@ -223,6 +241,15 @@ def test_doors_and_windows_lie_in_walls_whose_lines_run_on_through_them(closed: 
         space.add_text(words, height=150, dxfattribs={"insert": spot})
     doors = [("door", 0.9), ("door", 0.9)]
     assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", [*doors, ("window", 1.2)])]
+
+
+def test_what_lies_in_walls_whose_layer_is_called_so_is_no_window_on_another_layer() -> None:
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    for low, east, north in ((0, 5000, 4000), (300, 4700, 3700)):
+        made.modelspace().add_lwpolyline([(low, low), (east, low), (east, north), (low, north)], close=True, dxfattribs={"layer": "WALLS"})
+    made.modelspace().add_line((1300, 150), (2500, 150), dxfattribs={"layer": "Furniture"})
+    assert [(room.width, room.openings) for room in imported(made).scene.rooms] == [(4.7, ())]
 
 
 def test_lines_along_a_leaf_are_leaves_however_often_it_is_drawn_and_are_not_gone_over_for_each(monkeypatch: pytest.MonkeyPatch) -> None:
