@@ -37,7 +37,7 @@ from solver.imports.shape_openings import (
 )
 from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
-from solver.imports.units import ASSUMED, GAPS, PlanUnit, assumed, told_by_areas, without_area
+from solver.imports.units import ASSUMED, DOORS, GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
 from solver.plain import quoted
@@ -190,8 +190,9 @@ def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Se
     size = max(x1 - x0, z1 - z0) or 1.0
     if walls and (unit.metres is None or (unit.words.startswith(ASSUMED) and size * unit.metres > LARGEST_HOUSE)):
         usual = HOUSE / size
-        gaps = [gap for gap in fitted(openings, gaps_of(walls, usual), usual)[1] if gap.in_line]
-        unit = assumed([DrawnOpening("passage", gap.start, gap.end, "") for gap in gaps], GAPS)
+        gaps = [DrawnOpening("door", gap.start, gap.end, "") for gap in fitted(openings, gaps_of(walls, usual), usual)[1] if gap.in_line]
+        unit = told(gaps)
+        unit = assumed(gaps, GAPS) if unit.metres is None else unit._replace(words=unit.words.replace(DOORS, GAPS))
     return unit
 
 

@@ -243,6 +243,19 @@ def test_doors_and_windows_lie_in_walls_whose_lines_run_on_through_them(closed: 
     assert seen(imported(made)) == [("bedroom", doors[:1]), ("kitchen", [*doors, ("window", 1.2)])]
 
 
+def test_gaps_that_are_as_wide_as_doors_in_a_unit_that_has_a_name_tell_that() -> None:
+    made = drawing(ONE)
+    made.header["$INSUNITS"] = 0
+    for one in list(made.modelspace()):
+        if one.dxftype() == "ARC":
+            made.modelspace().delete_entity(one)
+        else:
+            one.transform(Matrix44.scale(0.08))
+    answer = imported(made)
+    assert sorted(room.width for room in answer.scene.rooms) == [3.36, 3.44]
+    assert "the median gap in walls is 0.72 m in cm" in str([one["message"] for one in answer.guesses])
+
+
 def test_what_lies_in_walls_whose_layer_is_called_so_is_no_window_on_another_layer() -> None:
     made: Any = files.new("R2010")
     made.header["$INSUNITS"] = 4
