@@ -17,7 +17,7 @@ POSSIBLE_DOORS: Final = (0.1, 10.0)
 LIKELY_ROOM: Final = (1.5, 8.0)
 """Between these, m, lies the median of the square roots of rooms' areas, where there are no doors to tell."""
 LARGEST: Final = 100.0
-"""Without doors no room is larger across, m, nor is the median room of a scene."""
+"""Without doors no room is larger than a square of such sides, m, nor is the median room of a scene longer."""
 LARGEST_ASSUMED: Final = 30.0
 """Nor is one than this where a usual door alone tells the unit."""
 LIKELY_DOOR: Final = 0.9
@@ -106,7 +106,7 @@ def check_size(plan: DrawnPlan, metres: float) -> None:
     is_assumed = plan.unit_words.startswith(ASSUMED)
     if largest > (LARGEST_ASSUMED if is_assumed else LARGEST) and (is_assumed or not _doors(plan.openings)):
         known = "assumed" if is_assumed else "told"
-        raise FieldError("unit", f"is {known} to be {metres:.5g} m, in which the largest room is {largest:.0f} m across", ALLOWED_UNITS)
+        raise FieldError("unit", f"is {known} to be {metres:.5g} m, in which the largest room has {largest**2:.0f} m2", ALLOWED_UNITS)
 
 
 def _sides(plan: DrawnPlan) -> list[float]:

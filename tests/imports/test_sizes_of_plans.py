@@ -33,16 +33,16 @@ def test_pieces_with_names_are_no_rooms_and_round_corners_do_not_tell_the_unit(p
     assert sum("names a piece" in one["reason"] for one in made.unread) == len(PIECES)
 
 
-def square(side: float, unit: str) -> bytes:
-    """Returns a plan of one square room without doors."""
-    ring = f"[[0, 0], [{side}, 0], [{side}, {side}], [0, {side}]]"
+def hall(side: float, unit: str) -> bytes:
+    """Returns a plan of one room without doors, twice as long as wide."""
+    ring = f"[[0, 0], [{side}, 0], [{side}, {2 * side}], [0, {2 * side}]]"
     room = f'{{"properties": {{"name": "Hall"}}, "geometry": {{"type": "Polygon", "coordinates": [{ring}]}}}}'
     return f'{{"type": "FeatureCollection", "unit": "{unit}", "features": [{room}]}}'.encode()
 
 
 def test_a_room_larger_than_any_is_asked_for_its_unit() -> None:
-    with pytest.raises(FieldError, match=r"unit.*is told to be 1 m.*420 m across"):
-        import_plan(square(420, "m"))
-    assert import_plan(square(420, "cm")).scene.rooms[0].width == pytest.approx(4.2)
-    assert import_plan(square(420, "m"), settings=ImportSettings(unit="cm")).scene.rooms[0].width == pytest.approx(4.2)
-    assert import_plan(square(420, "m"), settings=ImportSettings(unit="m")).scene.rooms[0].width == pytest.approx(420)
+    with pytest.raises(FieldError, match=r"unit.*is told to be 1 m.*largest room has 352800 m2"):
+        import_plan(hall(420, "m"))
+    assert import_plan(hall(420, "cm")).scene.rooms[0].width == pytest.approx(4.2)
+    assert import_plan(hall(420, "m"), settings=ImportSettings(unit="cm")).scene.rooms[0].width == pytest.approx(4.2)
+    assert import_plan(hall(420, "m"), settings=ImportSettings(unit="m")).scene.rooms[0].width == pytest.approx(420)
