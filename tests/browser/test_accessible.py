@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -11,11 +11,12 @@ from playwright.sync_api import Frame, Page, Route
 from tests.browser.visit import SMALL, Visit, sent_by
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
-RUN = """rules => {
+RUN = """([rules, but]) => {
     const paint = isSeen => { if (globalThis.unseen) unseen.disabled = isSeen; };
     paint(true);
     return axe.run({exclude: %s}, {
         resultTypes: ['violations'], selectors: false, ...(rules.length && {runOnly: rules}),
+        rules: Object.fromEntries(but.map(one => [one, {enabled: false}])),
     }).then(found => found.violations.map(one => `${one.id}: ${one.nodes.map(node => node.html).join(' ')}`)).finally(() => paint(false));
 }"""
 """Every rule, or some, of the page, as it is when it is seen, but some elements.
@@ -35,11 +36,11 @@ def violations(visit: Visit) -> list[str]:
     return found_in(visit.page)
 
 
-def found_in(frame: Page | Frame, *rules: str, aside: str = "[]") -> list[str]:
-    """What axe-core finds wrong in a page or a frame, which keeps it: by every rule or a few; some elements are left aside."""
+def found_in(frame: Page | Frame, *rules: str, but: Sequence[str] = (), aside: str = "[]") -> list[str]:
+    """What axe-core finds wrong in a page or a frame, which keeps it: by every rule or a few, but some; some elements are left aside."""
     if not frame.evaluate("'axe' in globalThis"):
         frame.evaluate(AXE.read_text())
-    found: list[str] = frame.evaluate(RUN % aside, rules)
+    found: list[str] = frame.evaluate(RUN % aside, [rules, but])
     return found
 
 
