@@ -33,11 +33,11 @@ AT_REST = f"""() => document.querySelector('#stage')?.ariaBusy === 'false' && gl
 """Whether nothing is under way, as `Visit.settle` has it."""
 COME_TO_REST = f"""async patience => {{
     const end = performance.now() + patience;
-    do await new Promise(requestAnimationFrame);
-    while (!({AT_REST})() && performance.now() < end);
+    await new Promise(requestAnimationFrame);
+    while (!({AT_REST})() && performance.now() < end) await new Promise(done => setTimeout(done, 16));
     return ({AT_REST})();
 }}"""
-"""Waits for that in the page itself, from its next frame on: until then it has begun what it puts off to a frame."""
+"""Waits for that in the page itself, from its next frame on: until then it has begun what it puts off to one. Further frames would cost."""
 FORGET = """() => location.protocol !== 'http:' || new Promise((done, fail) => {
     for (const kept of [localStorage, sessionStorage]) kept.clear();
     const gone = indexedDB.deleteDatabase('compose');
