@@ -7,7 +7,6 @@ from typing import Any
 
 from playwright.sync_api import Dialog, Locator, expect
 
-from tests.browser.acts import MOST_STEPS
 from tests.browser.visit import Document
 from tests.browser.ways import Way, unfold
 
@@ -24,26 +23,6 @@ def movable(way: Way) -> Document:
             if not (piece["on"] or piece["under"]) and way.page.evaluate("id => compose.whereIs(id)", piece["id"]):
                 return dict(piece)
     raise AssertionError("nothing is seen")
-
-
-def sent_as_file(way: Way) -> None:
-    """Furnishes rooms anew until no link carries the changes, and sends the file that is offered."""
-    way.changed(lambda: way.press(way.page.locator("#starts a").last))
-    unfold(way, "room")
-    rooms = sorted((room for room in scene(way)["rooms"] if not room["outdoor"]), key=lambda room: -len(room["furniture"]))
-    said, offered = way.page.locator("#said"), way.page.locator("#save_instead")
-    for room in rooms[: MOST_STEPS - 1]:
-        way.select(way.page.locator("#room_choice"), room["id"])
-        way.changed(lambda: way.press(way.page.locator("#reroll")))
-        way.press(way.page.locator("#copy_link"))
-        expect(said).not_to_be_empty()
-        if offered.is_visible():
-            break
-    expect(said).to_contain_text("Send a file instead")
-    link = way.page.evaluate("navigator.clipboard.readText()")
-    assert "program=large" in link and "#" not in link
-    saves(way, offered)
-    way.select(way.page.locator("#room_choice"), "")
 
 
 def offered_a_file(way: Way) -> None:

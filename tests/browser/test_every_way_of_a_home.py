@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.acts import Act, Acts, left_as_found
-from tests.browser.acts_on_homes import left_and_come_back_to, lit_at_another_hour, movable, offered_a_file, scene, sent_as_file
+from tests.browser.acts_on_homes import left_and_come_back_to, lit_at_another_hour, movable, offered_a_file, scene
 from tests.browser.test_looking import entrance_of
 from tests.browser.test_touch import PRESSED, SMALLEST
 from tests.browser.test_walking import KNOWN
@@ -326,11 +326,9 @@ def _large(way: Way) -> None:
     assert way.page.evaluate(PRESSED, SMALLEST) == []
 
 
-BY_POINTER = "only pressing the button depends on the way: `offered_a_file`, and what leads to it takes long"
-doing("1 changes too many for a link are offered as a file, which holds them", keyboard=BY_POINTER, touch=BY_POINTER)(sent_as_file)
 doing("1 the page is left with a change, asks nothing, and comes back with it")(left_and_come_back_to)
 doing("8 a home is lit as at another time of day, which is kept")(lit_at_another_hour)
-doing("1 the file that is offered in place of a link holds the home", pointer="it is pressed where changes are too many")(offered_a_file)
+doing("1 the file that is offered in place of a link, where changes are too many, holds the home")(offered_a_file)
 
 
 @ACTS.by_every_way()

@@ -21,6 +21,15 @@ OTHER_AT_REST = f"""async ([before, patience]) => {{
 """Waits in the page for another scene than one, if any, and for rest; tells the scene then: to ask thrice costs thrice as much."""
 REACHED = "one => one.tabIndex >= 0 && one.checkVisibility({visibilityProperty: true}) && one.closest('[inert]') === null"
 """Whether the Tab key comes to an element."""
+LET_GO = f"""patience => {{
+    document.activeElement?.blur();
+    for (const one of document.querySelectorAll('dialog[open]')) one.close();
+    for (const one of document.querySelectorAll(':popover-open')) one.hidePopover();
+    for (let times = 0; times < 6; times += 1)
+        document.body.dispatchEvent(new KeyboardEvent('keydown', {{key: 'Escape', code: 'Escape', bubbles: true, cancelable: true}}));
+    return ({COME_TO_REST})(patience);
+}}"""
+"""Presses Escape as often as there may be something to put away, all at once: as many calls to the page take as long as a short act."""
 STEPS = 6
 
 
@@ -114,10 +123,7 @@ class Way:
 
     def let_go(self) -> None:
         """Choose nothing, put everything away that lies over the house."""
-        self.page.evaluate("document.activeElement?.blur()")
-        for _ in range(6):
-            self.page.keyboard.press("Escape")
-        self.visit.settle()
+        assert self.page.evaluate(LET_GO, ANSWER_MS), "the page does not come to rest"
 
 
 class Pointer(Way):
