@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from solver.free_places import footprint
+from solver.free_places import footprint, rounded_mm
 from solver.geometry import ALONG_X, INWARDS, OPPOSITE, ROTATION_AT_WALL, Rect, rotate, strip, walls_beside
 from solver.pieces import Attach, Candidate, Piece, Stand
 from solver.repair.bodies import (
@@ -89,7 +89,9 @@ def _importance(body: Body, settings: RepairSettings) -> tuple[bool, bool, bool,
 
 def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettings) -> Piece:
     sides, need_all = settings.use_sides.get(body.name, ((), False)) if isinstance(body, Furniture) else ((), False)
-    return Piece(body.id, True, candidates, stands=tuple(Stand(side) for side in sides), need_all=need_all)
+    whole = body if candidates[0].stays else replace(body, x=body.width / 2, z=body.depth / 2, rotation=0)  # goes to whole millimetres
+    stands = tuple(Stand(side, rounded_mm(whole)) for side in sides)
+    return Piece(body.id, True, candidates, stands=stands, need_all=need_all)
 
 
 def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSettings) -> list[Piece]:

@@ -50,6 +50,15 @@ def test_what_can_stand_but_not_be_reached_is_a_conflict_with_the_place_to_stand
     assert [other.message[:23] for other in fixed.conflicts[1:]] == ["not found: out of reach"]
 
 
+@pytest.mark.parametrize(("size", "locked"), [((0.599, 0.632, 0.9), True), ((0.5985, 0.632, 0.9), False)])
+def test_who_stands_at_a_side_that_ends_between_millimetres_stands_at_that_side(size: tuple[float, float, float], locked: bool) -> None:
+    """And not half a millimetre beside it, where its rectangle ends that is rounded outwards."""
+    stove = body("stove_1", 1.266, 1.391, size, locked=locked)
+    for x in (0.769, 1.242, 1.471):
+        fixed = fix(room_of(stove, replace(body("desk_1", x, 1.95, (1.028, 0.591, 0.75)), rotation=180), width=4.1, depth=2.72))
+        assert (fixed.conflicts, errors(fixed.scene)) == ((), []), x
+
+
 def test_what_cannot_be_reached_alone_is_no_matter_of_what_it_cannot_stand_with() -> None:
     """A crate beside which there is too little floor to stand on, and a desk that does not fit beside it."""
     crate, desk = body("crate_1", 1.6, 0.5, (1.5, 0.9, 0.8)), body("desk_1", 0.6, 0.5, (1.0, 0.9, 0.75))
