@@ -5,6 +5,7 @@ Not here: candidates (furnish), reading documents (service).
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from functools import cache, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Final
@@ -157,17 +158,21 @@ def _sized(field: str, request: PieceRequest, catalogs: Catalogs, ceiling: float
     kind = catalogs.furniture.get(kind_of_request(request, catalogs) or "")
     own = kind.size if kind else (None,) * 3
     keys = ("width", "depth", "height")
-    width, depth, height = all_of(partial(_length, field, key, request, usual) for key, usual in zip(keys, own, strict=True))
+    width, depth, height = all_of(partial(_length, field, key, request, usual, catalogs) for key, usual in zip(keys, own, strict=True))
     if ceiling is not None and height > ceiling:
         raise RequestError(f"{field}.height", f"is {height:.2f} m, and the room {ceiling:.2f} m high", "what fits under the ceiling")
     return replace(request, relations=tuple(map(_weighed, request.relations)), width=width, depth=depth, height=height)
 
 
-def _length(field: str, key: str, request: PieceRequest, usual: float | None) -> float:
+def _length(field: str, key: str, request: PieceRequest, usual: float | None, catalogs: Catalogs) -> float:
     given: float | None = getattr(request, key)
     value = usual if given is None else given
     if value is None:
-        raise RequestError(f"{field}.{key}", f"is missing, and {request.name!r} is no kind of the catalog", _range())
+        raise RequestError(
+            f"{field}.{key}",
+            f"is missing, and {request.name!r} is no kind of the catalog",
+            f"{_range()}; or a kind as its name, such as {_one_like(request.name, catalogs)}",
+        )
     check_is(f"{field}.{key}", value, (int, float), _range(), RequestError)
     if not LEAST_LENGTH <= value <= MOST_LENGTH:
         raise RequestError(f"{field}.{key}", f"is {value!r}", _range())
@@ -180,6 +185,11 @@ def kind_of_request(request: PieceRequest, catalogs: Catalogs) -> str | None:
         return request.name
     meaning = synonyms_of(catalogs).meaning(request.name, request.size)
     return meaning.key if meaning and meaning.sort == "furniture" else None
+
+
+def _one_like(name: str, catalogs: Catalogs) -> str:
+    """Returns the kind whose name is most like another name; where none is, any."""
+    return repr((get_close_matches(name.lower(), catalogs.furniture, 1) or [*catalogs.furniture])[0])
 
 
 def _range() -> str:
