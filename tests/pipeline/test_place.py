@@ -302,13 +302,6 @@ def test_bad_requests_name_the_field(wishes: list[PieceRequest], more: dict[str,
     assert caught.value.allowed
 
 
-def test_of_a_name_that_is_no_kind_the_nearest_kind_is_told() -> None:
-    with pytest.raises(RequestError) as caught:
-        placed(wish("Bookshelve"))
-    assert caught.value.allowed == "a number from 0.001 to 100, m; or a kind as its name, such as 'bookshelf'"
-    assert has_form(caught.value.allowed)
-
-
 @pytest.mark.parametrize(
     ("x", "z", "rotation", "holds"),
     [

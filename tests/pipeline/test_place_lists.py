@@ -15,6 +15,7 @@ from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Room
 from tests.pipeline.place_lists import TASKS, drawn
 from tests.sweeps import seeds
+from tests.told_forms import has_form
 
 ANSWERS: dict[str, Answered] = {}
 WAY = 0.9
@@ -115,3 +116,10 @@ def test_what_a_list_does_say_counts_alone() -> None:
 def test_values_of_a_wrong_type_are_refused_by_their_field(pieces: list[dict[str, Any]], more: dict[str, Any], words: str) -> None:
     with pytest.raises(RequestError, match=f"^{words}"):
         place(Room("den", width=4, depth=3), [PieceRequest(**piece) for piece in pieces], **more)
+
+
+def test_of_a_name_that_is_no_kind_the_nearest_kind_is_told() -> None:
+    with pytest.raises(RequestError) as caught:
+        place(Room("den", width=4.0, depth=3.0), [PieceRequest("books", "Bookshelve")])
+    assert caught.value.allowed == "a number from 0.001 to 100, m; or a kind as its name, such as 'bookshelf'"
+    assert has_form(caught.value.allowed)
