@@ -16,12 +16,13 @@ from service.cli import main
 from tests.architecture.tree import ROOT, files
 
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in {"VIRTUAL_ENV", "PYTHONPATH"}}
-GENERATE = ("-m", "compose_homes", "generate", "--seed", "42", "--width", "5", "--depth", "4")
+GENERATE = ("generate", "--seed", "42", "--width", "5", "--depth", "4")
 EXPORT = """
 from hashlib import sha256
-from compose_homes import EXPORT_FORMATS, Request, RequestError, export, generate
+from pathlib import Path
+from compose_homes import EXPORT_FORMATS, RequestError, export, load
 
-scene = generate(Request(seed=42, width=5, depth=4)).scene
+scene = load(Path("home.yaml"))
 for name in EXPORT_FORMATS:
     try:
         files = export(scene, name)
@@ -30,6 +31,13 @@ for name in EXPORT_FORMATS:
     else:
         held = {file: content if isinstance(content, bytes) else content.encode() for file, content in files.items()}
         print(name, {file: sha256(content).hexdigest() for file, content in held.items()})
+"""
+COMMANDS = f"""
+from compose_homes.service.cli import main
+
+assert main([*{GENERATE}, "--engine", "reference"]) == 2
+assert main([*{GENERATE}, "-o", "home.yaml"]) == 0
+assert main(["export", "home.yaml", "-o", "home.glb"]) == 0
 """
 USER = """
 from pathlib import Path
@@ -108,34 +116,44 @@ def test_nothing_in_it_asks_for_a_name_of_the_tree(installed: Path) -> None:
     assert asked & TREE_NAMES == set()
 
 
-def test_it_makes_the_homes_that_the_tree_makes(installed: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def used(installed: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str], str]:
+    """A folder with what one process made there by commands, what it said of its exports, and of an engine that it lacks."""
+    folder = tmp_path_factory.mktemp("used")
     python = installed.parents[2] / "bin" / "python"
-    run(python, *GENERATE, "-o", "home.yaml", cwd=tmp_path)
-    assert main([*GENERATE[2:], "-o", str(tmp_path / "ours.yaml")]) == 0
-    assert "rooms:" in (made := (tmp_path / "home.yaml").read_text())
+    done = subprocess.run([python, "-c", COMMANDS + EXPORT], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return folder, done.stdout.splitlines(), done.stderr
+
+
+def test_it_has_a_command_and_is_one(installed: Path, tmp_path: Path) -> None:
+    python = installed.parents[2] / "bin" / "python"
+    assert run(python.with_name("compose"), "export", "--help", cwd=tmp_path).startswith("usage: compose export")
+    assert run(python, "-m", "compose_homes", "schema", cwd=tmp_path).startswith('"$schema"')
+
+
+def test_it_makes_the_homes_that_the_tree_makes(used: tuple[Path, list[str], str], tmp_path: Path) -> None:
+    folder, _, _ = used
+    assert main([*GENERATE, "-o", str(tmp_path / "ours.yaml")]) == 0
+    assert "rooms:" in (made := (folder / "home.yaml").read_text())
     assert made == (tmp_path / "ours.yaml").read_text()
-    assert run(python.with_name("compose"), "schema", cwd=tmp_path).startswith('"$schema"')
-    for words in (("export", "home.yaml", "-o", "home.glb"), ("export", "--help")):
-        run(python.with_name("compose"), *words, cwd=tmp_path)
-    assert (tmp_path / "home.glb").read_bytes()[:4] == b"glTF"
+    assert (folder / "home.glb").read_bytes()[:4] == b"glTF"
 
 
-def test_it_exports_what_the_tree_exports(installed: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    python = installed.parents[2] / "bin" / "python"
-    said = run(python, "-c", EXPORT, cwd=tmp_path).splitlines()
+def test_it_exports_what_the_tree_exports(
+    used: tuple[Path, list[str], str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, said, _ = used
+    monkeypatch.chdir(folder)
     written = [line for line in said if "{" in line]
     exec(EXPORT.replace(" in EXPORT_FORMATS", f" in {[line.split()[0] for line in written]}"), {})
     assert capsys.readouterr().out.splitlines() == written
     assert {line.split()[0] for line in said if "{" not in line} == {"usdc", "usdz", "dxf", "ifc"}  # their libraries are extras
 
 
-def test_what_an_engine_lacks_is_told(installed: Path, tmp_path: Path) -> None:
-    words = [*GENERATE, "--engine", "reference"]
-    done = subprocess.run(
-        [installed.parents[2] / "bin" / "python", *words], cwd=tmp_path, env=ENVIRONMENT, capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stdout) == (2, "")
-    assert "needs cvxpy" in done.stderr and "compose-homes[reference]" in done.stderr
+def test_what_an_engine_lacks_is_told(used: tuple[Path, list[str], str]) -> None:
+    *_, told = used
+    assert "needs cvxpy" in told and "compose-homes[reference]" in told
 
 
 @pytest.fixture(scope="module")
