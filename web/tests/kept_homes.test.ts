@@ -8,12 +8,13 @@ import { Store } from "../src/memory/store";
 import { Home, type Shown } from "../src/state/home";
 import { drawing } from "./random_requests";
 import { piece, room, scene } from "./rooms";
+import { times } from "./sweeps";
 
 beforeAll(() => { vi.stubGlobal("IDBKeyRange", fake.IDBKeyRange); });
 
 type Draw = () => number;
 /** `make targets` draws all of them. */
-const SEQUENCES = process.env.SWEEPS === "all" ? 200 : 20;
+const SEQUENCES = times(200, 10);
 const LENGTH = 25;
 
 function house(seed: number): Scene {

@@ -11,6 +11,7 @@ import { Tape } from "../src/edit/tape";
 import { awayWords, whyLines } from "../src/edit/why_lines";
 import { drawing } from "./random_requests";
 import { piece, room } from "./rooms";
+import { times } from "./sweeps";
 
 const HOUSE = { wall_thickness: 0.1 };
 const kinds: Catalog = {
@@ -51,7 +52,7 @@ describe("a dragged piece", () => {
 
   it("is never more than half a grid or the reach from where it is wished, and any guide is truly met", () => {
     const draw = drawing(11);
-    for (let i = 0; i < 3000; i += 1) {
+    for (let i = 0; i < times(3000, 800); i += 1) {
       const own = piece("own", { width: 0.3 + Math.round(draw() * 150) / 100, depth: 0.3 + Math.round(draw() * 90) / 100, rotation: Math.floor(draw() * 4) * 90, x: 0.9 + draw() * 4.2, z: 0.9 + draw() * 3.2 });
       const { x, z, guides } = snapped(HOUSE, den, own, draw() < 0.5);
       expect(Math.max(Math.abs(x - own.x), Math.abs(z - own.z))).toBeLessThanOrEqual(0.06 + 1e-9);

@@ -14,6 +14,7 @@ import { Notice } from "../src/panel/notice";
 import { roomNames } from "../src/panel/room";
 import { optimalityOf, showShown } from "../src/panel/status";
 import { ServiceProblem } from "../src/service";
+import { times } from "./sweeps";
 
 const line = (text: string, id: string | null): Line => ({ text, id, className: "line" });
 
@@ -42,7 +43,7 @@ describe("a list of lines", () => {
       const which = Math.floor(draw() * 4);
       return line(`text ${which}`, which % 2 ? `id ${which}` : null);
     });
-    for (let i = 0; i < 300; i += 1) {
+    for (let i = 0; i < times(300, 80); i += 1) {
       const lines = some();
       list.show(lines);
       expect([...host.children].map((one) => [one.textContent, (one as HTMLElement).dataset.id ?? null])).toEqual(lines.map(({ text, id }) => [text, id]));
