@@ -28,7 +28,7 @@ TOLD_OTHERWISE: list[Callable[[Request], Request]] = [turned, lambda request: tu
 HANDED = ("desk", "workbench")
 """What has drawers on one side, where something reaches under it."""
 CATALOGS = load_catalogs()
-SEEDS = seeds(range(1000), 60)
+SEEDS = seeds(range(1000), 90)
 EXACT = 1e-6
 
 
