@@ -9,7 +9,7 @@ from math import log
 from typing import Final
 
 from catalogs.schema import Catalogs, RoomType
-from solver.floorplan.access import THROUGH_OTHER, AccessPlan, passing_cost
+from solver.floorplan.access import THROUGH_OTHER, AccessPlan, is_private, passing_cost
 from solver.floorplan.tiling import Joint, Layout, neighbours
 
 CAR_DOOR_MM: Final = 2400
@@ -17,7 +17,7 @@ CAR_DOOR_MM: Final = 2400
 IMPOSSIBLE: Final = 1000.0
 """A cost no plain preference reaches: the type cannot be there."""
 DARK: Final = 12.0
-"""Cost of a habitable room without an outside wall: more than one of three times its largest area."""
+"""Cost of a habitable room without an outside wall: more than one of three times its largest area. Twice as much to sleep in."""
 MISFIT: Final = 6.0
 """From this cost on a type is no use of a room: it is too small, or half too large."""
 WET_APART: Final = 0.4
@@ -73,7 +73,7 @@ class Fitness:
         else:
             size = (2.0 + 8.0 * log(area / asked.max) if area > asked.max else 0.0) + 0.7 * abs(log(area / asked.typical))
         form = (8.0 if short < round(kind.short_side * 1000) else 0.0) + max(0.0, long / short - kind.aspect)
-        light = DARK if plan.habitable and not sides else 0.0
+        light = 0.0 if sides or not plan.habitable else DARK * (2.0 if is_private(name, self.rooms) else 1.0)
         if name not in self.cars:
             return size + form + (light + (IMPOSSIBLE if plan.street and not sides else 0.0))
         rect, need = self.layout.rooms[room], CAR_DOOR_MM * self.cars[name] + 400

@@ -222,3 +222,10 @@ def test_the_bathroom_behind_a_master_bedroom_is_no_larger_than_others() -> None
         large += [area(room) > 10.0 + 1e-6 for name in beside if (room := rooms.get(name)) and room.type == "bathroom"]
     assert len(large) >= 25
     assert sum(large) <= 0.15 * len(large)  # 0.6 where any room behind it would do
+
+
+def test_nobody_sleeps_without_a_window_in_large_houses() -> None:
+    for seed in range(8_765, 8_785):
+        for room in draw(Request(seed=seed, width=30.0, depth=20.0), CATALOGS).rooms:
+            lit = any(opening.kind == "window" for opening in room.openings)
+            assert lit or room.type not in ("bedroom", "bedroom_master", "kids_bedroom"), (seed, room.id)  # in 4 of 60 homes
