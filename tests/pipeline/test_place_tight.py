@@ -168,6 +168,20 @@ def _rule(word: str, *of: str, **more: object) -> RelationSpec:
     return RelationSpec(type=word, of=of, required=True, **more)
 
 
+def test_a_wish_to_one_piece_breaks_no_required_relation_to_another() -> None:
+    """All but the wish that is at odds with it is held: that one was kept, and in the end none was asked for."""
+    door = Opening("door", "door", "east", 1.0, 0.8, connects_to="EXTERIOR", main_entrance=True)
+    wishes = {
+        "desk": (RelationSpec(type="near_door"),),
+        "lamp": (RelationSpec(type="far_from", of=("desk",), distance=2.0), RelationSpec(type="in_corner")),
+        "stool": (RelationSpec(type="in_front_of", of=("desk",)), _rule("near", "lamp", distance=0.5)),
+    }
+    sizes = {"desk": (1.2, 0.6, 0.75), "lamp": (0.4, 0.4, 1.6), "stool": (0.4, 0.4, 0.45)}
+    wanted = [PieceRequest(k, k, *sizes[k], relations=own) for k, own in wishes.items()]
+    best = place(Room("den", width=4.0, depth=3.5, openings=(door,)), wanted).best
+    assert [(one.piece, one.type) for one in best.relations if not one.held] == [("stool", "in_front_of")]
+
+
 NEAR, FAR = {"distance": 0.5}, {"distance": 2.0}
 AT_ODDS = {
     "own": ((), (_rule("near", "desk", **NEAR), _rule("far_from", "desk", **FAR)), {"near", "far_from"}),

@@ -219,7 +219,7 @@ static void add_attached_to(Seeker& seeker, i32 other, Span<Foothold> every, f64
   bool rests = false;
   for (const Bond& pair : seeker.pairs) {
     if (!has(pair.earlier.all(), other)) {
-      others += pair.rule->cost * (pair.relation().gives_place ? 1.0 : UNSURE);
+      others += (pair.rule->required ? GONE : pair.rule->cost) * (pair.relation().gives_place ? 1.0 : UNSURE);
       continue;
     }
     mine.add(pair);
