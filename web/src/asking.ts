@@ -1,10 +1,13 @@
 /** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
 import { isAbort, useKey } from "./service";
-import { Notice } from "./panel/notice";
+import { Notice, type Again } from "./panel/notice";
 
 /** Does something beside the question, `of` what is given once at a time. */
 export type Beside = (what: string, act: () => Promise<void>, of?: unknown) => Promise<void>;
+
+/** What a question is of: another home, what is wished of the one shown, or a plan that is being drawn. */
+type Kind = "home" | "wish" | "drawn";
 
 export class Asking {
   /** Called before a question about the home that is shown, or about another one. */
@@ -13,27 +16,40 @@ export class Asking {
   onEnd: (reason: unknown) => void = () => undefined;
   readonly notice: Notice;
   #pending = new AbortController();
-  #end = (): void => undefined;
-  /** What was refused last beside the question. */
-  #refused: string | null = null;
+  #kind: Kind = "home";
+  /** Wishes again for what was refused last. */
+  #again: Again | null = null;
+  /** What was refused last beside the question, of what, and what does it again. */
+  #refused: readonly [what: string, of: unknown, again: Again] | null = null;
 
   constructor(host: HTMLElement, readonly progress: Progress) {
     this.notice = new Notice(host, useKey);
   }
 
-  /** Asks one question at a time: a newer one withdraws an older one. What is shown of the answer hides the notice. One `ofDrawn` is of a plan that is being drawn. */
-  async run(what: string, ask: (signal: AbortSignal) => Promise<void>, ofDrawn = false): Promise<void> {
-    if (!ofDrawn) this.onBegin();
-    this.#pending.abort();
-    this.#end();
-    const { signal } = (this.#pending = new AbortController());
-    const end = (this.#end = this.progress.start(what));
+  /** Asks one question at a time: a newer one withdraws an older one, but a wish no other wish. What is shown of the answer hides the notice. */
+  async run(what: string, ask: (signal: AbortSignal) => Promise<void>, kind: Kind = "home"): Promise<void> {
+    if (kind !== "drawn") this.onBegin();
+    if (kind !== "wish" || this.#kind !== "wish") {
+      this.#pending.abort();
+      this.#pending = new AbortController();
+    }
+    this.#kind = kind;
+    const { signal } = this.#pending;
+    const end = this.progress.start(what);
+    signal.addEventListener("abort", end, { once: true });
     try {
       await ask(signal);
       if (!signal.aborted) this.onEnd(null);
     } catch (reason) {
-      if (isAbort(reason)) return;
-      this.notice.show(reason, () => void this.run(what, ask, ofDrawn));
+      if (isAbort(reason) || signal.aborted) return;
+      const others = kind === "wish" && this.notice.again === this.#again ? this.#again : null;
+      const again = (): void => {
+        this.#again = null;
+        others?.();
+        void this.run(what, ask, kind);
+      };
+      if (kind === "wish") this.#again = again;
+      this.notice.show(reason, again);
       this.onEnd(reason);
     } finally {
       end();
@@ -46,11 +62,13 @@ export class Asking {
     const end = this.progress.start(what, of);
     try {
       await act();
-      if (this.#refused === what) this.notice.hide();
+      const [refused, by, again] = this.#refused ?? [];
+      if (again && refused === what && by === of && this.notice.again === again) this.notice.hide();
     } catch (reason) {
       if (isAbort(reason)) return;
-      this.#refused = what;
-      this.notice.show(reason, () => void this.beside(what, act, of));
+      const again = (): void => void this.beside(what, act, of);
+      this.#refused = [what, of, again];
+      this.notice.show(reason, again);
     } finally {
       end();
     }

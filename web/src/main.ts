@@ -73,7 +73,7 @@ class Page {
   readonly #saved: SavedPanel;
   readonly #workbench: Workbench;
   readonly #remaking = new Remaking(this.#home, this.#asking, {
-    inTurn: (change) => this.#workbench.editor.inTurn(change),
+    editor: () => this.#workbench.editor,
     read: () => this.#reads,
     furnished: (made, of) => this.#imported.guessed(made, of),
   });
@@ -312,7 +312,7 @@ class Page {
       this.#imported.show(null);
       this.#imported.guessed(made, drawn, left);
       await this.#reads;
-    }, true);
+    }, "drawn");
   }
 
   /** Shows where the home comes from: in the address, the form, the title, and what a link can hold. */

@@ -45,10 +45,9 @@ export class Editor {
   #dropped = false;
   /** Told when the piece that was let go is judged: what is asked meanwhile waits for that. */
   #landed: (() => void) | null = null;
-  #edits = 0;
+  /** What was asked for and is not done, in its order: what takes it back, and what it is called where it is a wish. */
+  readonly #turns = new Map<AbortController, string | null>();
   #queue: Promise<void> = Promise.resolve();
-  /** How many houses were shown: what was asked of one is not done to the next. */
-  #houses = 0;
   /** What is wished for a piece and has not begun: more of the same is added up. */
   #shifted: Shift | null = null;
 
@@ -62,7 +61,7 @@ export class Editor {
 
   /** Whether an edit waits for its answer, or a piece is in hand. */
   get busy(): boolean {
-    return this.#edits > 0 || this.#held !== null;
+    return this.#turns.size > 0 || this.#held !== null;
   }
 
   /** Resolves once the edits that were asked for until now are judged. */
@@ -170,8 +169,7 @@ export class Editor {
 
   /** Another house is shown: what was under way is about none of it, and nothing waits for it. */
   forget(): void {
-    this.#houses += 1;
-    this.#edits = 0;
+    for (const turn of [...this.#turns.keys()]) this.#leave(turn);
     this.#queue = Promise.resolve();
     this.#live.stop();
     if (this.#held) this.#end();
@@ -189,7 +187,7 @@ export class Editor {
     this.#held = null;
     this.#landed?.();
     this.#landed = null;
-    this.words.busy(this.#edits > 0);
+    this.words.busy(this.#turns.size > 0);
     this.words.settled();
   }
 
@@ -293,8 +291,11 @@ export class Editor {
     }));
   }
 
+  /** Takes back what was done last, or wished, if that is not done yet. */
   undo(): void {
-    this.#travel(() => this.home.undo());
+    const [last, wish = null] = [...this.#turns].at(-1) ?? [];
+    if (last && wish !== null) this.#leave(last);
+    else this.#travel(() => this.home.undo());
   }
 
   redo(): void {
@@ -331,17 +332,28 @@ export class Editor {
     return this.#enqueue(change);
   }
 
-  #enqueue(change: () => Promise<void>): Promise<void> {
-    const house = this.#houses;
-    this.#edits += 1;
+  /** Does in turn what is wished of the home, in place of what was wished by this name and is not done yet; `withdrawn` takes it back. */
+  wish(name: string, change: (signal: AbortSignal) => Promise<void>, withdrawn: AbortSignal): Promise<void> {
+    if (this.#inHand) this.cancel();
+    for (const [turn, other] of [...this.#turns]) if (other === name) this.#leave(turn);
+    const turn = new AbortController();
+    withdrawn.addEventListener("abort", () => this.#leave(turn), { once: true });
+    return this.#enqueue(() => change(turn.signal), name, turn);
+  }
+
+  #enqueue(change: () => Promise<void>, wish: string | null = null, turn = new AbortController()): Promise<void> {
+    this.#turns.set(turn, wish);
     this.words.busy(true);
-    const done = this.#queue.then(() => (house === this.#houses ? change() : undefined)).finally(() => {
-      if (house !== this.#houses) return;
-      this.#edits -= 1;
-      if (this.#edits === 0) this.words.busy(false);
-    });
+    const done = this.#queue.then(() => (this.#turns.has(turn) ? change() : undefined)).finally(() => this.#leave(turn));
     this.#queue = done.catch(() => undefined);
     return done;
+  }
+
+  /** It is done, or is not to be done any more. */
+  #leave(turn: AbortController): void {
+    if (!this.#turns.delete(turn)) return;
+    turn.abort();
+    if (this.#turns.size === 0) this.words.busy(false);
   }
 
   async #carryOut(make: () => Drafted): Promise<void> {

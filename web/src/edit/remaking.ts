@@ -2,13 +2,14 @@
 import { withoutGaps } from "../address";
 import type { Asking } from "../asking";
 import type { FurnishAnswer, GenerateAnswer, Scene } from "../contract";
-import { furnish, reroll, restyle, type Look } from "../service";
+import { furnish, isAbort, reroll, restyle, type Look } from "../service";
 import type { Home, Shown } from "../state/home";
 import { say } from "../words/language";
+import type { Editor } from "./editor";
 
 export interface RemakingWords {
-  /** Does something after the edits that were asked for before. */
-  inTurn(change: () => Promise<void>): Promise<void>;
+  /** Does what is wished in turn with the edits. */
+  editor(): Pick<Editor, "wish" | "inTurn" | "landed">;
   /** Resolves once the text is there. */
   read(): Promise<void>;
   /** Rooms of this scene were furnished as what they were taken for. */
@@ -18,17 +19,11 @@ export interface RemakingWords {
 type Make = (before: Shown, signal: AbortSignal) => Promise<GenerateAnswer & Pick<Shown, "made">>;
 
 export class Remaking {
-  #look: Look = {};
-  /** What is wished and not shown yet: a newer wish withdraws the question before it, and not what that asked for. */
-  #wishes: ReadonlyMap<string, Make> = new Map();
-
   constructor(readonly home: Home, readonly asking: Asking, readonly words: RemakingWords) {}
 
   /** Gives the home another style or other decorations; the furniture stays. */
-  restyle(wish: Look): void {
-    if (!this.home.settled) return;
-    const look = (this.#look = { ...this.#look, ...wish });
-    this.#step("look", say("Changing style and decorations"), async ({ scene, made }, signal) => {
+  restyle(look: Look): void {
+    this.#step(Object.keys(look).join(), say("Changing style and decorations"), async ({ scene, made }, signal) => {
       return { ...(await restyle(scene, look, signal)), made: made ? withoutGaps({ ...made, ...look }) : null };
     });
   }
@@ -49,26 +44,27 @@ export class Remaking {
 
   /** Shows a room as it was chosen among others, unless the home has changed since. */
   take({ scene, issues, timing_ms: timing }: GenerateAnswer, before: Scene): void {
-    void this.words.inTurn(() => {
+    void this.words.editor().inTurn(() => {
       if (this.home.settled?.scene === before) this.home.show({ scene, issues, conflicts: [], timing }, "step");
       return Promise.resolve();
     });
   }
 
+  /** Two wishes for the same thing are one, all others are carried out; what is refused is said once they are. */
   #step(what: string, said: string, make: Make): void {
-    const wishes = new Map(this.#wishes).set(what, make);
-    this.#wishes = wishes;
+    if (!this.home.settled) return;
+    const carryOut = async (signal: AbortSignal): Promise<void> => {
+      const before = this.home.settled;
+      if (!before) return;
+      const { scene, issues, timing_ms: timing, made = before.made ?? null } = await make(before, signal);
+      if (!signal.aborted) this.home.show({ scene, issues, conflicts: [], timing, made }, "step");
+    };
     void this.asking.run(said, async (signal) => {
-      await this.words.inTurn(async () => {
-        for (const [wished, asked] of wishes) {
-          const before = this.home.settled;
-          if (!before || signal.aborted) return;
-          const { scene, issues, timing_ms: timing, made = before.made ?? null } = await asked(before, signal);
-          wishes.delete(wished);
-          this.home.show({ scene, issues, conflicts: [], timing, made }, "step");
-        }
-      }).finally(() => { if (this.#wishes === wishes) [this.#wishes, this.#look] = [new Map(), {}]; });
+      await this.words.editor().wish(what, carryOut, signal).catch(async (reason: unknown) => {
+        if (!isAbort(reason)) await this.words.editor().landed;
+        throw reason;
+      });
       await this.words.read();
-    });
+    }, "wish");
   }
 }

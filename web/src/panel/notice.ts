@@ -62,6 +62,11 @@ export class Notice {
     return !this.host.hidden;
   }
 
+  /** What does again what is told of; null where nothing is. */
+  get again(): Again | null {
+    return this.isShown ? this.#retry : null;
+  }
+
   hide(): void {
     putAway(this.host);
     this.#countDown(0);
