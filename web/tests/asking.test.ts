@@ -74,10 +74,12 @@ describe("what is under way", () => {
     file.fail(new Error("gone"));
     await written;
     expect([notice.hidden, notice.querySelector<HTMLElement>(".notice-again")?.hidden]).toEqual([false, false]);
-    const beside = asking.beside("other", other.act);
-    other.end();
-    await beside;
-    expect(notice.hidden, "not what the other said").toBe(false);
+    for (const [what, of] of [["other", undefined], ["file", "another home"]] as const) {
+      const beside = asking.beside(what, other.act, of);
+      other.end();
+      await beside;
+      expect(notice.hidden, "not what the other said").toBe(false);
+    }
     notice.querySelector<HTMLElement>(".notice-again")?.click();
     expect(file.times()).toBe(2);
     file.end();
