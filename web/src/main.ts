@@ -44,7 +44,7 @@ import { element } from "./element";
 
 type History = "push" | "keep";
 
-const FORKED = new ServiceProblem("This home is kept as one of its own from here on", "Another window has it open, or has forgotten it: what each changes is its own.");
+const FORKED = new ServiceProblem("This home is kept as one of its own from here on", "Another window has opened it, or has forgotten it: what each changes is its own.");
 
 class Page {
   readonly #home = new Home();

@@ -58,7 +58,7 @@ export class KeptHomes {
   /** The steps that are kept, as they are in the home. */
   #kept: readonly Shown[] = [];
   #restoring = false;
-  /** Another window shows this very home, or has forgotten it: whatever changes here is of a home of its own. */
+  /** Another window has shown this very home, or forgotten it, and may have changed it since: whatever changes here is of a home of its own. */
   #isShared = false;
   /** Whether what was shown last began a home of its own so. */
   isFork = false;
