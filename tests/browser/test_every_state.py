@@ -24,13 +24,15 @@ from tests.browser.visit import Visit, furniture_of, intercept
 HOME = "?program=studio&decorate=true&seed=3"
 PLAIN_HOME = "?program=studio&seed=3"
 """A home whose text is looked at where it is in view: all its lines, and those of decorations, are looked at in the other."""
-NOT_TWICE = """(() => {
+NOT_TWICE = """(contrast => {
     const lookedAt = globalThis.lookedAt ??= new Set();
     const media = ['print', '(prefers-color-scheme: dark)'].map(one => matchMedia(one).matches);
     const all = [...media, innerWidth, !document.querySelector(':modal')];
+    const around = one => one ? [one.cloneNode().outerHTML, ...around(one.parentElement)] : [];
     const isTwice = (one, ...seen) => {
-        const told = JSON.stringify([...all, one.checkVisibility(), !one.closest('[inert]'), ...seen]);
-        return lookedAt.has(told) || !lookedAt.add(told);
+        const state = [...all, one.checkVisibility(), !one.closest('[inert]'), around(one.parentElement), ...seen];
+        const [told, less] = [contrast, false].map(asked => JSON.stringify([asked, ...state]));
+        return lookedAt.has(told) || !lookedAt.add(told).add(less);
     };
     const twice = [...document.querySelectorAll('#controls details.group')].filter(one => isTwice(one, one.outerHTML));
     const text = document.querySelector('#yaml');
@@ -39,8 +41,11 @@ NOT_TWICE = """(() => {
     const isOut = ({bottom: end, top: start}) => end < Math.max(top, 0) || start > Math.min(bottom, innerHeight);
     const [out, seen] = [true, false].map(is => [...text.children].filter(one => isOut(one.getBoundingClientRect()) === is));
     return [...twice, ...isTwice(text, text.cloneNode().outerHTML, ...seen.map(one => one.outerHTML)) ? [text] : out];
-})()"""
-"""Groups of controls that have been looked at as they are in these colours; so of the text, and else its lines out of view."""
+})(%s)"""
+"""Groups of controls that have been looked at, by as many rules, as they and what they stand in are in these colours.
+
+So of the text, and else its lines out of view.
+"""
 PAINTED = """() => {
     const isTransparent = colour => colour === 'rgba(0, 0, 0, 0)';
     const grounds = one => {
@@ -119,8 +124,9 @@ class States:
         for colours in self.colours:
             self.visit.page.emulate_media(color_scheme=colours)  # type: ignore[arg-type]
             assert f"{state}, {colours}" not in self.found
-            painted, aside = set(self.visit.page.evaluate(PAINTED)), "[]" if whole else NOT_TWICE
+            painted = set(self.visit.page.evaluate(PAINTED))
             rules = OF_COLOURS if painted - self.seen else ()
+            aside = "[]" if whole else NOT_TWICE % json.dumps(bool(rules))
             if colours == "light":
                 found = found_in(self.visit.page, but=() if rules else OF_COLOURS, aside=aside)
             else:
