@@ -14,7 +14,7 @@ from solver.imports.rectilinear import PlanEdge
 
 REACH: Final = 300
 """How far from its wall's line an opening may be drawn, mm, beside half the wall."""
-THICKEST_JOINED: Final = 600
+THICKEST_JOINED: Final = 750
 """How far apart the lines of two rooms may be that a door joins, mm."""
 CROSSED: Final = 10
 """How far the lines of two rooms may lie beyond each other, mm, where a room with a stub of wall keeps its own."""

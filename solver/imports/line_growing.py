@@ -1,6 +1,6 @@
 """Fourth step: rooms' inner faces -> rooms along the lines of their walls: half the thinnest wall outside of their faces.
 
-Two faces of different rooms that look at each other across at most 0.6 m are one wall. Where it is as thin as any its line runs in its
+Two faces of different rooms that look at each other across at most 0.75 m are one wall. Where it is as thin as any its line runs in its
 middle; of a thicker one each room has a line of its own.
 """
 
@@ -13,7 +13,7 @@ from typing import Final
 
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied, weighted_median
 
-THICKEST: Final = 600
+THICKEST: Final = 750
 """Of a wall between two rooms, mm."""
 FACING: Final = 100
 """Faces of one wall overlap by at least so much, mm."""

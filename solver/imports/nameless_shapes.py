@@ -16,7 +16,7 @@ from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, Spot
 from solver.imports.shape_openings import DrawnBox, DrawnShape, DrawnText, longer_line, sides_of
 from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
-from solver.imports.walls_alone import NamedSpot, rooms_between
+from solver.imports.walls_alone import NamedSpot, WallOutlines, rooms_between
 
 MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
@@ -72,7 +72,8 @@ def _rooms_of(
     windows = [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
     walls = [shapes[at].round() for at in way]
     openings, gaps = fitted([*doors, *windows], gaps_of(walls, metres), metres)
-    return rooms_between(walls, openings, metres, gaps, names).rooms if walls else []
+    areas = [shapes[at].points for at in way if shapes[at].filled]
+    return rooms_between(WallOutlines(walls, areas), openings, metres, gaps, names).rooms if walls else []
 
 
 def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:

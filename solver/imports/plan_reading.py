@@ -169,6 +169,11 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
     faces = ((one.start, one.end) for one in plan.walls if not one.thickness)
     depths = WallDepths((*plan.walls, *plan.solid), (*plan.faces, *faces))
     made, thickness = _lines_of(plan, rooms, depths, notes)
+    for room in (one for one in made if not one.corners):
+        notes.leave(room.drawn.where, f"room {room.drawn.label!r}: its walls leave no floor between them")
+    made = [one for one in made if one.corners]
+    if not made:
+        raise FieldError("rooms", "enclose no floor between their walls", "outlines around at least 0.5 m2")
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
     own = outer_thicknesses(depths, edges, thickness)
     return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness

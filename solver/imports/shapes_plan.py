@@ -39,7 +39,7 @@ from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import ASSUMED, DOORS, GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
-from solver.imports.walls_alone import INSIDE, NamedSpot, overlap, rooms_between
+from solver.imports.walls_alone import INSIDE, NamedSpot, WallOutlines, overlap, rooms_between
 from solver.plain import quoted
 
 MOST_DRAWN: Final = 4 * MOST_POINTS
@@ -159,7 +159,8 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         walls = [DrawnWall(a, b, 0.0) for one in drawn_walls if not one.closed for a, b in pairwise(one.points)]
         found = _beside(rooms, loose, openings, unit)
     else:
-        found, thick, told, passages = rooms_between([points for points, _ in outlines], openings, unit, gaps, names)
+        drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
+        found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
         openings += passages
     rooms += [labelled(room, texts) for room in found]
     openings += doors_in_walls(gapless, shapes, rooms, unit) if unit else ()
@@ -254,7 +255,7 @@ def _beside(
     """Returns the rooms that loose lines enclose where no room is drawn as one outline."""
     if not loose:
         return []
-    found = rooms_between([one.points for one in loose], openings, metres).rooms
+    found = rooms_between(WallOutlines([one.points for one in loose]), openings, metres).rooms
     within = INSIDE / (metres or 1.0)
     return [room for room in found if not any(overlap(room.points, other.points, within) for other in rooms)]
 

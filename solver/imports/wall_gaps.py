@@ -13,7 +13,7 @@ import numpy as np
 
 from solver.imports.drawn import DrawnOpening, Spot
 from solver.imports.shape_openings import between
-from solver.imports.wall_faces import BESIDE, THICKEST, WIDEST, DrawnLine, RowGap, WallRows, gathered, line_between
+from solver.imports.wall_faces import BESIDE, WIDEST, DrawnLine, RowGap, WallRows, gathered, line_between
 
 WIDTHS: Final = (400, 6000)
 """How wide gaps are, mm."""
@@ -21,6 +21,8 @@ PASSAGES: Final = (550, 2000)
 """A gap in which nothing is drawn may be a passage if it is as wide, mm."""
 THINNEST: Final = 20
 """Of a wall, mm: our own drawings have none thinner."""
+THICKEST: Final = 750
+"""Of a wall, mm: what is no wider is no room with doors on both sides."""
 ALIKE: Final = 60
 """The gaps in the two faces of a wall begin and end no farther from one another, mm."""
 LEAVES: Final = ((0.4, 0.6), (0.75, 1.15))

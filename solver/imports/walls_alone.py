@@ -7,14 +7,16 @@ from itertools import pairwise
 from statistics import median
 from typing import Final, NamedTuple
 
+import numpy as np
+
 from solver.answers import Unread
 from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.rectilinear import FloorCorners
-from solver.imports.shape_openings import between
+from solver.imports.shape_openings import between, to_lines
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_faces import BESIDE, STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
 from solver.imports.wall_gaps import PASSAGES, WallGap, fitted, gaps_of
 
 NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
@@ -29,6 +31,10 @@ UP_TO_WALLS: Final = 1000
 """A gap up to a wall across the way is a passage, mm, where nothing is named, if it is no wider: hallways are."""
 INSIDE: Final = 0.05
 """So far from a side, m, a spot is within an outline; nearer it is on it."""
+THICKEST: Final = 1.0
+"""Of a wall that is an area or at an opening, m."""
+LEAST_HOME: Final = 20.0
+"""m2: what is smaller and lies within a room is a part of the home, such as its bathroom."""
 
 
 class Between(NamedTuple):
@@ -41,6 +47,13 @@ class Between(NamedTuple):
     thickness: float | None
     told: list[Unread]
     passages: list[DrawnOpening]
+
+
+class WallOutlines(NamedTuple):
+    """The lines of walls, closed ones with their first point repeated; and which of them are areas."""
+
+    lines: Sequence[tuple[Spot, ...]]
+    areas: Sequence[Sequence[Spot]] = ()
 
 
 class NamedSpot(NamedTuple):
@@ -70,7 +83,7 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     for level in sorted({one.level for one in walls}):
         outlines = [tuple(turned_by(spot, turn) for spot in _outline(one)) for one in walls if one.level == level]
         drawn = [_turned(one, turn) for one in plan.openings if one.level == level]
-        found = rooms_between(outlines, drawn, unit, fitted(drawn, gaps_of(outlines, unit), unit)[1])
+        found = rooms_between(WallOutlines(outlines), drawn, unit, fitted(drawn, gaps_of(outlines, unit), unit)[1])
         rooms += (
             replace(one, level=level, where=f"{one.where} of level {level}", points=back(one.points), holes=tuple(map(back, one.holes)))
             for one in found.rooms
@@ -98,7 +111,7 @@ def _outline(wall: DrawnWall) -> tuple[Spot, ...]:
 
 
 def rooms_between(
-    walls: Sequence[tuple[Spot, ...]],
+    walls: WallOutlines,
     openings: Sequence[DrawnOpening],
     metres: float | None,
     gaps: Sequence[WallGap] = (),
@@ -106,12 +119,12 @@ def rooms_between(
 ) -> Between:
     """Returns what walls enclose.
 
-    Closed outlines repeat their first point; openings close gaps in walls. `metres` is the length of the drawing's unit, None where nothing
-    tells it. A gap in which nothing is drawn is a passage where without it nothing encloses what is named there, or rooms of two names are
-    one; or where there would be no room.
+    Openings close gaps in walls. `metres` is the length of the drawing's unit, None where nothing tells it. A gap in which nothing is drawn
+    is a passage where without it nothing encloses what is named there, or rooms of two names are one; or where there would be no room.
     """
     found = _enclosed(walls, openings, metres)
-    found = found._replace(rooms=[room for room in found.rooms if not _is_ground(room, found.rooms, names)])
+    if metres:
+        found = found._replace(rooms=[one for one in found.rooms if not _is_ground(one, found.rooms, names, openings, metres)])
     wide = _empty(gaps, openings, metres)
     kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
     inside = {spot for room in kept for spot in names if room.holds(spot.x, spot.z)}
@@ -125,7 +138,7 @@ def rooms_between(
     else:
         wide = [gap for gap in wide if gap.in_line or gap.width * metres * 1000 <= UP_TO_WALLS]
     added = [
-        room for room in _enclosed(walls, [*openings, *map(_passage, wide)], metres).rooms
+        room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres) if wide else found).rooms
         if not any(overlap(room.points, other.points, within) for other in kept)
         and (not found.rooms or _names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
     ]  # fmt: skip
@@ -134,11 +147,25 @@ def rooms_between(
     return Between([*kept, *added], found.thickness, [*(() if added and not kept else found.told), *told], passages)
 
 
-def _is_ground(room: DrawnRoom, rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> bool:
-    """Tells whether what is enclosed lies around all other rooms, side by side, and is named by nothing: the ground, in a frame."""
+def _is_ground(
+    room: DrawnRoom, rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
+) -> bool:
+    """Tells whether what is enclosed lies around a home, in one, and nothing names it or opens its outline: the ground, in a frame."""
     others = [other for other in rooms if other is not room]
     is_around = any(all(encloses(hole, *other.points[0]) for other in others) for hole in room.holes)
-    return len(others) > 1 and is_around and not _names_in(room, names)
+    if len(others) < 2 or not is_around or _names_in(room, names) or sum(other.area for other in others) * metres**2 < LEAST_HOME:
+        return False
+    sides = np.array([(*a, *b) for a, b in edges_round(room.points)])
+    return all(to_lines(between(one.start, one.end), sides) * metres * 1000 > BESIDE for one in openings)
+
+
+def _is_wall(room: DrawnRoom, openings: Sequence[DrawnOpening], areas: Sequence[Sequence[Spot]], metres: float) -> bool:
+    """Tells whether what lines enclose is in a wall: in the area of one, or between the two faces of one at an opening."""
+    x0, z0, x1, z1 = bounds_of_points(room.points)
+    if min(x1 - x0, z1 - z0) * metres > THICKEST:
+        return False
+    at_opening = any(room.holds(*between(one.start, one.end)) for one in openings)
+    return at_opening or all(any(encloses(area, *spot) for area in areas) for spot in _inside(room.points, INSIDE / metres))
 
 
 def _empty(gaps: Sequence[WallGap], openings: Sequence[DrawnOpening], metres: float | None) -> list[WallGap]:
@@ -182,16 +209,19 @@ def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
         yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if encloses(points, *spot))
 
 
-def _enclosed(walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening], metres: float | None) -> Between:
-    """Returns what walls and openings enclose."""
+def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None) -> Between:
+    """Returns what walls and openings enclose, but for what is in these."""
     if metres is None:
         return Between([], None, [Unread("walls", NO_UNIT)], [])
-    scale, (west, north) = metres * 1000, walls[0][0]
+    scale, (west, north) = metres * 1000, walls.lines[0][0]
 
     def there(spot: Spot) -> Spot:
         return (spot[0] - west) * scale, (spot[1] - north) * scale
 
-    pairs = [(there(a), there(b)) for points in walls for a, b in pairwise(points)]
+    def back(corners: FloorCorners) -> tuple[Spot, ...]:
+        return tuple((x / scale + west, z / scale + north) for x, z in corners)
+
+    pairs = [(there(a), there(b)) for points in walls.lines for a, b in pairwise(points)]
     lines = [line for a, b in pairs if (line := line_between(a, b))]
     across = [(there(one.start), there(one.end)) for one in openings]
     gaps = [line for a, b in across if (line := line_between(a, b))]
@@ -202,16 +232,13 @@ def _enclosed(walls: Sequence[tuple[Spot, ...]], openings: Sequence[DrawnOpening
         found = faces_between(lines, gaps)
     if found is None:
         return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
-    if not found:
-        free = free_ends(lines, gaps)
-        words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
-        unread.append(Unread("walls", words if free else GAPS))
-
-    def back(corners: FloorCorners) -> tuple[Spot, ...]:
-        return tuple((x / scale + west, z / scale + north) for x, z in corners)
-
     rooms = [
         DrawnRoom(back(one.corners), "", f"between walls, room {at}", holes=tuple(map(back, one.holes))) for at, one in enumerate(found)
     ]
+    rooms = [room for room in rooms if not _is_wall(room, openings, walls.areas, metres)]
+    if not rooms:
+        free = free_ends(lines, gaps)
+        words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
+        unread.append(Unread("walls", words if free else GAPS))
     thickness = thickness_about([one.corners for one in found], lines)
     return Between(rooms, thickness and thickness / scale, unread, [])

@@ -13,6 +13,7 @@ import pytest
 from ezdxf.math import Matrix44
 
 from solver.answers import PlanImport
+from solver.errors import FieldError
 from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
 from tests.imports.plans import read
 
@@ -287,3 +288,35 @@ def test_lines_along_a_leaf_are_leaves_however_often_it_is_drawn_and_are_not_gon
 def test_without_names_of_rooms_most_rooms_tell() -> None:
     answer = imported(drawing(NUMBERS, names=False))
     assert [kinds for _, kinds in seen(answer)] == [kinds for _, kinds in WANTED]
+
+
+def thick_walls(layer: str, hatched: bool) -> Any:
+    """Walls of 0.7 m about two rooms of 4 m by 3 m with a door between them."""
+    made: Any = files.new("R2010")
+    made.header["$INSUNITS"] = 4
+    space = made.modelspace()
+    for x0, y0, x1, y1 in (
+        (0, 0, 10100, 700), (0, 3700, 10100, 4400), (0, 0, 700, 4400), (9400, 0, 10100, 4400),
+        (4700, 0, 5400, 1500), (4700, 2400, 5400, 4400),
+    ):  # fmt: skip
+        corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+        if hatched:
+            space.add_hatch(dxfattribs={"layer": layer}).paths.add_polyline_path(corners, is_closed=True)
+        else:
+            space.add_lwpolyline(corners, close=True, dxfattribs={"layer": layer})
+    return made
+
+
+def test_the_insides_of_walls_that_are_areas_and_of_their_gaps_at_doors_are_no_rooms() -> None:
+    made = thick_walls("0", hatched=True)
+    made.modelspace().add_arc((5050, 1500), 900, 0, 90)
+    answer = imported(made)
+    assert [kinds for _, kinds in seen(answer)] == [[("door", 0.9)]] * 2
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.7, 3.7)] * 2
+
+
+def test_walls_between_whose_faces_no_floor_is_left_are_refused() -> None:
+    made = thick_walls("WALLS", hatched=False)
+    made.modelspace().delete_entity(made.modelspace()[0])
+    with pytest.raises(FieldError, match="enclose no floor between their walls"):
+        imported(made)

@@ -181,6 +181,14 @@ def test_a_gap_without_a_door_leaves_one_room() -> None:
     assert (whole.width, whole.depth, whole.outline) == (7.7, 3.7, None)
 
 
+@pytest.mark.parametrize(("side", "door", "count"), [(400, "", 2), (400, "<path class='door' d='M0 600 V690'/>", 3), (200, "", 3)])
+def test_what_lies_around_a_home_is_ground_but_a_home_lies_around_small_rooms(side: int, door: str, count: int) -> None:
+    """Two rooms side by side within a frame; within a garden with a gate; and in a loft."""
+    around = "M0 600 V0 H2000 V1500 H0 V690" + (" V600" if not door else "")
+    within = f"M500 500 h{2 * side} v{side} h-{2 * side} z M{500 + side} 500 v{side}"
+    assert len(drawn(f"<path class='wall' d='{around}'/><path class='wall' d='{within}'/>{door}").scene.rooms) == count
+
+
 def test_without_a_unit_or_doors_walls_are_left_out_with_what_to_say() -> None:
     with pytest.raises(FieldError, match="are none in this file"):
         drawn(OUTER, "")
