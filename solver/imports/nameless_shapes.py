@@ -53,9 +53,9 @@ def told_by_form(
     counts = {key: sum(len(found[at].points) for at in members) for key, members in groups.items()}
     several = [groups[key] for key in sorted(counts, key=lambda key: -counts[key])[:MOST_LAYERS] if counts[key] >= LEAST_POINTS]
     ways = [
-        (*_without_furniture(way, found, names, doors, metres), way is not members)
+        (*_without_furniture(way, found, names, doors, metres), is_paired)
         for members in several
-        for way in (_side_by_side(members, found, metres * 1000), members)
+        for way, is_paired in {tuple(members): False, tuple(_side_by_side(members, found, metres * 1000)): True}.items()
     ]
     scores = [_score(rooms, names) for _, rooms, _ in ways]
     ranks = [(named, count * is_paired, count, -at) for at, ((named, count), (*_, is_paired)) in enumerate(zip(scores, ways, strict=True))]
