@@ -59,7 +59,7 @@ def test_blocks_are_shared_by_bodies_of_a_kind_and_size() -> None:
     (drawing,) = dxf.drawings(written(model))
     blocks = {insert.dxf.name for insert in drawing.modelspace().query("INSERT")}
     assert len(blocks) == len({(body.shape, body.width, body.depth, body.height) for body in model.bodies}) < 0.8 * len(model.bodies)
-    assert any(name.startswith("SIDE_TABLE_") for name in blocks)
+    assert any(name.startswith("DOUBLE_VANITY_") for name in blocks)
 
 
 def test_text_stays_on_its_line() -> None:
