@@ -91,11 +91,14 @@ def test_a_choice_of_looks_keeps_the_one_whose_answer_it_did_not_await(visit: Vi
     intercept(visit.page, "**/generate", lambda route: held.append(route) if not held else route.continue_())
     with visit.page.expect_request("**/generate"):
         visit.page.get_by_label("Decorations", exact=True).check()
+    visit.page.locator("#style").select_option("rustic")
     with visit.page.expect_request("**/generate") as second:
-        visit.page.locator("#style").select_option("rustic")
+        held[0].continue_()
     visit.settle()
     sent: Document = second.value.post_data_json  # type: ignore[assignment]
-    assert {"style": "rustic", "decorate": True}.items() <= sent.items()
+    assert sent["style"] == "rustic"
+    assert sent["scene"]["request"]["decorate"] is True
+    assert any(room["decorations"] for room in sent["scene"]["rooms"])
     expect(visit.page.get_by_label("Decorations", exact=True)).to_be_checked()
     expect(visit.page.locator("#style")).to_have_value("rustic")
 
