@@ -121,6 +121,17 @@ const Optimum* optimum_of(const Tree& tree, i64 state) {
   return tree.optima[state].proven ? &tree.optima[state] : nullptr;
 }
 
+// Tells whether the last piece laid out is no matter for who walks: it is in nobody's way, and nobody has to come to it.
+static bool is_walked_past(const Engine& engine, i64 piece, const Mark& before) {
+  const Work& work = engine.work;
+  const SidesRow& sides = engine.room.sides[work.taken_side[piece]];
+  if ((sides.stands | sides.all_of | sides.any_of) != 0 || engine.room.pieces[piece].required == STANDS) return false;
+  for (i64 k = before.parts; k < work.counts->parts; k++) {
+    if (is_in_the_way(work.parts[k])) return false;
+  }
+  return true;
+}
+
 bool is_plain_beside(const Engine& engine, i64 state, f64 ceiling, bool walk) {
   const Work& work = engine.work;
   const Nodes& nodes = engine.nodes;
@@ -138,7 +149,8 @@ bool is_plain_beside(const Engine& engine, i64 state, f64 ceiling, bool walk) {
   result.solves = 1;  // it costs about as much as a QP
   result.dear = optimum.cost + beside.least_cost() >= ceiling - COST_TOLERANCE;
   if (result.dear) return true;
-  result.found = beside.cost() <= beside.least_cost() + COST_TOLERANCE && beside.holds() && (!walk || passes(engine));
+  result.found = beside.cost() <= beside.least_cost() + COST_TOLERANCE && beside.holds();
+  if (result.found && walk) result.found = is_walked_past(engine, last, before) || passes(engine);
   if (!result.found) return false;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) nodes.best.at(axis, v) = nodes.positions.at(axis, v);

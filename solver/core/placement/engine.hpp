@@ -20,6 +20,9 @@ struct Part {
   i64 low, high;
 };
 
+// Tells whether a part is in the way of who walks: no person's square, and not hung so high that one walks under it.
+inline bool is_in_the_way(const Part& part) { return part.stand == 0 && part.low < HEADROOM_MM; }
+
 // A zone as a part.
 inline Part unmoved(const Zone& zone) {
   const auto& [x, z] = zone.low;

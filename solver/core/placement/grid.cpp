@@ -79,7 +79,7 @@ i64 find_covered(const Work& work, const Table<i64>& low, const Table<i64>& high
   i64 count = 0;
   for (i64 k = 0; k < work.counts->parts; k++) {
     const Part& part = work.parts[k];
-    if (part.stand != 0 || part.low >= HEADROOM_MM) continue;
+    if (!is_in_the_way(part)) continue;
     i64 first[2], last[2];
     for (i64 axis = 0; axis < 2; axis++) {
       first[axis] = high.at(axis, part.variable[axis]) + part.offset[axis];
