@@ -141,6 +141,14 @@ class Attach(NamedTuple):
     slot: str = ""
     """Name of the slot; two pieces never take the same slot of one parent."""
     parent_stance: Stance | None = None
+    wish_mm: tuple[int, int] | None = None
+    """Where within the intervals it is wished; None for the middle."""
+
+    @property
+    def wish_twice_mm(self) -> tuple[int, int]:
+        """Twice where it is wished: the middle of an interval may lie between whole millimetres."""
+        across, along = self.wish_mm or (None, None)
+        return (sum(self.across_mm) if across is None else 2 * across, sum(self.along_mm) if along is None else 2 * along)
 
 
 @dataclass(frozen=True)

@@ -112,15 +112,15 @@ class Tables:
         kind = self.kinds.setdefault((a.kind, a.stance), len(self.kinds))
         slack = -1 if a.slack_mm is None else a.slack_mm
         if a.attach is None:
-            attach: tuple[int, ...] = (-1, -1, 0, 0, 0, 0, -1)
+            anchor, attach = a.anchor_mm, tuple[int, ...]((-1, -1, 0, 0, 0, 0, -1))
         else:
             parent, slot = self.piece.get(a.attach.parent, -1), -1
             if a.attach.slot:
                 slot = self.slots.setdefault(a.attach.slot, len(self.slots))
             parent_kind = self.kinds.setdefault((a.attach.parent_kind, a.attach.parent_stance), len(self.kinds))
-            attach = (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
+            anchor, attach = a.attach.wish_twice_mm, (parent, parent_kind, *a.attach.across_mm, *a.attach.along_mm, slot)
         under, on = self.piece.get(a.under or "", -1), self.piece.get(a.on or "", -1)
-        own = (kind, *a.size_mm, a.rotation % 360, WALL_NUMBERS[a.wall], *a.anchor_mm, *(a.within or self.space.clear), a.bottom_mm)
+        own = (kind, *a.size_mm, a.rotation % 360, WALL_NUMBERS[a.wall], *anchor, *(a.within or self.space.clear), a.bottom_mm)
         return (*own, *attach, under, on, slack, 0)
 
     def _link(self, link: Link) -> None:

@@ -81,7 +81,7 @@ class Neighbourhood:
 
     def neighbourhoods(self) -> Iterator[frozenset[str]]:
         """Yields which pieces to free, one set after the other: each holds the one before."""
-        freed = {label for label in map(self._root, self.in_the_way) if label in self._loose}
+        freed = {label for one in self.in_the_way for label in (one, self._root(one)) if label in self._loose}
         step = 1
         if freed:
             yield frozenset(freed)

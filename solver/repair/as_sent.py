@@ -26,6 +26,8 @@ from solver.scene import Furniture, Room
 
 SEAT_COST = 1.0
 """What another place at its table costs a chair."""
+SLIDE_COST = 0.003
+"""What sliding along its side of the table costs a chair, besides the way: less than taking the table and all its chairs 6 cm along."""
 FREE_COST = 1.5
 """What leaving its table costs a tucked chair: more than another place at it, also where the table goes and the chair stays."""
 MOVED_WEIGHT = 20.0
@@ -129,15 +131,18 @@ def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
     if table is None or not isinstance(body, Furniture):
         return ways
     straight = replace(body, rotation=squared(body.rotation))  # as it will stand, wherever it goes
-    seats = _seats(straight, table, floor.problem.settings)
     if not footprint(straight).overlaps(footprint(table).shrunk(-AT_TABLE_MM)):
-        return (*ways, *seats)
+        return (*ways, *_seats(straight, table, floor.problem.settings))
     free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
-    return (replace(_in_frame(drawn_out(straight, table), table), under=table.id), *free, *seats)
+    as_sent = replace(_in_frame(drawn_out(straight, table), table), under=table.id, weights=ways[0].weights)
+    return (as_sent, *_seats(straight, table, floor.problem.settings, as_sent), *free)
 
 
-def _seats(chair: Furniture, table: Body, settings: RepairSettings) -> tuple[Candidate, ...]:
-    """Returns a chair's places along the sides of its table that people use, looking at it: as it is turned first."""
+def _seats(chair: Furniture, table: Body, settings: RepairSettings, as_sent: Candidate | None = None) -> tuple[Candidate, ...]:
+    """Returns a chair's places along the sides of its table that people use, looking at it: as it is turned first.
+
+    At the side where it was sent, if it was sent to the table, it is wished there; at others in the middle.
+    """
     wide, deep, _ = size = bounding_size(chair, footprint(chair))
     long, broad, _ = bounding_size(table, footprint(table))
     used = settings.use_sides.get(table.name, ((), False))[0] or tuple(TURN_AT_SIDE)
@@ -147,10 +152,14 @@ def _seats(chair: Furniture, table: Body, settings: RepairSettings) -> tuple[Can
         half, out = ((long - wide) // 2, broad) if turn % 180 == 0 else ((broad - wide) // 2, long)
         if half > 0:
             near, far = (out + deep) // 2 - max(deep - UNTUCKED_MM, 0), (out + deep) // 2
-            (x0, z0), (x1, z1) = rotate(-half, -near, turn), rotate(half, -far, turn)
-            attach = Attach(table.id, table.name, (min(x0, x1), max(x0, x1)), (min(z0, z1), max(z0, z1)))
-            way = Candidate(chair.name, size, turn, weights=SEAT_PULL, cost=SEAT_COST, attach=attach, under=table.id)
-            found.append(way)
+            ends, wish, weights, cost = [(-half, -near), (half, -far)], None, SEAT_PULL, SEAT_COST
+            if as_sent is not None and as_sent.attach is not None and turn == own:
+                sent = as_sent.attach.across_mm[0], as_sent.attach.along_mm[0]
+                if rotate(*sent, -turn)[1] <= -near:  # it is at this side
+                    ends, wish, weights, cost = [*ends, rotate(*sent, -turn)], sent, as_sent.weights, SLIDE_COST
+            across, along = zip(*(rotate(x, z, turn) for x, z in ends), strict=True)
+            attach = Attach(table.id, table.name, (min(across), max(across)), (min(along), max(along)), wish_mm=wish)
+            found.append(Candidate(chair.name, size, turn, weights=weights, cost=cost, attach=attach, under=table.id))
     return tuple(found)
 
 

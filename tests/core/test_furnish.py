@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "479530479694fadf32c8f37e94cd7c140c92176d789e9a160c0bcb051bbbf8ea"
+GOLDEN = "1dd2d3252831aebbe492b91dfb799ef91c77965ac6b48d43e667d410c118f572"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

@@ -90,3 +90,24 @@ def test_no_other_clean_scene_is_much_nearer(seed: int) -> None:
         return
     least = min((movement(other, sent) for other in others(sent, Stream(seed, "other wishes"))), default=math.inf)
     assert movement(fixed, sent) <= MUCH * least + 0.01
+
+
+@pytest.mark.parametrize("moved", [(), ("room_0/dining_chair_1",)])
+@pytest.mark.parametrize(("rotation", "shared"), [(0, 0.005), (90, 0.06), (180, 0.12), (270, 0.03)])
+def test_a_chair_that_stands_in_the_next_one_slides_along_their_table(rotation: int, shared: float, moved: tuple[str, ...]) -> None:
+    """Nothing moves by more than what the two share, nothing turns, and a second call moves nothing."""
+    across, ahead = {0: ((1, 0), (0, 1)), 90: ((0, -1), (1, 0)), 180: ((-1, 0), (0, -1)), 270: ((0, 1), (-1, 0))}[rotation]
+    table = replace(body("dining_table_1", 2.2, 2.2, (1.6, 0.9, 0.75)), rotation=rotation)
+    chairs = [
+        replace(
+            body(f"dining_chair_{k}", 2.2 + aside * across[0] - 0.5 * ahead[0], 2.2 + aside * across[1] - 0.5 * ahead[1], (0.46, 0.5, 0.9)),
+            rotation=rotation,
+            under=table.id,
+        )
+        for k, aside in ((1, -0.4), (2, 0.06 - shared))
+    ]
+    fixed = fix(room_of(table, *chairs, width=4.4, depth=4.4), moved=moved)
+    assert errors(fixed.scene) == []
+    assert sum(abs(move.dx) + abs(move.dz) for move in fixed.moves) == pytest.approx(shared, abs=2e-3)
+    assert {piece.rotation for piece in fixed.scene.rooms[0].furniture} == {rotation}
+    assert fix(fixed.scene).moves == ()

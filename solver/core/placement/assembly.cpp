@@ -85,6 +85,7 @@ static void add_attached(const Room& room, const Work& work, i64 piece, i64 cand
   const i64 rotation = floor_mod(turn + own.turn, 360);
   const Point first = rotated({own.across[0], own.along[0]}, static_cast<i32>(turn));
   const Point last = rotated({own.across[1], own.along[1]}, static_cast<i32>(turn));
+  const Point wish = rotated({own.anchor[0], own.anchor[1]}, static_cast<i32>(turn));
   Part& body = add_body(room, work, piece, own);
   for (i64 axis = 0; axis < 2; axis++) {
     const i64 extent = extent_along(own, axis, rotation);
@@ -102,8 +103,8 @@ static void add_attached(const Room& room, const Work& work, i64 piece, i64 cand
       body.offset[axis] = 0;
       add_row(work, {axis, u, v, shift + nearest});
       add_row(work, {axis, v, u, -shift - farthest});
-      const f64 middle = static_cast<f64>(2 * shift + nearest + farthest) / 2000;
-      add_pull(work, {axis, u, v}, {middle, room.candidate_costs[candidate].weight[axis]});
+      const f64 apart = static_cast<f64>(2 * shift + (axis == 0 ? wish.x : wish.z)) / 2000;
+      add_pull(work, {axis, u, v}, {apart, room.candidate_costs[candidate].weight[axis]});
     }
     body.variable[axis] = v;
     body.extent[axis] = extent;

@@ -59,7 +59,7 @@ static Wished wished(const Room& room, const Decisions& decisions, const Candida
   Point centre{own.anchor[0], own.anchor[1]};
   if (own.parent >= 0) {
     const Wished parent = wished(room, decisions, room.candidates[candidate_of(decisions[own.parent])]);
-    const Point off = rotated({floor_div(own.across[0] + own.across[1], 2), floor_div(own.along[0] + own.along[1], 2)}, parent.turn);
+    const Point off = rotated({floor_div(own.anchor[0], 2), floor_div(own.anchor[1], 2)}, parent.turn);
     centre = {parent.centre.x + off.x, parent.centre.z + off.z};
     turn += parent.turn;
   }

@@ -67,7 +67,7 @@ struct CandidateRow {
   i64 kind, width, depth, height;
   i64 turn;  // degrees; relative to the parent where there is one
   i64 wall;
-  i64 anchor[2];  // where its centre is wished
+  i64 anchor[2];  // where its centre is wished; with a parent twice that, in its frame from its centre
   i64 low[2], high[2];  // where its footprint may be
   i64 bottom;
   i64 parent, parent_kind;

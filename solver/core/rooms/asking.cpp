@@ -112,6 +112,7 @@ class Asked {
     own.parent_kind = way.parent_kind;
     own.across[0] = way.across.low, own.across[1] = way.across.high;
     own.along[0] = way.along.low, own.along[1] = way.along.high;
+    own.anchor[0] = way.across.low + way.across.high, own.anchor[1] = way.along.low + way.along.high;
     own.slot = slot_of(way);
   }
 
