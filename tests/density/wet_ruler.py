@@ -37,6 +37,8 @@ RINSED = 0.92
 """From a dishwasher to the sink where dishes are rinsed, at most."""
 LONG_TABLE = 2.0
 """From here on a table is for six (Neufert: a place is 0.6 m wide), m."""
+LEANING = 0.2
+"""Chairs all about a table have their middle at most so far from its own."""
 LONG = 2.4
 """Of worktop in a large home's kitchen, m along the fronts."""
 ROOMY, BROAD = 15.0, 3.3
@@ -238,6 +240,20 @@ def long_tables_short_of_chairs(scene: Scene) -> Count:
     return count(cases())
 
 
+def chairs_at_one_end(scene: Scene) -> Count:
+    """Dining tables with chairs whose middle lies more than LEANING off the table's along its longer sides."""
+
+    def cases() -> Iterator[bool]:
+        for floor in floors(scene):
+            for table in floor.named("dining_table"):
+                axis = int(table.z1 - table.z0 > table.x1 - table.x0)
+                at = [chair.middle[axis] - table.middle[axis] for chair in floor.pieces if chair.piece.under == table.piece.id]
+                if at:
+                    yield abs(sum(at) / len(at)) > LEANING
+
+    return count(cases())
+
+
 def refrigerators_apart(scene: Scene) -> Count:
     """Refrigerators with nothing of the kitchen's run, and no pantry, right beside them or round the corner."""
     return count(
@@ -355,6 +371,7 @@ LINES = (
     Line("dishwasher: sink within 0.92 m", dishwashers_at_sinks, {"*": 0.75}),
     Line("refrigerator: worktop right beside it", refrigerators_served, {"*": 0.85}),
     Line("dining table of 2 m: fewer than six chairs", long_tables_short_of_chairs, {"*": 0.1}, most=True),
+    Line("dining table: chairs at one end", chairs_at_one_end, {"*": 0.1}, most=True),
     Line("refrigerator: apart from the run", refrigerators_apart, {"*": 0.03}, most=True),
     Line("island: within 0.75 m of the run", islands_crowding, {"*": 0.2}, most=True),
     Line("kitchen: 2.4 m of worktop", long_worktops, {"*": 0.25, "large": 0.5}),
