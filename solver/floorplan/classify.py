@@ -27,7 +27,7 @@ ONCE: Final = ("kitchen", "bedroom_master", "dining_room", "laundry", "garage")
 """Types of which a house wishes one, and one more for every 40 rooms."""
 MOST: Final = {"kitchen": 1, "bedroom_master": 1, "living_room": 2, "dining_room": 1}
 """Of which a household has no more, however well a room would suit them; as many again for every 40 rooms."""
-HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop")
+HOUSEHOLD: Final = ("kitchen", "garage", "laundry", "workshop", "living_room")
 """Types whose repetition makes two households of a house, or looks odd in a home: it costs thrice as much."""
 SMALL: Final = 0.75
 """Below this share of its typical area a second one of a type is no gain."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 import pytest
@@ -229,3 +230,12 @@ def test_nobody_sleeps_without_a_window_in_large_houses() -> None:
         for room in draw(Request(seed=seed, width=30.0, depth=20.0), CATALOGS).rooms:
             lit = any(opening.kind == "window" for opening in room.openings)
             assert lit or room.type not in ("bedroom", "bedroom_master", "kids_bedroom"), (seed, room.id)  # in 4 of 60 homes
+
+
+BEDS = ("bedroom", "bedroom_master", "kids_bedroom")
+
+
+def test_a_house_of_six_rooms_has_two_bedrooms() -> None:
+    for seed in range(7_330_000, 7_330_012):
+        types = Counter(room.type for room in drawn(seed=seed, width=12.0, depth=9.0).rooms)
+        assert sum(types[name] for name in BEDS) >= types["living_room"] + 1, seed
