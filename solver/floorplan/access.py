@@ -26,6 +26,11 @@ THROUGH_OUTDOOR: Final = 3000.0
 HOP: Final = 0.01
 """What every door costs, so that of equal ways the one with fewer doors wins."""
 
+OFF_STREET: Final = 2.5
+"""A front door that is not on the street comes so many times later."""
+AMONG_BEDROOMS: Final = 4.5
+"""Where a hallway among bedrooms comes for the front door: after whatever is on the street. Our choice, as is OFF_STREET."""
+
 AS_PLANNED: Final = 0.5
 """At most this to enter a room through the one it was planned behind: its bathroom belongs to the bedroom in front."""
 SERVED: Final = {"kitchen", "dining_room"}
@@ -169,10 +174,10 @@ def served(typed: RoomAccess, tree: Sequence[tuple[Joint, int]]) -> tuple[tuple[
 def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomType], by_hallway: bool = True) -> tuple[int, str]:
     """Chooses the room and the wall of the main entrance.
 
-    An outside wall of what is better to come in by than a hallway (a foyer), the south one first; else a hallway with a
-    south wall, else the widest south wall of another way through, else a hallway's end, else the widest outside wall of a
-    way through, of any indoor room, of anything. Not `by_hallway`: a hallway only where nothing on the street is a way
-    through, so that one does not come in among the bedrooms.
+    A room that the front door may open into, by its place among those (`entrance`), which counts OFF_STREET times where the
+    wall is not the south one: a hallway's end comes after a living room on the street and before a kitchen there. Then the
+    widest wall. Else that of any other indoor room, of anything. Not `by_hallway`: a hallway only where nothing on the
+    street may be come in by, so that one does not come in among the bedrooms.
     """
     lengths = {
         (i, wall): max(high - low for low, high in stretches)
@@ -181,26 +186,19 @@ def entrance_of(layout: Layout, types: Sequence[str], rooms: Mapping[str, RoomTy
     }
     least = layout.walls.door_wall
     wide = [place for place, length in lengths.items() if length >= least] or list(lengths)
-    better = _before_hallways(rooms)
 
-    def rank(place: tuple[int, str]) -> tuple[int, int, int, int]:
+    def rank(place: tuple[int, str]) -> tuple[tuple[int, float], bool, int, int, int]:
         i, wall = place
-        name, south = types[i], wall == "south"
-        tier = -1 - south if name in better else _tier(name, south and (by_hallway or name != "hallway"), rooms)
-        return (tier, -lengths[place], i, WALLS.index(wall))
+        south = wall == "south"
+        return (_tier(types[i], south, by_hallway, rooms), not south, -lengths[place], i, WALLS.index(wall))
 
     return min(wide, key=rank)
 
 
-def _before_hallways(rooms: Mapping[str, RoomType]) -> frozenset[str]:
-    """Returns the types that are better to come in by than a hallway."""
-    order = {name: kind.plan.entrance for name, kind in rooms.items() if kind.plan.entrance is not None}
-    return frozenset(name for name, place in order.items() if place < order.get("hallway", 0))
-
-
-def _tier(name: str, south: bool, rooms: Mapping[str, RoomType]) -> int:
-    if name == "hallway":
-        return 0 if south else 2
-    if rooms[name].plan.way_through:
-        return 1 if south else 3
-    return 5 if rooms[name].outdoor or is_private(name, rooms) else 4
+def _tier(name: str, south: bool, by_hallway: bool, rooms: Mapping[str, RoomType]) -> tuple[int, float]:
+    place = rooms[name].plan.entrance
+    if place is None:
+        return 1 + (rooms[name].outdoor or is_private(name, rooms)), 0.0
+    if name == "hallway" and not by_hallway:
+        return 0, AMONG_BEDROOMS
+    return 0, place * (1.0 if south else OFF_STREET)
