@@ -102,6 +102,17 @@ describe("the reading panel", () => {
     expect(pressed()).toEqual(["false", "false"]);
   });
 
+  it("brings a line into view as it lies once the lines around it have their colours", () => {
+    const { host, reading } = panel();
+    vi.stubGlobal("requestAnimationFrame", () => 0); // the frame that gives them comes later
+    reading.show({ text: text.replaceAll(",", ", 7,"), lines });
+    const [, sofa, , bed] = [...host.children] as HTMLElement[];
+    const lies = (): number => 385 + (sofa?.querySelector(".yaml-key") ? 20 : 0); // coloured, the sofa's line breaks
+    vi.spyOn(bed as HTMLElement, "getBoundingClientRect").mockImplementation(() => new DOMRect(0, lies(), 100, 10));
+    reading.select("a/bed_1");
+    expect(host.scrollTop).toBe(15);
+  });
+
   it("keeps what has not changed, and the flags on what has", () => {
     const { host, reading } = panel();
     reading.flag(new Set(["a/bed_1"]));

@@ -88,10 +88,10 @@ export class Reading {
   }
 
   /** Highlights the lines in view and a screen around them: a house has thousands, of which few are ever read. */
-  #colour(): void {
+  #colour(top = this.host.scrollTop): void {
     const { elements } = this.#list;
-    const { scrollTop, clientHeight } = this.host;
-    for (const line of elements.slice(lineAt(elements, scrollTop - clientHeight), lineAt(elements, scrollTop + 2 * clientHeight))) {
+    const { clientHeight } = this.host;
+    for (const line of elements.slice(lineAt(elements, top - clientHeight), lineAt(elements, top + 2 * clientHeight))) {
       if (this.#coloured.has(line)) continue;
       this.#coloured.add(line);
       const word = line.querySelector(".problematic");
@@ -113,8 +113,14 @@ export class Reading {
     this.#sayFlag();
     const [first] = id === null ? [] : this.#list.linesOf(id);
     if (!first) return;
-    bringIntoView(this.host, first);
+    this.#bring(first);
     this.#list.reach(first);
+  }
+
+  /** Brings a line into view as it then is: lines around it that take colour change their height. */
+  #bring(line: HTMLElement): void {
+    this.#colour(line.offsetTop - (this.#list.elements[0]?.offsetTop ?? 0));
+    bringIntoView(this.host, line);
   }
 
   /** Marks the lines of the flagged bodies PROBLEMATIC. */
@@ -148,7 +154,7 @@ export class Reading {
     const holds = (button: HTMLButtonElement): boolean => `${button.dataset.id} ${button.textContent}`.toLowerCase().includes(wanted);
     this.#found = wanted === "" ? [] : this.#list.buttons.filter(holds);
     for (const button of this.#found) button.classList.add("found");
-    if (this.#found[0]) bringIntoView(this.host, this.#found[0]);
+    if (this.#found[0]) this.#bring(this.#found[0]);
     element("find_words").textContent = wanted === "" ? "" : say("{count} found", { count: this.#found.length });
   }
 
