@@ -210,5 +210,9 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     visit.page.set_viewport_size({"width": 844, "height": 390})
     sheet = board.page.locator(".sheet").bounding_box()
     assert sheet and sheet["height"] > 300, "on its side what is chosen stands beside the sheet"
+    board.tool("close")
+    visit.page.set_viewport_size({"width": 568, "height": 320})
+    expect(visit.page.locator("#shortfall_line:not(.is-asked)")).to_be_visible()
+    assert visit.page.evaluate("document.documentElement.scrollWidth") == 568
     assert before
     visit.page.set_viewport_size(before)

@@ -176,6 +176,7 @@ class Visit:
                     heard.clear()
         answer = self.after(lambda: self._load(query))
         if self.hands_on:
+            self.page.locator("#export_format option").first.wait_for(state="attached")  # what comes last of all
             self.page.evaluate(FOUND_NEW)
         return answer
 
