@@ -1,6 +1,6 @@
 /** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
-import { isAbort, useKey } from "./service";
+import { isAbort, onceAnswered, useKey } from "./service";
 import { Notice, type Again } from "./panel/notice";
 
 /** Does something beside the question, `of` what is given once at a time. */
@@ -55,6 +55,16 @@ export class Asking {
       end();
     }
   }
+
+  /** Says why a part of what is shown did not come: it is asked for again where that is wished, or once the service answers anything else. */
+  readonly missed = (reason: unknown, ask: () => void): void => {
+    const again = (): void => {
+      if (this.notice.again === again) this.notice.hide();
+      ask();
+    };
+    this.notice.show(reason, again);
+    onceAnswered(again);
+  };
 
   /** Does something beside that, such as a file; what is under way already is not begun again, which is said. */
   readonly beside: Beside = async (what, act, of) => {

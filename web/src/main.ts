@@ -101,7 +101,7 @@ class Page {
     this.#issues.onChoose = this.#diagnose.onChoose = (id) => this.#goTo(id);
     this.#issues.onChooseRoom = this.#diagnose.onChooseRoom = (id) => this.#home.selectRoom(id);
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
-    this.#stage.onFailure = this.#failed;
+    this.#stage.onFailure = (reason, again) => { if (again) this.#asking.missed(reason, again); else this.#failed(reason); };
     const { canvas } = this.#stage.viewport;
     canvas.addEventListener("webglcontextlost", () => this.#failed(CARD_LOST, () => location.reload()));
     canvas.addEventListener("webglcontextrestored", () => this.#asking.notice.hide());
@@ -353,7 +353,7 @@ class Page {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);
     } catch (reason) {
-      if (!isAbort(reason)) this.#failed(reason, () => { this.#reads = this.#read(scene); });
+      if (!isAbort(reason)) this.#asking.missed(reason, () => { if (!signal.aborted) this.#reads = this.#read(scene); });
     }
   }
 

@@ -88,6 +88,14 @@ function withKey(headers: HeadersInit | undefined): Headers {
   return all;
 }
 
+/** What waits for the service to answer again. */
+const waiting = new Set<() => void>();
+
+/** Does something once the service has answered any call, and what that changes is shown. */
+export function onceAnswered(act: () => void): void {
+  waiting.add(act);
+}
+
 /** Asks, and reads the answer; what is refused is thrown in words. */
 export async function askFor<Answer>(read: (response: Response) => Promise<Answer>, call: string, init: RequestInit): Promise<Answer> {
   let response: Response;
@@ -97,11 +105,10 @@ export async function askFor<Answer>(read: (response: Response) => Promise<Answe
     throw isAbort(reason) ? reason : LOST;
   }
   if (!response.ok) throw await readProblem(response);
-  try {
-    return await read(response);
-  } catch (reason) {
-    throw isAbort(reason) ? reason : LOST;
-  }
+  const answer = await read(response).catch((reason: unknown) => { throw isAbort(reason) ? reason : LOST; });
+  for (const act of waiting) setTimeout(act);
+  waiting.clear();
+  return answer;
 }
 
 function ask<Answer>(call: string, init: RequestInit): Promise<Answer> {

@@ -2,6 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Asking } from "../src/asking";
 import { Progress } from "../src/panel/progress";
+import { exportFormats } from "../src/service";
 
 /** The page's places, and something that ends when it is told to. */
 function page() {
@@ -22,7 +23,10 @@ function held() {
 
 describe("what is under way", () => {
   beforeEach(() => { vi.useFakeTimers(); });
-  afterEach(() => { vi.useRealTimers(); });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
 
   it("is the newer question, however the older one ends", async () => {
     const { asking, seen } = page();
@@ -85,6 +89,21 @@ describe("what is under way", () => {
     file.end();
     await vi.advanceTimersByTimeAsync(0);
     expect(notice.hidden).toBe(true);
+  });
+
+  it.each([["it is told", null], ["another thing is told", "other"]])("asks again for what did not come, once the service answers anything, as %s", async (_, other) => {
+    const { asking, notice } = page();
+    let [asked, isThere] = [0, false];
+    vi.stubGlobal("fetch", async () => new Response('{"formats":[]}', { status: isThere ? 200 : 503 }));
+    const call = (): Promise<unknown> => exportFormats(new AbortController().signal);
+    asking.missed(new Error("gone"), () => { asked += 1; });
+    if (other !== null) await asking.beside(other, async () => { await call(); });
+    await vi.advanceTimersByTimeAsync(1);
+    expect([asked, notice.hidden]).toEqual([0, false]);
+    isThere = true;
+    for (const _again of [1, 2]) await call();
+    await vi.advanceTimersByTimeAsync(1);
+    expect([asked, notice.hidden], "and what was said of it goes, of it alone").toEqual([1, other === null]);
   });
 
   it("tells itself of edits, whatever is told twice", () => {

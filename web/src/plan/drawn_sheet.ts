@@ -56,7 +56,7 @@ export abstract class DrawnSheet {
     this.host.ariaBusy = "true";
     this.#scale = readableAt(this.pixels(scene)).scale;
     this.draw(scene, this.#scale, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {
-      if (!isAbort(reason)) this.failed(reason, () => this.again());
+      if (!isAbort(reason)) this.failed(reason, () => { if (!signal.aborted) this.again(); });
     }).finally(() => { if (!signal.aborted) this.host.ariaBusy = "false"; });
   }
 
