@@ -15,8 +15,8 @@ NARROWEST: Final = 600
 """A gap in the walls that is a passage is wider, mm."""
 WIDEST: Final = 2000
 """A gap between the faces of walls that is a passage is no wider, mm."""
-NICHE: Final = 200
-"""A niche at a door is no deeper, mm."""
+NICHE: Final = THICKEST_JOINED // 2
+"""A niche at a door is no deeper, mm: rooms reach to the middle of its wall."""
 SHALLOW: Final = 40
 """A niche that is no deeper, mm, is none, whether there is a door or not."""
 AlongWall = tuple[int, int]
@@ -78,13 +78,17 @@ def _left(span: AlongWall, taken: Iterable[AlongWall]) -> list[AlongWall]:
 
 
 def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> tuple[FloorCorners, int]:
-    """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm."""
+    """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm.
+
+    The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
+    """
     deepest = 0
     for _ in range(len(corners)):
         count = len(corners)
-        niche = next((at for at in range(count) if count > 4 and _is_niche(corners, at, openings)), None)
-        if niche is None:
+        found = [at for at in range(count) if count > 4 and _is_niche(corners, at, openings)]
+        if not found:
             break
+        niche = min(found, key=lambda at: math.dist(corners[at], corners[(at + 1) % count]))
         b, c = corners[niche], corners[(niche + 1) % count]
         deepest = max(deepest, math.floor(math.dist(corners[niche - 1], b)))
         corners = tidied([one for one in corners if one not in (b, c)])
@@ -109,4 +113,4 @@ def _lies_in(opening: PlacedDrawing, b: FloorCorner, c: FloorCorner) -> bool:
     low, high = sorted((b[along], c[along]))
     start, end = sorted((opening.start[along], opening.end[along]))
     middle = (opening.start[across] + opening.end[across]) / 2
-    return abs(middle - b[across]) <= 2 * NICHE and min(high, end) - max(low, start) >= (high - low) / 2
+    return abs(middle - b[across]) <= NICHE and min(high, end) - max(low, start) >= (high - low) / 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from io import BytesIO
 from itertools import pairwise
@@ -121,6 +122,20 @@ def test_a_home_of_sweet_home_3d() -> None:
     check_sweet_home(read(packed(Home_xml=xml, Home=b"java")))
 
 
+@pytest.mark.parametrize("turn", [1.5708, -1.5708])
+def test_a_door_whose_open_leaf_is_in_its_box_is_where_its_frame_is(turn: float) -> None:
+    """Its frame takes a ninth of its depth, at its back; a door stands where the wall would be if its middle counted."""
+    depth, thickness = 90, 10
+    x = 405 - math.sin(turn) * (depth - thickness) / 2
+    door = (
+        f"<doorOrWindow name='Open door' x='{x}' y='200' angle='{turn}' width='91.5' depth='{depth}' height='208.5' "
+        f"wallThickness='{thickness / depth}'><sash xAxis='0' yAxis='0.1' width='1' startAngle='0' endAngle='-1.5708'/></doorOrWindow>"
+    )
+    answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *ROOMS, door, FRONT, WINDOW, BED))
+    check_sweet_home(answer)
+    assert opening(answer.scene.rooms[0], "door_0").swing == ("out" if x > 405 else "in")
+
+
 def test_where_no_wall_is_drawn_there_is_a_passage() -> None:
     answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 250), *ROOMS, FRONT))
     (passage,) = [one for one in answer.scene.rooms[0].openings if one.kind == "passage"]
@@ -137,7 +152,7 @@ def test_rooms_that_reach_into_the_reveal_of_a_door_are_joined() -> None:
 
 
 @pytest.mark.parametrize(("depth", "door", "is_left"), [
-    (1, False, False), (40, False, False), (41, False, True), (41, True, False), (200, True, False), (201, True, True),
+    (1, False, False), (40, False, False), (41, False, True), (41, True, False), (375, True, False), (376, True, True),
     (-1, True, True), (-40, True, True),
 ])  # fmt: skip
 def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, door: bool, is_left: bool) -> None:
@@ -147,6 +162,15 @@ def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, doo
     openings = [PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)] if door else []
     bare = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)]
     assert without_niches(corners, openings) == ((corners, 0) if is_left else (bare, depth))
+
+
+def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
+    """The end of the room beyond both is 110 mm deep and has a window as long as half of it, but is no reveal."""
+    east, west = [(4000, 110), (4050, 110), (4050, 900), (4000, 900)], [(0, 900), (-50, 900), (-50, 110), (0, 110)]
+    corners = [(0, 0), (4000, 0), *east, (4000, 3000), (0, 3000), *west]
+    ends = [((4050, 110), (4050, 900)), ((-50, 110), (-50, 900)), ((500, 0), (3500, 0))]
+    openings = [PlacedDrawing(DrawnOpening("door", *two, "here"), *two, None) for two in ends]
+    assert without_niches(corners, openings) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
 
 
 def test_storeys_are_told_apart() -> None:

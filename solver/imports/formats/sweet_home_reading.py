@@ -138,6 +138,9 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     x, y, angle = number_in(element, "x", where), number_in(element, "y", where), number_in(element, "angle", where, 0.0)
     half, sill = number_in(element, "width", where) / 2, number_in(element, "elevation", where, 0.0)
     c, s = math.cos(angle), math.sin(angle)
+    in_wall = number_in(element, "wallDistance", where, 0.0) + number_in(element, "wallThickness", where, 1.0) / 2
+    before = number_in(element, "depth", where, 0.0) * (in_wall - 0.5)
+    x, y = x - before * s, y + before * c  # the box also holds what stands out of the wall, such as an open leaf
     start, end = (x - half * c, y - half * s), (x + half * c, y + half * s)
     said = _said(element)
     name = f"{element.get('catalogId', '')} {element.get('name', '')}".lower()
