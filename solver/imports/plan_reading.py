@@ -36,6 +36,8 @@ from solver.scene import Level, Room, Scene, Size
 
 USUAL_THICKNESS: Final = 100
 """Of walls, mm, where neither the file nor the gaps between its rooms tell."""
+THICKEST: Final = 1000
+"""Of a scene's walls, mm: thicker ones are held as thick."""
 HEIGHT: Final = 2.8
 """Of a storey, m, where the file does not say."""
 LINES_APART: Final = 20
@@ -180,10 +182,10 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
 
 
 def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes: PlanNotes) -> tuple[list[NamedRoom], int]:
-    said = None if plan.wall_thickness is None else round(plan.wall_thickness)
+    said = None if plan.wall_thickness is None else min(THICKEST, round(plan.wall_thickness))
     apart = usual_gap([room.corners for room in rooms]) if plan.drawn == "unsaid" else 0
     faces = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    thickness, found = faces_behind(faces, depths, min(1000, USUAL_THICKNESS if said is None else said))
+    thickness, found = faces_behind(faces, depths, USUAL_THICKNESS if said is None else said)
     within_walls = bool(depths) and thickness > LINES_APART
     if plan.drawn == "lines" or (plan.drawn == "unsaid" and (apart <= LINES_APART or within_walls)):
         if found is None:

@@ -53,6 +53,11 @@ def again(house: Scene, format: str) -> PlanImport:
     return read(content, name)
 
 
+def test_walls_thicker_than_any_of_a_scene_are_held_as_thick_as_those() -> None:
+    answer = read(collection(box("Hall", 0, 0, 4, 3), drawn="inner", wall_thickness=1.4))
+    assert (answer.scene.wall_thickness, answer.scene.rooms[0].width) == (1.0, 5.0)
+
+
 @pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
 def test_our_exports_read_back(house: Scene, format: str) -> None:
     after = again(house, format).scene
