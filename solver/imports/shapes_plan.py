@@ -38,7 +38,7 @@ from solver.imports.shape_openings import (
 from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import ASSUMED, DOORS, GAPS, PlanUnit, assumed, told_by_areas, without_area
-from solver.imports.wall_gaps import WallGap, fitted, gaps_of
+from solver.imports.wall_gaps import WallGap, fitted, gaps_of, with_leaves
 from solver.imports.walls_alone import INSIDE, NamedSpot, WallOutlines, overlap, rooms_between
 from solver.plain import quoted
 
@@ -161,7 +161,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        openings += passages
+        openings += with_leaves(passages, gaps, [longer_line(one.points) for one in shapes if one.sort is None and len(one.points) > 1])
     rooms += [labelled(room, texts) for room in found]
     openings += doors_in_walls(gapless, shapes, rooms, unit) if unit else ()
     openings += windows_in_walls(openings, untold, shapes, rooms, unit) if unit else ()

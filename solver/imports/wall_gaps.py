@@ -115,9 +115,10 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
         away = np.hypot(*(middles - between(one.start, one.end)).T)
         near = np.flatnonzero(away < widths + math.dist(one.start, one.end))
         nearest = [gaps[at] for at in near[np.argsort(away[near], kind="stable")]]
-        ways = [(gap, new) for gap in nearest if (new := _in_gap(one, gap, beside))]
+        ways = [(gap, new) for gap in nearest if (new := _in_gap(one, gap, gap.thickness / 2))]
         if not ways and one.kind == "door" and not one.hinge:
             ways = [(gap, new) for gap in nearest if (new := _hung(one, gap))]
+        ways = ways or [(gap, new) for gap in nearest if (new := _in_gap(one, gap, beside))]
         if one.id or not ways:
             found.append(one)
         elif ways[0][0] in left:
@@ -158,6 +159,18 @@ def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | No
         return None
     along = 0 if gap.start[1] == gap.end[1] else 1
     return replace(one, start=gap.start, end=gap.end) if one.start[along] <= one.end[along] else replace(one, start=gap.end, end=gap.start)
+
+
+def with_leaves(passages: Sequence[DrawnOpening], gaps: Sequence[WallGap], lines: Sequence[tuple[Spot, Spot]]) -> list[DrawnOpening]:
+    """Returns passages through gaps, of which those are doors at whose corners one of some lines hangs as an open leaf does."""
+    middles, by_ends = np.array([between(*line) for line in lines]).reshape(-1, 2), {(gap.start, gap.end): gap for gap in gaps}
+    found = []
+    for one in passages:
+        gap = by_ends[one.start, one.end]
+        near = np.flatnonzero(np.hypot(*(middles - between(one.start, one.end)).T) < gap.width + gap.thickness)
+        doors = (_hung(replace(one, kind="door", start=lines[at][0], end=lines[at][1], unsaid=False), gap) for at in near)
+        found.append(next((door for door in doors if door), one))
+    return found
 
 
 def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:

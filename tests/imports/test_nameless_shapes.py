@@ -110,6 +110,22 @@ def test_a_plan_is_read_by_its_form(layers: dict[str, str], closed: bool, turn: 
     assert f"layer '{layers['wall']}'" in [one["place"] for one in answer.unread if str(one["reason"]).startswith("it is taken as walls")]
 
 
+@pytest.mark.parametrize("layers", [ONE, NUMBERS])
+def test_open_leaves_without_arcs_hang_at_the_corners_of_gaps(layers: dict[str, str]) -> None:
+    made = drawing(layers)
+    for arc in made.modelspace().query("ARC"):
+        made.modelspace().delete_entity(arc)
+    for a, b in (((4400, 2500), (4400, 1000)), ((3000, 2500), (3900, 2500))):
+        made.modelspace().add_line(a, b, dxfattribs={"layer": layers["other"]})
+    answer = imported(made)
+    assert seen(answer) == WANTED
+    kitchen = min(answer.scene.rooms, key=lambda room: room.x)
+    inner, front = sorted((one for one in kitchen.openings if one.kind == "door"), key=lambda one: one.connects_to == "EXTERIOR")
+    assert ((inner.wall, inner.hinge, inner.swing), (front.wall, front.hinge, front.swing)) == (
+        ("east", "end", "out"), ("north", "start", "in"),
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize("closed", [False, True])
 def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls(closed: bool) -> None:
     made = drawing(ONE, closed=closed)

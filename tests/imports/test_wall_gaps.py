@@ -10,8 +10,9 @@ import ezdxf.filemanagement as files
 import pytest
 
 from solver.answers import PlanImport
-from solver.imports.drawn import Spot
+from solver.imports.drawn import DrawnOpening, Spot
 from solver.imports.shape_openings import DrawnSwing, doors_of_swings
+from solver.imports.wall_gaps import WallGap, fitted
 from solver.scene import Opening
 from tests.imports.plans import read
 
@@ -94,6 +95,13 @@ def test_a_leaf_without_an_arc_of_its_own_hangs_in_its_gap(how: str) -> None:
     found = doors(imported(made))
     assert [(one.kind, one.width) for one in found] == [("door", 0.885), ("door", 0.76)]
     assert [(one.hinge, one.swing) for one in found] == [("end", "in")] * 2
+
+
+def test_a_leaf_that_lies_before_another_gap_hangs_in_its_own() -> None:
+    """It is 0.2 m before a wall across the way, in which there is a gap as wide right there."""
+    gaps = [WallGap((0, 100), (0, 1000), 100, in_line=True), WallGap((200, 0), (1100, 0), 100, in_line=True)]
+    (door,), left = fitted([DrawnOpening("door", (200, 50), (200, 950), "here")], gaps, 0.001)
+    assert ((door.start, door.end, door.hinge), left) == (((200, 0), (1100, 0), "start"), gaps[:1])
 
 
 def test_two_leaves_that_meet_are_shut_where_they_meet_whatever_is_beside_them() -> None:
