@@ -167,7 +167,7 @@ def with_leaves(passages: Sequence[DrawnOpening], gaps: Sequence[WallGap], lines
     found = []
     for one in passages:
         gap = by_ends[one.start, one.end]
-        near = np.flatnonzero(np.hypot(*(middles - between(one.start, one.end)).T) < gap.width + gap.thickness)
+        near = map(int, np.flatnonzero(np.hypot(*(middles - between(one.start, one.end)).T) < gap.width + gap.thickness))
         doors = (_hung(replace(one, kind="door", start=lines[at][0], end=lines[at][1], unsaid=False), gap) for at in near)
         found.append(next((door for door in doors if door), one))
     return found
