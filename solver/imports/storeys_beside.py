@@ -9,13 +9,15 @@ from typing import Final, NamedTuple
 
 from solver.answers import Unread
 from solver.geometry import bounds_of_points
-from solver.imports.drawn import DrawnLevel, DrawnPlan, Spot
+from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, Spot
 from solver.imports.shape_openings import DrawnBox
 
 APART: Final = 1.0
 """Groups of rooms of different storeys lie farther from one another, m."""
 LEAST_ROOMS: Final = 3
 """A group of fewer rooms is none: a shed belongs to the nearest."""
+
+VIEWS: Final = "enclose rooms apart from the others in which nothing is named and no door swings, as in elevations and sections: {}"
 
 
 class StoreyTitle(NamedTuple):
@@ -32,6 +34,27 @@ class DrawnGroup(NamedTuple):
 
     box: DrawnBox
     rooms: frozenset[int]
+
+
+def without_views(
+    rooms: Sequence[DrawnRoom], openings: Sequence[DrawnOpening], names: Sequence[Spot], metres: float
+) -> tuple[list[DrawnRoom], list[Unread]]:
+    """Returns rooms but for those apart, among which nothing is named and no leaf swings, where others have either; and says so.
+
+    Elevations and sections stand beside plans, drawn with the same lines.
+    """
+    apart = APART / metres
+    groups = _groups([DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(rooms)], apart)
+    swung = [one.start for one in openings if one.hinge]
+
+    def is_told(group: DrawnGroup) -> bool:
+        is_swung = any(away(group.box, (*spot, *spot)) <= apart for spot in swung)
+        return is_swung or any(rooms[at].holds(*spot) for at in group.rooms for spot in names)
+
+    views = {at for group in groups if not is_told(group) for at in group.rooms}
+    if not 0 < len(views) < len(rooms):
+        return list(rooms), []
+    return [room for at, room in enumerate(rooms) if at not in views], [Unread("walls", VIEWS.format(len(views)))]
 
 
 def with_storeys_apart(plan: DrawnPlan, texts: Sequence[StoreyTitle], metres: float | None) -> DrawnPlan:

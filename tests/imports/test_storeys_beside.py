@@ -75,3 +75,24 @@ def test_storeys_on_layers_of_their_own_lie_one_above_another(low: str, high: st
 def test_layers_of_storeys_that_lie_apart_are_left_where_they_are() -> None:
     answer = drawn(f"<g id='OG'>{storey(UPPER, 15)}</g><g id='EG'>{storey(GROUND, 0)}</g>", level=1)
     assert names(answer) == UPPER
+
+
+def walls(x: float, width: float, *names: str) -> str:
+    """Two rooms of a height of 3 m between walls that are single lines; texts in the first of them."""
+    lines = [(x, 0, x + width, 0), (x, 3, x + width, 3), *((x + at, 0, x + at, 3) for at in (0, width / 2, width))]
+    made = "".join(f"<line class='wall' x1='{x1}' y1='{y1}' x2='{x2}' y2='{y2}'/>" for x1, y1, x2, y2 in lines)
+    return made + "".join(f"<text x='{x + 1}' y='1'>{name}</text>" for name in names)
+
+
+LEAF = "<path class='door' d='M 1.5 3 A 0.9 0.9 0 0 0 2.4 2.1'/>"
+
+
+@pytest.mark.parametrize(("plan", "beside", "left"), [
+    (walls(0, 8, "Kitchen"), walls(12, 6), 2), (walls(0, 8) + LEAF, walls(12, 6, "SECTION A-A"), 2), (walls(0, 8), walls(12, 6), 4),
+    (walls(0, 8, "Kitchen"), walls(12, 6, "Garage"), 4), (walls(0, 8) + LEAF, walls(12, 6, "Garage"), 4),
+])  # fmt: skip
+def test_what_stands_apart_without_a_name_or_a_leaf_is_a_view(plan: str, beside: str, left: int) -> None:
+    answer = drawn(plan + beside)
+    assert len(answer.scene.rooms) == left
+    told = [one for one in answer.unread if "elevations" in str(one["reason"])]
+    assert [str(one["reason"])[-3:] for one in told] == ([": 2"] if left == 2 else [])
