@@ -14,7 +14,9 @@ from ezdxf.math import Matrix44
 
 from solver.answers import PlanImport
 from solver.errors import FieldError
+from solver.imports import nameless_shapes
 from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
+from solver.imports.walls_alone import Between, WallOutlines, rooms_between
 from tests.imports.plans import read
 
 NAMES = {"Kitchen": (2000, 2500), "Bedroom": (6500, 2500)}
@@ -108,6 +110,19 @@ def test_a_plan_is_read_by_its_form(layers: dict[str, str], closed: bool, turn: 
     assert seen(answer) == WANTED
     assert sorted((room.width, room.depth) for room in answer.scene.rooms) == [(4.2, 4.5), (4.3, 4.5)]
     assert f"layer '{layers['wall']}'" in [one["place"] for one in answer.unread if str(one["reason"]).startswith("it is taken as walls")]
+
+
+def test_the_same_lines_are_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between all shapes of a layer, and between those that run beside another: of walls alone these are the same."""
+    looked: list[frozenset[Any]] = []
+
+    def between(walls: WallOutlines, *rest: Any) -> Between:
+        looked.append(frozenset(walls.lines))
+        return rooms_between(walls, *rest)
+
+    monkeypatch.setattr(nameless_shapes, "rooms_between", between)
+    assert seen(imported(drawing(NUMBERS))) == WANTED
+    assert 0 < len(looked) == len(set(looked))
 
 
 @pytest.mark.parametrize("layers", [ONE, NUMBERS])
