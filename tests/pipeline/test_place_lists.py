@@ -123,3 +123,25 @@ def test_of_a_name_that_is_no_kind_the_nearest_kind_is_told() -> None:
         place(Room("den", width=4.0, depth=3.0), [PieceRequest("books", "Bookshelve")])
     assert caught.value.allowed == "a number from 0.001 to 100, m; or a kind as its name, such as 'bookshelf'"
     assert has_form(caught.value.allowed)
+
+
+@pytest.mark.parametrize(("number", "along"), [(2, (1, 1)), (4, (2, 2)), (6, (3, 3)), (8, (3, 3))])
+def test_chairs_asked_for_around_a_table_share_its_sides(number: int, along: tuple[int, int]) -> None:
+    """Opposite sides have as many, each of them as much of the table; the ends have what the long sides have no place for."""
+    around = (RelationSpec(type="around", of=("table",)),)
+    chairs = PieceRequest("chair", "dining_chair", 0.45, 0.5, 0.9, count=number, relations=around)
+    made = place(Room("den", width=4.6, depth=4.4), [PieceRequest("table", "dining_table", 1.8, 0.9, 0.75), chairs]).best
+    table, *seats = made.scene.rooms[0].furniture
+    assert table.id == "table" and len(seats) == number and all(one.held for one in made.relations)
+    sides = {
+        turn: sorted(_along(table, one) for one in seats if (one.rotation - table.rotation) % 360 == turn) for turn in (0, 90, 180, 270)
+    }
+    assert (len(sides[0]), len(sides[180])) == along
+    assert len(sides[90]) == len(sides[270]) == (number - sum(along)) / 2
+    for turn in (0, 180):
+        assert sides[turn] == pytest.approx([1.8 * (k + 0.5) / along[0] - 0.9 for k in range(along[0])], abs=0.02)
+
+
+def _along(table: Furniture, seat: Furniture) -> float:
+    """How far a seat is from the table's middle along its length, m."""
+    return seat.x - table.x if table.rotation % 180 == 0 else seat.z - table.z

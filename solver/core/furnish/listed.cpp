@@ -50,7 +50,7 @@ class Lister {
     if (others_.size > 0) told = others_[seeker.number].is_loose ? between_others(seeker, whole.all(), others_) : List<Candidate>{};
     const i32 before = links_.size();
     for (const Bond& pair : seeker.pairs) {
-      if (pair.owner < 0 && found.size() > 0) add_links(pair);
+      if (pair.owner < 0 && found.size() > 0 && pair.among.of == 0) add_links(pair);
     }
     pieces_.add({seeker.number, 0, seeker.row().kind, told.size(), links_.size() - before, -1, seeker.row().required, 0, GONE});
     candidates_.add_all(told.all());
@@ -80,6 +80,18 @@ class Lister {
 
   List<i32> earlier(const Rule& rule, i32 piece) const { return named(rule, piece, piece); }
 
+  // Of those asked to stand so at one piece, which one this is.
+  Among among(Word word, const List<i32>& parent, i32 number) const {
+    Among found;
+    for (i32 i = 0; i < in_.rows.size && parent.size() == 1 && word == Word::around; i++) {
+      bool is_one = false;
+      for (const Rule& rule : rules_of(i)) is_one |= rule.word == word && has(named(rule, in_.rows.size, i).all(), parent[0]);
+      found.number += is_one && i < number;
+      found.of += is_one;
+    }
+    return found;
+  }
+
   // The pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
   List<i32> owing(const Rule& rule, i32 piece) const {
     const List<i32> others = named(rule, in_.rows.size, piece);
@@ -104,7 +116,8 @@ class Lister {
       for (const Name& name : names) to_room = to_room || name.opening != Opening::none;
       if (pieces.size() == 0 && to_room) seeker.to_room.add(&rule);
       // To keep away from what has no way to stand is kept.
-      if (pieces.size() > 0 && (!relation_of(rule.word).with_all || any_stands(pieces))) seeker.pairs.add({&rule, -1, pieces});
+      if (pieces.size() == 0 || (relation_of(rule.word).with_all && !any_stands(pieces))) continue;
+      seeker.pairs.add({&rule, -1, pieces, among(rule.word, pieces, number)});
     }
     for (i32 owner = 0; owner < number; owner++) {
       for (const Rule& rule : rules_of(owner)) {

@@ -30,23 +30,11 @@ static bool suits(const Bond& pair, Wall mine, Wall theirs) {
   return pair.owner < 0 ? pair.relation().suits(pair.rule->wall, mine, theirs) : pair.relation().suits(pair.rule->wall, theirs, mine);
 }
 
-static List<DoubleBox> boxes(const Listing& in, const Rule& rule, const Kind& own, const Kind& other, i32 turn) {
-  const Asked asked = in.asked(rule);
+static List<DoubleBox> boxes(const Listing& in, const Bond& pair, const Kind& own, const Kind& other, i32 turn) {
+  const Asked asked = in.asked(*pair.rule);
   List<DoubleBox> found;
-  relation_of(rule.word).boxes({asked, other.size(), turned(own.size(), turn), turn, own.height, in.type.levels_of(other),
-                                in.type.parts_of(other), in.type.parts_of(own)}, found);
-  return found;
-}
-
-// The boxes in the other's frame in which a relation surely holds: to it, or its own to this piece.
-static List<Rect> held_boxes(const Seeker& seeker, const Bond& pair, const Kind& other, i32 turn) {
-  List<Rect> found;
-  const bool is_own = pair.owner < 0;
-  const Kind &from = is_own ? seeker.kind() : other, &to = is_own ? other : seeker.kind();
-  for (const DoubleBox& one : boxes(seeker.in, *pair.rule, from, to, is_own ? turn : (360 - turn) % 360)) {
-    const Rect box = rounded(one);
-    found.add(is_own ? box : in_room({-box.x1, -box.z1, -box.x0, -box.z0}, turn, {}));
-  }
+  pair.relation().boxes({asked, other.size(), turned(own.size(), turn), turn, own.height, in.type.levels_of(other),
+                         in.type.parts_of(other), in.type.parts_of(own), pair.among}, found);
   return found;
 }
 
@@ -55,15 +43,25 @@ static f64 sliding_cost(const Bond& pair, const Rect& box, i32 turn) {
   return pair.relation().gives_place ? SLIDING_COST * ((box.x0 < box.x1) + (box.z0 < box.z1) + across) : 0.0;
 }
 
+// The boxes in the other's frame in which a relation surely holds: to it, or its own to this piece.
+static List<Costed> held_boxes(const Seeker& seeker, const Bond& pair, const Kind& other, i32 turn) {
+  List<Costed> found;
+  const bool is_own = pair.owner < 0;
+  const Kind &from = is_own ? seeker.kind() : other, &to = is_own ? other : seeker.kind();
+  for (const DoubleBox& one : boxes(seeker.in, pair, from, to, is_own ? turn : (360 - turn) % 360)) {
+    Rect box = rounded(one);
+    if (!is_own) box = in_room({-box.x1, -box.z1, -box.x0, -box.z0}, turn, {});
+    found.add({box, one.is_seat ? 0.0 : sliding_cost(pair, box, turn)});
+  }
+  return found;
+}
+
 // Boxes in the other's frame, each holding at least one of the relations that are `suited`, bit by bit; cheapest first.
 static List<Costed> costed_boxes(Seeker& seeker, Span<Bond> pairs, u64 suited, const Kind& other, i32 turn) {
   List<Costed> found, held;
   found.add({ANY_PLACE, 0.0});
   for (i32 i = 0; i < pairs.size; i++) {
-    List<Costed> hold;
-    for (const Rect& box : suited >> i & 1 ? held_boxes(seeker, pairs[i], other, turn) : List<Rect>{}) {
-      hold.add({box, sliding_cost(pairs[i], box, turn)});
-    }
+    const List<Costed> hold = suited >> i & 1 ? held_boxes(seeker, pairs[i], other, turn) : List<Costed>{};
     found = with_rule(seeker, found, *pairs[i].rule, hold, {0, 0}, seeker.in.kept.boxes);
   }
   for (const Costed& one : found) {
@@ -87,7 +85,7 @@ static void add_resting(const Seeker& seeker, Span<Bond> pairs, i32 other, List<
   for (const Bond& pair : pairs) {
     if (pair.rule->word != Word::on) continue;
     for (const Way& parent : seeker.in.ways[other]) {
-      for (const DoubleBox& box : boxes(seeker.in, *pair.rule, seeker.kind(), carrier, 0)) {
+      for (const DoubleBox& box : boxes(seeker.in, pair, seeker.kind(), carrier, 0)) {
         Candidate& made = found.add(seeker.way({parent.stance.rotation, Wall::none}, 0.0, FIRM));
         attach(seeker.in, made, other, parent.stance, rounded(box));
         made.rotation = 0;
@@ -193,8 +191,8 @@ class Frames {
   bool is_tucked(i32 turn, const Rect& box) const {
     for (const Bond& pair : pairs_) {
       if (!is_tucking(pair)) continue;
-      for (const Rect& held : held_boxes(seeker_, pair, kind_, turn)) {
-        if (held.contains(box)) return true;
+      for (const Costed& held : held_boxes(seeker_, pair, kind_, turn)) {
+        if (held.rect.contains(box)) return true;
       }
     }
     return false;

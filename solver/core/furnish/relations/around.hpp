@@ -30,6 +30,32 @@ class Around : public AtSide {
     }
   }
 
+  // First its own seat: all that are asked for share the long sides evenly, and the ends what is left.
+  void boxes(const Fit& fit, List<DoubleBox>& found) const override {
+    const Span<Side> named = fit.asked.sides;
+    const i64 width = (fit.turn % 180 == 0 ? fit.own.x : fit.own.z) + ELBOW_MM, spare = 2 * fit.asked.tolerance.inside;
+    const auto length_of = [&](Side side) { return is_lateral(side) ? fit.parent.z : fit.parent.x; };
+    i32 number = fit.among.number, of = fit.among.of;
+    for (i32 ends = 0; ends < 2; ends++) {
+      List<Side> own;
+      for (Side side : named.size ? Span<const Side>{named.data, named.size} : Span<const Side>{SIDES, 4}) {
+        if ((length_of(side) < most(fit.parent.x, fit.parent.z)) == ends) own.add(side);
+      }
+      if (own.size() == 0) continue;
+      const i64 length = length_of(own[0]);
+      const i32 here = least(of, own.size() * static_cast<i32>(most<i64>(1, floor_div(length, width))));
+      if (number >= 0 && number < here) {
+        const i32 at = number % own.size(), there = here / own.size() + (at < here % own.size());
+        const i64 low = floor_div(2 * (number / own.size()) * length, there) - length, wide = floor_div(2 * length, there);
+        const Interval part{low + spare, low + wide - spare};
+        if (towards(own[at]) == fit.turn && fit.asked.rule.align == Align::none) add_seat_box(fit, own[at], part, found);
+      }
+      number -= here;
+      of -= here;
+    }
+    AtSide::boxes(fit, found);
+  }
+
  private:
   struct Seat {
     Side side;

@@ -46,7 +46,7 @@ bool Relation::holds_with(const Fit& fit, const Standing& own, const Standing& o
   const Point at = rotated(own.double_way_from(other), 360 - other.rotation);
   List<DoubleBox> found;
   boxes(fit, found);
-  for (const auto& [across, along, level] : found) {
+  for (const auto& [across, along, level, is_seat] : found) {
     if (across.low <= at.x && at.x <= across.high && along.low <= at.z && at.z <= along.high) return true;
   }
   return false;
@@ -76,7 +76,7 @@ bool relation_holds(Bytes asked, bool in_room) {
     return relation.holds_in_room({meant, scope, own.rotation, question.wall, size, own.rect});
   }
   const i32 turn = (360 + own.rotation - other.rotation) % 360;
-  const Fit fit{meant, turned(its, other.rotation), turned(size, other.rotation), turn, 0, {}, {}, {}};
+  const Fit fit{meant, turned(its, other.rotation), turned(size, other.rotation), turn, 0, {}, {}, {}, {}};
   return relation.suits(rule.wall, question.wall, question.other_wall) && relation.holds_with(fit, own, other);
 }
 

@@ -21,7 +21,8 @@ constexpr Interval ANYWHERE{-NO_END, NO_END};
 // Where a centre may lie in another piece's frame, doubled: across (right +x) and along (front +z).
 struct DoubleBox {
   Interval across, along;
-  i64 level = -1;  // the surface there, by its place among the other's
+  i64 level = -1;        // the surface there, by its place among the other's
+  bool is_seat = false;  // its middle looks best
 };
 
 // A relation, the sides and names it gives, and how exactly it is meant.
@@ -47,6 +48,11 @@ struct Footing {
   i64 off_wall(Point at) const;
 };
 
+// Of the pieces that are asked to stand around another one: which one this is, and how many they are; none where that does not matter.
+struct Among {
+  i32 number = 0, of = 0;
+};
+
 // A relation between two pieces: the other's extents, the own ones in the other's frame, and the own rotation there.
 struct Fit {
   const Asked& asked;
@@ -55,6 +61,7 @@ struct Fit {
   i64 height;                         // the own one
   Span<Level> levels;                 // of the other
   Span<PartBox> parent_parts, parts;  // what can be in each other's way where the one reaches under the other
+  Among among;
 
   // Twice the distance of the centres where the pieces touch.
   Extent touching() const { return {parent.x + own.x, parent.z + own.z}; }

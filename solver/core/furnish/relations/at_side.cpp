@@ -48,7 +48,27 @@ void AtSide::add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const 
   Interval gap = asked_gap(fit);
   if (tolerance.judged) gap.low = most(gap.low, 1 - (lateral ? fit.own.x : fit.own.z));
   if (gap.low > gap.high) return;
-  const DoubleBox box = beside(fit.parent, fit.own, side, gap, rule.align, tolerance);
+  add_free(fit, gap, beside(fit.parent, fit.own, side, gap, rule.align, tolerance), found);
+}
+
+void AtSide::add_seat_box(const Fit& fit, Side side, Interval doubled, List<DoubleBox>& found) const {
+  const Interval gap = slot_gap(fit.asked.rule);
+  DoubleBox box = beside(fit.parent, fit.own, side, gap, Align::centre, EXACT);
+  (is_lateral(side) ? box.along : box.across) = doubled;
+  List<DoubleBox> places;
+  add_free(fit, gap, box, places);
+  const i64 middle = doubled.middle();
+  for (DoubleBox& place : places) {
+    Interval& part = is_lateral(side) ? place.along : place.across;
+    const i64 half = least(middle - part.low, part.high - middle);
+    if (half < 0) continue;
+    part = {middle - half, middle + half};
+    place.is_seat = true;
+    found.add(place);
+  }
+}
+
+void AtSide::add_free(const Fit& fit, Interval gap, const DoubleBox& box, List<DoubleBox>& found) {
   const List<Rect> blocked = gap.low < 0 ? blocked_places(fit.parent_parts, fit.parts, fit.turn) : List<Rect>{};
   if (blocked.size() == 0) return static_cast<void>(found.add(box));
   List<Rect> places = free_of(rounded(box), blocked);

@@ -72,11 +72,16 @@ class AtSide : public Relation {
   void add_places(
       const Subject& subject, const Pair& pair, Candidate slot, Interval gap, const Rect& wish, const Rect& near, Effect& effect) const;
 
+  // At one side: a seat so far along it, and the floor to both sides of it that is as far from there.
+  void add_seat_box(const Fit& fit, Side side, Interval doubled, List<DoubleBox>& found) const;
+
  private:
   // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
   const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
   Interval asked_gap(const Fit& fit) const;
   void add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const;
+  // Adds a place that is sought, but for where parts of the two would cross.
+  static void add_free(const Fit& fit, Interval gap, const DoubleBox& box, List<DoubleBox>& found);
   void add_at(const Subject& subject, const Rule& rule, const Pair& pair, f64 cost, Effect& effect) const;
 
   Meaning meaning_;

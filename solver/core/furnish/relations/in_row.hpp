@@ -50,7 +50,7 @@ class InRow : public AtSide {
     Rule rule = fit.asked.rule;
     rule.align = Align::back;
     const Asked asked{rule, fit.asked.sides, fit.asked.of, fit.asked.tolerance};
-    AtSide::boxes({asked, fit.parent, fit.own, fit.turn, fit.height, fit.levels, fit.parent_parts, fit.parts}, found);
+    AtSide::boxes({asked, fit.parent, fit.own, fit.turn, fit.height, fit.levels, fit.parent_parts, fit.parts, {}}, found);
   }
 
   // It continues the row; round a corner it is enough to be close.

@@ -26,7 +26,7 @@ class On : public Relation {
         const Kind& other = subject.type.kinds[parent.kind];
         const Span<Level> levels = subject.type.levels_of(other);
         List<DoubleBox> places;
-        boxes({asked, other.size(), kind.size(), 0, kind.height, levels, {}, {}}, places);
+        boxes({asked, other.size(), kind.size(), 0, kind.height, levels, {}, {}, {}}, places);
         for (const DoubleBox& place : places) {
           Candidate& slot = effect.slots.add(free_candidate(variant.kind, variant.cost));
           slot.parent = parent.piece;
