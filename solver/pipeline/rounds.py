@@ -102,7 +102,7 @@ def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
     """Returns what is proven best among nearly all candidates; where that is not shown, the better one of a longer search among the few."""
     for listed in (task.listing.nearly_all, task.listing.few):
         if listed is not None and not is_call_spent():
-            thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed)
+            thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed, [label for label, _ in best.lost])
             if thorough.is_best and thorough.score[:4] <= best.score[:4]:
                 return thorough
             best = min(best, thorough, key=lambda one: one.score)
@@ -123,10 +123,12 @@ def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     return found if found.perfect or is_call_spent() else min(found, _mended(task, wanted, found), key=lambda one: one.score)
 
 
-def _first(task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: ListedPieces | None = None) -> Round:
-    """Decides all pieces together, the least free ones first."""
+def _first(
+    task: PlaceTask, wanted: Sequence[Piece], limits: Limits, listed: ListedPieces | None = None, blamed: Container[str] = ()
+) -> Round:
+    """Decides all pieces together, those blamed for what is missed first, then the least free ones."""
     listed = listed or task.listing.few
-    rank = {piece.label: -_freedom(task.listing.space, piece) for piece in wanted}
+    rank = {piece.label: 0.0 if piece.label in blamed else -_freedom(task.listing.space, piece) for piece in wanted}
     found = _judged(task, arrange(task.listing.space, _ordered(wanted, rank), limits=limits))
     unpaid = any(one in listed.unpaid for one in found.lost)
     return replace(found, whole=wanted is listed.pieces and not unpaid and found.draft.cost <= listed.sure_cost)
