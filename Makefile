@@ -17,7 +17,7 @@ LEADERBOARD_ARGS =
 SHELL = /bin/sh
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = help
-.PHONY: help run dev test page-tests compiled-tests targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
+.PHONY: help run dev test python-tests page-tests compiled-tests targets bench leaderboard fuzz hostile load lint format core page page-bench pictures gallery chromium pins audit wheel clean
 
 # The matrices are small: threads inside BLAS only cost, and a sum's order must not depend on the machine.
 export OMP_NUM_THREADS = 1
@@ -44,9 +44,12 @@ run: .venv/python.stamp ## serve the page and the API on http://127.0.0.1:8000 (
 dev: .venv/dev.stamp core ## bring Compose, its core and the tools of its tests into .venv/
 
 test: .venv/python.stamp ## run every test: Python, page, browser; some minutes on two cores
-	@$(MAKE) --no-print-directory --jobs=4 core page page-tests compiled-tests chromium
+	@$(MAKE) --no-print-directory --jobs=4 python-tests page-tests
+
+python-tests: core page compiled-tests chromium
 	$(PY) -m pytest -n $(WORKERS) --maxprocesses 8 --dist loadgroup $(PYTEST_ARGS)
 
+# Its one process runs beside Python's tests: before them the other cores would wait for it.
 page-tests: core page
 	$(PY) scripts/page.py test
 
