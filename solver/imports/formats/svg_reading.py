@@ -9,10 +9,13 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 from statistics import median
 from typing import Final, Literal
 
+import numpy as np
+
 from catalogs import Catalogs, load_catalogs
 from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
 from solver.answers import Unread
 from solver.errors import FieldError, SyntaxFault
+from solver.geometry import bounds_of_points, encloses
 from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
 from solver.imports.drawn import (
@@ -43,7 +46,7 @@ from solver.imports.formats.svg_elements import (
     view_of,
 )
 from solver.imports.plain_values import a_number, number_in, one_of
-from solver.imports.shape_openings import SWUNG, WIDEST, DrawnShape, DrawnSwing
+from solver.imports.shape_openings import SWUNG, WIDEST, DrawnShape, DrawnSwing, between
 from solver.imports.shapes_plan import DrawnSheet, UnitTold, plan_of_shapes, side_by_side, text_at
 from solver.imports.units import DOOR_WIDTHS, PlanUnit, assumed, told_by_doors, unit_named
 
@@ -217,7 +220,21 @@ def _shapes_plan(
             shapes.append(DrawnShape(named, line.points, closed, element.where, "room" if is_room else sort, label, width))
             called += shapes[-1].sort is not None
         check_count("shapes", called, MOST_POINTS)
-    return plan_of_shapes(side_by_side(sheets), told, metres, _lost(elements, known))
+    sheet = side_by_side(sheets)
+    return plan_of_shapes(sheet._replace(shapes=_without_beds(sheet.shapes, names)), told, metres, _lost(elements, known))
+
+
+def _without_beds(shapes: Sequence[DrawnShape], names: DrawnNames) -> list[DrawnShape]:
+    """Returns shapes, of which those in a larger room are none that are called as a piece is, too: a bed, a bath."""
+    rooms = [one for one in shapes if one.sort == "room" and one.points]
+    boxes = np.array([bounds_of_points(one.points) for one in rooms]).reshape(-1, 4)
+    sizes, beds = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1), set[str]()
+    for bed, box, size in zip(rooms, boxes, sizes, strict=True):
+        x, z = between((box[0], box[1]), (box[2], box[3]))
+        around = ((boxes[:, :2] < (x, z)) & (boxes[:, 2:] > (x, z))).all(axis=1) & (sizes > size)
+        if names.is_thing(bed.label) and any(encloses(rooms[at].points, x, z) for at in np.flatnonzero(around)):
+            beds.add(bed.where)
+    return [one._replace(sort=None) if one.where in beds else one for one in shapes]
 
 
 def _is_rounded(line: SvgLine) -> bool:
