@@ -38,9 +38,7 @@ def test_groups_name_shapes_and_texts_name_rooms() -> None:
 
 def test_a_bed_in_a_room_is_no_room_and_one_beside_it_is() -> None:
     rooms = "<rect id='{}' x='10' y='10' width='80' height='60'/><rect id='bath' x='90' y='10' width='80' height='60'/>"
-    pieces = (
-        "<rect id='bed' x='20' y='20' width='30' height='40'/><g id='furniture'><rect id='bath' x='95' y='15' width='9' height='30'/>"
-    )
+    pieces = "<rect id='bed' x='20' y='20' width='30' height='40'/><g id='furniture'><rect id='bath' x='95' y='15' width='9' height='30'/>"
     door = "</g><g id='doors'><line x1='90' y1='30' x2='90' y2='48'/></g>"
     for name in ("bedroom", "bed_2"):
         answer = drawn(rooms.format(name) + pieces + door, unit="0.05")
