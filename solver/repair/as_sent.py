@@ -27,7 +27,7 @@ from solver.scene import Furniture, Room
 SEAT_COST = 1.0
 """What another place at its table costs a chair."""
 SLIDE_COST = 0.003
-"""What sliding along its side of the table costs a chair, besides the way: less than taking the table and all its chairs 6 cm along."""
+"""What sliding along its side of the table costs a chair, or a piece on another over that, besides the way: as much as moving 5 cm."""
 FREE_COST = 1.5
 """What leaving its table costs a tucked chair: more than another place at it, also where the table goes and the chair stays."""
 MOVED_WEIGHT = 20.0
@@ -64,7 +64,7 @@ def pieces_as_sent(problem: RoomProblem) -> tuple[Piece, ...]:
     floor = _Floor(problem, tables_of(bodies), holders(room, settings))
     bodies.sort(key=lambda body: _importance(body, settings))
     pieces = [_piece(body, _candidates(body, floor), settings) for body in bodies]
-    return (*pieces, *_pieces_on_others(room, {body.id: body for body in bodies}, settings))
+    return (*pieces, *_pieces_on_others(problem, {body.id: body for body in bodies}))
 
 
 def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
@@ -96,15 +96,20 @@ def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettin
     return Piece(body.id, True, candidates, stands=stands, need_all=need_all)
 
 
-def _pieces_on_others(room: Room, floor: Mapping[str, Body], settings: RepairSettings) -> list[Piece]:
-    """What stands on other pieces, rigid in the frame of the piece on the floor below it."""
-    parents = carriers(room)
-    pieces = []
+def _pieces_on_others(problem: RoomProblem, floor: Mapping[str, Body]) -> list[Piece]:
+    """What stands on other pieces, in the frame of the piece on the floor below it: rigid there, or sliding out of another's space."""
+    room, settings = problem.room, problem.settings
+    parents, pieces = carriers(room), []
+    crossing = {label for issue in problem.errors if issue.rule == "overlap" for label in issue.ids}
+    crowded = {parents[label] for label in crossing & parents.keys()}
     for piece in room.furniture:
         root = floor.get(root_of(piece.id, parents))
         if piece.id in parents and root is not None:
             own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
-            pieces.append(_piece(piece, _ways_upon(own, root, parents[piece.id]), settings))
+            ways = _ways_upon(own, root, parents[piece.id])
+            stays = settings.is_locked(piece) or piece.id in parents.values()
+            slides = not stays and parents[piece.id] == root.id and root.id in crowded
+            pieces.append(_piece(piece, (*ways, _sliding(ways[0], root)) if slides else ways, settings))
     return pieces
 
 
@@ -119,6 +124,15 @@ def _ways_upon(piece: Furniture, root: Body, carrier: str) -> tuple[Candidate, .
         found += [(whole, cost + OTHER_EDGE_COST + far**2)] if far else []
     bottom = round(piece.y * 1000)
     return tuple(replace(_in_frame(one, root), on=carrier, bottom_mm=bottom, cost=cost) for one, cost in found)
+
+
+def _sliding(upon: Candidate, root: Body) -> Candidate:
+    """Returns a piece's way anywhere on what carries it, all of it over that, wished where it stands."""
+    assert upon.attach is not None
+    (x, z), below = (upon.attach.across_mm[0], upon.attach.along_mm[0]), bounding_size(root, footprint(root))
+    half = [max(0, (long - own) // 2) for long, own in zip(below, upon.extent, strict=False)]
+    across, along = ((min(-far, at), max(far, at)) for far, at in zip(half, (x, z), strict=True))
+    return replace(upon, cost=SLIDE_COST, attach=upon.attach._replace(across_mm=across, along_mm=along, wish_mm=(x, z)))
 
 
 def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
