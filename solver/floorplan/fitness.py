@@ -18,6 +18,8 @@ IMPOSSIBLE: Final = 1000.0
 """A cost no plain preference reaches: the type cannot be there."""
 DARK: Final = 12.0
 """Cost of a habitable room without an outside wall: more than one of three times its largest area. Twice as much to sleep in."""
+PAST_LIVING: Final = 4.0
+"""Cost of a bedroom or bathroom behind a room one lives in, whose guests are walked past: less than that of a misfit."""
 MISFIT: Final = 6.0
 """From this cost on a type is no use of a room: it is too small, or half too large."""
 WET_APART: Final = 0.4
@@ -84,7 +86,7 @@ class Fitness:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
         parent, children = self.access_plan.parent[room], self.children.get(room)
         through = types[parent] if parent is not None else None
-        cost = IMPOSSIBLE if through is not None and not self._leads(through, name) else 0.0
+        cost = 0.0 if through is None else self._behind(through, name)
         if not children or self.rooms[name].plan.way_through:
             return cost
         return cost + sum(0.0 if self._may_own(name, child, types[child]) else IMPOSSIBLE for child in children)
@@ -96,6 +98,13 @@ class Fitness:
         if given is not None:
             return self._leads(name, given)
         return any(name in kind.plan.behind and self.shape(child, own) < MISFIT for own, kind in self.rooms.items())
+
+    def _behind(self, through: str, name: str) -> float:
+        """Cost of a type behind a room of another."""
+        if not self._leads(through, name):
+            return IMPOSSIBLE
+        front = self.rooms[through].plan
+        return PAST_LIVING if front.way_through and front.habitable and is_private(name, self.rooms) else 0.0
 
     def _leads(self, through: str, entered: str) -> bool:
         """Tells whether one type may be entered through another, even where that bedroom becomes the children's."""

@@ -239,3 +239,11 @@ def test_a_house_of_six_rooms_has_two_bedrooms() -> None:
     for seed in range(7_330_000, 7_330_012):
         types = Counter(room.type for room in drawn(seed=seed, width=12.0, depth=9.0).rooms)
         assert sum(types[name] for name in BEDS) >= types["living_room"] + 1, seed
+
+
+def test_bedrooms_are_not_entered_through_rooms_one_lives_in() -> None:
+    for seed in range(7_330_000, 7_330_012):
+        rooms = {room.id: room for room in drawn(seed=seed).rooms}
+        for room in rooms.values():
+            through = {rooms[o.connects_to].type for o in room.openings if o.connects_to in rooms}
+            assert room.type not in BEDS or not through - {"bathroom"} <= {"living_room", "dining_room", "kitchen"}, room.id
