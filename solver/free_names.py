@@ -4,16 +4,18 @@ import re
 
 
 class FreeNames:
-    """Gives names within one file or scene: none twice, and `_` for each match of the pattern that is forbidden, if there is one."""
+    """Gives names within one file or scene: none twice, `_` for each match of a pattern that is forbidden, cut to `longest` bytes."""
 
-    def __init__(self, forbidden: str | None = None) -> None:
+    def __init__(self, forbidden: str | None = None, longest: int | None = None) -> None:
+        self._longest = longest
         self._forbidden = re.compile(forbidden) if forbidden else None
         self.given: set[str] = set()
         self._last: dict[str, int] = {}
 
     def take(self, wished: str) -> str:
         """Returns a wished name, made safe; with `_2`, `_3` ... behind it where it was given before."""
-        safe = (self._forbidden.sub("_", wished) if self._forbidden else wished) or "_"
+        whole = wished.encode()[: self._longest].decode(errors="ignore") if self._longest else wished
+        safe = (self._forbidden.sub("_", whole) if self._forbidden else whole) or "_"
         if safe in self.given:
             return self._numbered(safe, 2)
         self.given.add(safe)

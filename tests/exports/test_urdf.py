@@ -10,7 +10,7 @@ import pytest
 from compose_homes import export
 from solver.errors import SceneError
 from solver.exports import ExportSettings, written_as
-from solver.scene import Room, Scene
+from solver.scene import Furniture, Room, Scene
 from tests.exports.homes import SCENES, described
 from tests.exports.readers import urdf
 
@@ -40,6 +40,18 @@ def test_links_form_one_tree_with_inertias_that_can_be(home: str) -> None:
         xx, yy, zz = (float(inertia.get(key, "")) for key in ("ixx", "iyy", "izz"))
         assert min(xx + yy - zz, xx + zz - yy, yy + zz - xx) > 0
     assert {mesh.get("filename") for mesh in robot.iter("mesh")} == {name for name in files if name.endswith(".obj")}
+
+
+@pytest.mark.parametrize("format", ["urdf", "sdf"])
+def test_names_are_free_and_short_enough_for_simulators(format: str) -> None:
+    """Drake puts the link `world` of any robot where its own is; PyBullet reads no name that is long, libsdformat ends at one."""
+    pieces = (Furniture(name, "wardrobe", x=2, z=k + 1, width=1.2, depth=0.6, height=2) for k, name in enumerate(("world", "é" * 50_000)))
+    files = export(Scene(rooms=(Room("den", width=4.0, depth=3.0, furniture=tuple(pieces)),)), format)
+    names = [
+        one.get("name", "") for one in ElementTree.fromstring(files[f"house.{format}"]).iter() if one.tag in ("link", "joint", "model")
+    ]
+    assert "world" not in names
+    assert 300 < max(len(name.encode()) for name in names) < 500
 
 
 @pytest.mark.parametrize("format", ["urdf", "sdf"])

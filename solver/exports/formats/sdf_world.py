@@ -11,7 +11,7 @@ from typing import Final
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, LinkPart, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
-from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
+from solver.exports.object_files import LONGEST, AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
 from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
@@ -36,7 +36,7 @@ class _World:
 
     def __init__(self, objects: AssetObjects) -> None:
         self.meshes, self.objects = UnitMeshes(), objects
-        self._models = FreeNames(FORBIDDEN)
+        self._models = FreeNames(FORBIDDEN, LONGEST)
         self._painted: dict[Paint, str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:
