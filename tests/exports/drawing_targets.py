@@ -69,8 +69,8 @@ def drawings(count: int, workers: int) -> bool:
 def sweet_homes() -> bool:
     """Has Sweet Home 3D's own library open homes and write them again; returns whether nothing is lost or moved."""
     if not (shutil.which("java") and shutil.which("javac") and JAR.exists()):
-        print(f"sh3d: not checked: no Java or no {JAR} (Debian: sweethome3d, default-jdk-headless; or set SWEETHOME3D_JAR)")
-        return True
+        print(f"sh3d: FAULT: not checked: no Java or no {JAR} (Debian: sweethome3d, default-jdk-headless; or set SWEETHOME3D_JAR)")
+        return False
     equal = [_opened_again(name, homes.described(name)) for name in ("own", "hostile", "storeys", "family", "default")]
     return all(equal)
 

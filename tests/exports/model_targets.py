@@ -72,8 +72,8 @@ def glb_homes(homes: int, workers: int) -> bool:
 def _blender(path: Path) -> bool:
     """Imports a house into Blender, where it is installed; returns whether all its bodies came."""
     if find_spec("bpy") is None:
-        print(f"glb: not imported into Blender, which is not installed here (pip install {BLENDER})")
-        return True
+        print(f"glb: FAULT: not imported into Blender, which is not installed here (pip install {BLENDER})")
+        return False
     run = subprocess.run([sys.executable, "-c", _IMPORT, str(path)], check=True, capture_output=True, text=True)
     content = path.read_bytes()
     (line,) = [line for line in run.stdout.splitlines() if line.startswith("bodies ")]

@@ -101,14 +101,14 @@ def other_readers(model: HouseModel) -> Iterator[str]:
         yield _check_urdf(folder / f"{model.name}.urdf", model)
         yield _libsdformat(folder, model)
         if find_spec("pydrake") is None:
-            yield "drake: not installed: pip install drake"
+            yield "FAULT drake: not installed: pip install drake"
         else:
             yield from drake_poses.findings(folder, model)
 
 
 def _check_urdf(path: Path, model: HouseModel) -> str:
     if which("check_urdf") is None:
-        return "check_urdf: not installed: apt-get install liburdfdom-tools"
+        return "FAULT check_urdf: not installed: apt-get install liburdfdom-tools"
     done = subprocess.run(["check_urdf", str(path)], capture_output=True, text=True, check=False)
     told = Counter(line.partition(":")[2].strip() for line in done.stdout.splitlines() if line.lstrip().startswith("child("))
     ids = [*(body.id for body in model.bodies), *(leaf.id for leaf in model.leaves)]
@@ -122,7 +122,7 @@ def _libsdformat(folder: Path, model: HouseModel) -> str:
     """Compiles and runs sdf_models.cpp; compares its poses and masses with the model's."""
     flags = _package_flags()
     if which("g++") is None or not flags:
-        return "libsdformat: not installed: apt-get install g++ pkg-config libsdformat-dev"
+        return "FAULT libsdformat: not installed: apt-get install g++ pkg-config libsdformat-dev"
     program = folder / "sdf_models"
     subprocess.run(["g++", "-O0", str(SDF_SOURCE), "-o", str(program), *flags], check=True)
     done = subprocess.run([str(program), str(folder / f"{model.name}.sdf")], capture_output=True, text=True, check=False)

@@ -27,7 +27,7 @@ def _finding(path: Path, model: HouseModel) -> str:
 
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=0.004)
-    Parser(plant).AddModels(str(path))
+    Parser(plant).AddModels(path)
     plant.Finalize()
     diagram = builder.Build()
     context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())
