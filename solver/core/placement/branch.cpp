@@ -199,6 +199,35 @@ void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling) {
   open_family(engine, parent, count);
 }
 
+constexpr i32 MOST_WIDE_PICKS = 48;  // of a path, that siblings are left for another one; widenings still fit in SPARE_PATH
+
+// The row of a sibling that was opened on top of a node of the open node's path, where it holds at the open node by more than rounding;
+// null where none does, or the path is too long.
+static const DifferenceRow* row_of_sibling(const Engine& engine, i64 slot) {
+  const Nodes& nodes = engine.nodes;
+  const DifferenceRow* found = nullptr;
+  i32 wide = 0;
+  for (i64 pick = nodes.last_pick[slot]; pick >= 0; pick = nodes.pick_before[pick]) {
+    wide += nodes.pick_option[pick] >= engine.work.options.size;
+    for (i64 q = pick + 1; found == nullptr && q < nodes.state->picked && nodes.pick_before[q] == nodes.pick_before[pick]; q++) {
+      const DifferenceRow& row = row_of(engine.work, nodes.pick_option[q]);
+      const f64 apart = place_of(nodes.positions, row.axis, row.j) - place_of(nodes.positions, row.axis, row.i);
+      if (row.i != row.j && apart > metres(row.s) + ROUNDING) found = &row;
+    }
+  }
+  return wide < MOST_WIDE_PICKS ? found : nullptr;
+}
+
+bool leave_sibling(const Engine& engine, i64 parent, f64 ceiling) {
+  const DifferenceRow* row = row_of_sibling(engine, parent);
+  const i64 number = row == nullptr ? UNTOLD : wide_number(engine.work, {row->axis, row->j, row->i, -row->s});
+  if (number == UNTOLD) return false;
+  const i64 slot = solve_child(engine, parent, engine.work.options.size + number, ceiling);
+  engine.nodes.family[0] = {slot, 0};
+  if (slot >= 0) open_family(engine, parent, 1);
+  return true;
+}
+
 // Tells whether a row holds only where another one does.
 static bool implies(const DifferenceRow& row, const DifferenceRow& other) {
   return row.axis == other.axis && row.i == other.i && row.j == other.j && row.s >= other.s;

@@ -19,6 +19,10 @@ i64 find_violated(const Engine& engine, i64 slot);
 // Opens a choice's children.
 void branch(const Engine& engine, i64 parent, i64 choice, f64 ceiling);
 
+// Siblings share placements: those in which the rows of both hold. Where the best of the open node is one of them, which is searched for
+// below that sibling anyway, opens those of its placements in which that row does not hold; tells whether it did.
+bool leave_sibling(const Engine& engine, i64 parent, f64 ceiling);
+
 // Opens the placements in which one of the pairs that block the way leaves room for a person: all such, or the likely ones.
 void widen(const Engine& engine, i64 parent, f64 ceiling, bool all);
 

@@ -124,6 +124,7 @@ bool passes(const Engine& engine) {
 static void visit(const Engine& engine, i64 slot, f64 best, bool walk, bool all) {
   const Nodes& nodes = engine.nodes;
   open_node(engine, slot);
+  if (all && leave_sibling(engine, slot, best)) return;
   const i64 choice = find_violated(engine, slot);
   if (choice >= 0) {
     branch(engine, slot, choice, best);

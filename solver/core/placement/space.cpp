@@ -4,7 +4,7 @@
 
 namespace placement {
 
-constexpr i64 SPARE_PATH = 16;  // rows a path may have beside one for every choice: its widenings
+constexpr i64 SPARE_PATH = 64;  // rows a path may have beside one for every choice: its widenings, and what leaves siblings
 constexpr i64 MOST_WIDE = 8192;  // rows that the widenings of one search may ask for
 constexpr i64 MOST_NODES = 4096;  // open nodes of one search; where there would be more, the search stops as at its limit
 constexpr i64 MOST_PICKS = 200'000;  // children one search may create; as with the nodes

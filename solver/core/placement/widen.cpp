@@ -24,16 +24,20 @@ static bool same(const DifferenceRow& a, const DifferenceRow& b) { return a.axis
 
 constexpr i32 AT_LOW = -1, AT_HIGH = -2;
 
-// Adds a wider row to those found, where the bounds leave room for it; rows that were asked for before keep their numbers.
-static void add_wide(const Work& work, List<i64>& found, const DifferenceRow& row) {
-  if (row.i == row.j) return;
-  if (bound_of(work.high, row.axis, row.j) - bound_of(work.low, row.axis, row.i) < row.s) return;
+i64 wide_number(const Work& work, const DifferenceRow& row) {
   i64& count = work.counts->wide;
   i64 at = 0;
   while (at < count && !same(work.wide[at], row)) at++;
-  const bool fits = at < work.wide.size;
-  if (fits && at == count) work.wide[count++] = row;
-  found.add(fits ? at : UNTOLD);
+  if (at == work.wide.size) return UNTOLD;
+  if (at == count) work.wide[count++] = row;
+  return at;
+}
+
+// Adds a wider row to those found, where the bounds leave room for it.
+static void add_wide(const Work& work, List<i64>& found, const DifferenceRow& row) {
+  if (row.i == row.j) return;
+  if (bound_of(work.high, row.axis, row.j) - bound_of(work.low, row.axis, row.i) < row.s) return;
+  found.add(wide_number(work, row));
 }
 
 static void between_parts(const Work& work, List<i64>& found, const WalkGrid& grid, const Part& a, const Part& b) {

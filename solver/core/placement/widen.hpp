@@ -11,6 +11,9 @@ namespace placement {
 
 constexpr i64 UNTOLD = -1;  // stands for ways to open it that no row tells, and for rows that `wide` has no room for
 
+// The number of a row among those of `wide`, to which it is added where it was not asked for before.
+i64 wide_number(const Work& work, const DifferenceRow& row);
+
 // The numbers among `wide`, in the arena, of rows that may open the way. `grid` is as `walkable` left it.
 //
 //   all: whether one of them must hold wherever the way is open; else only links that open it by themselves count.
