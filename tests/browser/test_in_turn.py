@@ -71,7 +71,7 @@ def test_a_room_furnished_anew_and_an_edit_of_another_room_both_stay(visit: Visi
         visit.page.keyboard.press("Control+z")
     visit.settle()
     assert visit.page.evaluate("compose.scene") == answer["scene"]
-    expect(visit.page.get_by_role("button", name="Undo")).to_be_hidden()
+    expect(visit.page.get_by_role("button", name="Undo")).to_be_disabled()
 
 
 def test_what_was_asked_of_a_house_is_done_to_that_and_not_to_the_next(visit: Visit) -> None:

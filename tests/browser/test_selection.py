@@ -50,6 +50,13 @@ def test_a_body_clicked_shows_its_line(visit: Visit) -> None:
     tools = visit.page.locator("#tools button").filter(visible=True)
     assert tools.count() > 8
     assert rows(tools) == 1, "what is done to it is one row of a small laptop"
+    undo, lock = (visit.page.locator(f"#tools [data-tool={tool}]") for tool in ("undo", "lock"))
+    at = [undo.bounding_box(), lock.bounding_box()]
+    expect(undo).to_be_disabled()
+    for button, can_be_undone in ((lock, True), (undo, False)):
+        button.click()
+        expect(undo).to_be_enabled(enabled=can_be_undone)
+        assert [undo.bounding_box(), lock.bounding_box()] == at, "no other button comes under a second click"
     assert before
     visit.page.set_viewport_size(before)
 

@@ -8,8 +8,6 @@ export interface Tool {
   readonly sign: Words;
   /** As `aria-keyshortcuts` wants it. */
   readonly keys?: string;
-  /** It speaks of the piece in hand. */
-  readonly ofPiece?: boolean;
   act(): void;
 }
 
