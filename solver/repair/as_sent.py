@@ -165,11 +165,11 @@ def _seats(chair: Furniture, table: Body, settings: RepairSettings, as_sent: Can
         turn = TURN_AT_SIDE[side]
         half, out = ((long - wide) // 2, broad) if turn % 180 == 0 else ((broad - wide) // 2, long)
         if half > 0:
-            near, far = (out + deep) // 2 - max(deep - UNTUCKED_MM, 0), (out + deep) // 2
+            near, far = (out + deep + 1) // 2 - max(deep - UNTUCKED_MM, 0), (out + deep) // 2  # at either side, where that is odd
             ends, wish, weights, cost = [(-half, -near), (half, -far)], None, SEAT_PULL, SEAT_COST
             if as_sent is not None and as_sent.attach is not None and turn == own:
                 sent = as_sent.attach.across_mm[0], as_sent.attach.along_mm[0]
-                if rotate(*sent, -turn)[1] <= -near:  # it is at this side
+                if rotate(*sent, -turn)[1] <= 1 - near:  # it is at this side
                     ends, wish, weights, cost = [*ends, rotate(*sent, -turn)], sent, as_sent.weights, SLIDE_COST
             across, along = zip(*(rotate(x, z, turn) for x, z in ends), strict=True)
             attach = Attach(table.id, table.name, (min(across), max(across)), (min(along), max(along)), wish_mm=wish)

@@ -111,3 +111,15 @@ def test_a_chair_that_stands_in_the_next_one_slides_along_their_table(rotation: 
     assert sum(abs(move.dx) + abs(move.dz) for move in fixed.moves) == pytest.approx(shared, abs=2e-3)
     assert {piece.rotation for piece in fixed.scene.rooms[0].furniture} == {rotation}
     assert fix(fixed.scene).moves == ()
+
+
+@pytest.mark.parametrize(("rotation", "back"), [(0, (0, -1)), (90, (-1, 0)), (180, (0, 1)), (270, (1, 0))])
+def test_a_seat_slides_no_farther_under_a_table_of_odd_depth_than_one_sits(rotation: int, back: tuple[int, int]) -> None:
+    """What is locked behind it lets it stand there 1 mm too far under the table alone: it stands elsewhere."""
+    size, case_size = ((1.6, 0.975, 0.75), (1.6, 0.4, 1.0)) if back[0] == 0 else ((0.975, 1.6, 0.75), (0.4, 1.6, 1.0))
+    table = body("dining_table_1", 2.8 + size[0] / 2, 2.8 + size[1] / 2, size, locked=True)
+    away = [0.975 / 2 + beyond for beyond in (0.15, 0.349)]
+    (x, z), (case_x, case_z) = ((table.x + back[0] * one, table.z + back[1] * one) for one in away)
+    seat = replace(body("pouf_1", x, z, (0.46, 0.5, 0.9)), rotation=rotation, under=table.id)
+    fixed = fix(room_of(table, seat, body("case_1", case_x, case_z, case_size, locked=True), width=5.6, depth=5.6))
+    assert errors(fixed.scene) == [] and fixed.conflicts == ()
