@@ -181,8 +181,8 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
     pieces = _used(problem, misplaced)
     arrangement = least_moved_from_last(problem, pieces)
     if arrangement.left_out and misplaced:
-        gone = [piece for piece in pieces if piece.label in misplaced or piece.parents.issubset(misplaced)]
-        pieces = tuple(piece for piece in pieces if piece not in gone)
+        gone = with_relying(pieces, misplaced)
+        pieces = tuple(piece for piece in pieces if piece.label not in gone)
         arrangement = least_moved_from_last(problem, pieces)
     if not is_whole(arrangement) and _is_walked_in(problem):
         arrangement = without_fewest(problem.space, pieces, problem.settings.work) or arrangement

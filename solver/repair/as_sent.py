@@ -11,6 +11,7 @@ from solver.repair.bodies import (
     AT_TABLE_MM,
     UNTUCKED_MM,
     Body,
+    below,
     bounding_size,
     carriers,
     drawn_out,
@@ -97,39 +98,41 @@ def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettin
 
 
 def _pieces_on_others(problem: RoomProblem, floor: Mapping[str, Body]) -> list[Piece]:
-    """What stands on other pieces, in the frame of the piece on the floor below it: rigid there, or sliding out of another's space."""
+    """What stands on other pieces, in the frame of the one below it: rigid there, or sliding out of another's space."""
     room, settings = problem.room, problem.settings
-    parents, pieces = carriers(room), []
+    parents = carriers(room)
     crossing = {label for issue in problem.errors if issue.rule == "overlap" for label in issue.ids}
     crowded = {parents[label] for label in crossing & parents.keys()}
-    for piece in room.furniture:
-        root = floor.get(root_of(piece.id, parents))
-        if piece.id in parents and root is not None:
-            own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
-            ways = _ways_upon(own, root, parents[piece.id])
-            stays = settings.is_locked(piece) or piece.id in parents.values()
-            slides = not stays and parents[piece.id] == root.id and root.id in crowded
-            pieces.append(_piece(piece, (*ways, _sliding(ways[0], root)) if slides else ways, settings))
+    upon = [piece for piece in room.furniture if root_of(piece.id, parents) in floor.keys() - {piece.id}]
+    held = {label for piece in upon if settings.is_locked(piece) for label in (piece.id, *below(piece.id, parents))}
+    known, pieces = {**floor, **{piece.id: piece for piece in upon}}, []
+    for piece in sorted(upon, key=lambda piece: len(below(piece.id, parents))):
+        own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
+        carrier = known[parents[piece.id]]
+        ways = _ways_upon(own, carrier)
+        slides = piece.id not in held and carrier.id in crowded
+        ways = ways[:1] if piece.id in held else (*ways, _sliding(ways[0], carrier)) if slides else ways
+        pieces.append(_piece(piece, ways, settings))
     return pieces
 
 
-def _ways_upon(piece: Furniture, root: Body, carrier: str) -> tuple[Candidate, ...]:
+def _ways_upon(piece: Furniture, carrier: Body) -> tuple[Candidate, ...]:
     """Returns how a piece stands on another, turned as sent or as that one is: where it was sent, or drawn in where it juts out."""
-    turned = [replace(piece, rotation=root.rotation)] if squared(piece.rotation - root.rotation) else []
+    turned = [replace(piece, rotation=carrier.rotation)] if squared(piece.rotation - carrier.rotation) else []
     found: list[tuple[Furniture, float]] = []
     for one, cost in zip((piece, *turned), (0.0, TURN_COST), strict=False):
-        there, whole = _brought_back(one, root), _drawn_in(one, root)
+        there, whole = _brought_back(one, carrier), _drawn_in(one, carrier)
         found.append((there, cost))
         far = math.hypot(whole.x - there.x, whole.z - there.z)
         found += [(whole, cost + OTHER_EDGE_COST + far**2)] if far else []
     bottom = round(piece.y * 1000)
-    return tuple(replace(_in_frame(one, root), on=carrier, bottom_mm=bottom, cost=cost) for one, cost in found)
+    return tuple(replace(_in_frame(one, carrier), on=carrier.id, bottom_mm=bottom, cost=cost) for one, cost in found)
 
 
-def _sliding(upon: Candidate, root: Body) -> Candidate:
+def _sliding(upon: Candidate, carrier: Body) -> Candidate:
     """Returns a piece's way anywhere on what carries it, all of it over that, wished where it stands."""
     assert upon.attach is not None
-    (x, z), below = (upon.attach.across_mm[0], upon.attach.along_mm[0]), bounding_size(root, footprint(root))
+    (x, z), below = (upon.attach.across_mm[0], upon.attach.along_mm[0]), bounding_size(carrier, footprint(carrier))
     half = [max(0, (long - own) // 2) for long, own in zip(below, upon.extent, strict=False)]
     across, along = ((min(-far, at), max(far, at)) for far, at in zip(half, (x, z), strict=True))
     return replace(upon, cost=SLIDE_COST, attach=upon.attach._replace(across_mm=across, along_mm=along, wish_mm=(x, z)))
@@ -202,9 +205,9 @@ def _in_frame(child: Body, parent: Body) -> Candidate:
     return Candidate(child.name, bounding_size(child, own), rotation, attach=attach)
 
 
-def _brought_back(piece: Furniture, root: Body) -> Furniture:
+def _brought_back(piece: Furniture, carrier: Body) -> Furniture:
     """Returns a carried piece brought back over what carries it, where its centre is not over it any more."""
-    below, own = footprint(root), footprint(piece)
+    below, own = footprint(carrier), footprint(piece)
     x, z = piece.x, piece.z
     if not below.x0 <= x * 1000 <= below.x1:
         x = _nearest(x, below.x0, below.x1, own.width)
@@ -213,9 +216,9 @@ def _brought_back(piece: Furniture, root: Body) -> Furniture:
     return replace(piece, x=x, z=z)
 
 
-def _drawn_in(piece: Furniture, root: Body) -> Furniture:
+def _drawn_in(piece: Furniture, carrier: Body) -> Furniture:
     """Returns a carried piece moved by the shortest way to where all of it is over what carries it; to the middle where it is larger."""
-    below, own = footprint(root), footprint(piece)
+    below, own = footprint(carrier), footprint(piece)
     x, z = _nearest(piece.x, below.x0, below.x1, own.width), _nearest(piece.z, below.z0, below.z1, own.depth)
     return replace(piece, x=x, z=z)
 
