@@ -171,11 +171,11 @@ class _WhyNot:
         space, room = self.repair.problem.space, self.repair.problem.room.id
         ids = minimal_conflict(space, group, label, self.budget, walk)
         if not walk and self.repair.problem.settings.walk:
-            if ids is None:
+            if ids is None and not self.budget.spent:
                 return self.why(group, label, walk=True)
-            own = [piece for piece in group if piece.label in ids]
-            fewer = minimal_conflict(space, own, label, self.budget, walk=True) if len(ids) > 1 else None
-            if fewer is not None and len(fewer) < len(ids):
+            own = [piece for piece in group if piece.label in (ids or ())]
+            fewer = minimal_conflict(space, own, label, self.budget, walk=True) if len(own) > 1 else None
+            if fewer is not None and len(fewer) < len(own):
                 ids, walk = fewer, True
         if ids is None:
             return _Verdict(label, (label,), at_limit(self._names[label], walk, f" in {room}"), proven=False)

@@ -68,8 +68,8 @@ def minimal_conflict(
 ) -> tuple[str, ...] | None:
     """Finds a minimal set of pieces that cannot stand together, or with `walk` cannot be used together.
 
-    Pieces are added, `missing` and what carries it first, until they are infeasible; then a deletion filter: a piece whose
-    absence leaves the rest infeasible is not part of the reason. Who goes takes along what stands only attached to it.
+    Pieces are added, `missing` and what carries it first, then what else stands there, until they are infeasible; then a deletion
+    filter: a piece whose absence leaves the rest infeasible is not part of the reason. Who goes takes along what stands only at it.
 
     Returns:
         Labels, in the order given, such that they alone are infeasible and without any one of them the rest of them is
@@ -83,7 +83,8 @@ def minimal_conflict(
 
     members: set[str] = set()
     stand: bool | None = True
-    for label in (missing, *known):
+    beside = sorted(known, key=lambda label: known[label].parents.isdisjoint(known[missing].parents))
+    for label in (missing, *beside):
         members |= _with_carriers(known, label)
         if (stand := verdict(members)) is not True:
             break

@@ -115,6 +115,15 @@ def test_a_conflict_leaves_out_who_has_nothing_to_do_with_it() -> None:
     assert minimal_conflict(room(2600, 2000), pieces, "wardrobe") is None
 
 
+def test_a_conflict_on_a_piece_is_found_before_all_else_is_placed() -> None:
+    """Two cases of 0.4 m do not stand side by side on a stool; that nine pieces barely stand in the room takes long to see."""
+    crowd = [free(f"case_{k}", 700 + 31 * k, 1150 - 37 * k) for k in range(9)]
+    upon = Attach("stool", "stool", (-50, 50), (0, 0))
+    way = Candidate("case", (400, 300, 300), 0, attach=upon, on="stool", bottom_mm=800)
+    pieces = [*crowd, free("stool", 500, 400), *(Piece(label, True, (way,)) for label in ("box", "bin"))]
+    assert minimal_conflict(room(3000, 3300), pieces, "bin", Budget(300)) == ("stool", "box", "bin")
+
+
 def test_of_what_stands_at_a_piece_that_was_left_out_too_the_reason_says_so() -> None:
     seat = Candidate("chair", (400, 400, 800), 0, attach=Attach("table_1", "table", (0, 0), (700, 700)))
     pieces = [Piece("bed_1", True, free("bed", 2500, 1200).candidates), Piece("table_1", False, free("table", 800, 1200).candidates)]
