@@ -85,6 +85,15 @@ def floors_about(spec: FurnitureSpec, solids: Sequence[Solid]) -> tuple[FloorAbo
     return (*wished, over)
 
 
+def opened_about(kind: Kind, catalogs: Catalogs) -> tuple[FloorAbout, ...]:
+    """Returns the floor that the fronts of a kind in its size open over."""
+    spec, solids = catalogs.furniture.get(kind.name), catalogs.shapes.get(kind.shape, ())
+    if spec is None or not solids:
+        return ()
+    width, depth, height = (length / 1000 for length in kind.size)
+    return tuple(one for one in floors_about(spec.model_copy(update={"size": (width, depth, height)}), solids) if one.opens)
+
+
 def _wished(side: Side, wish: Comfort, own: int) -> FloorAbout:
     """Returns the floor that a kind, so long across that side, wishes for there."""
     depth, behind = _beside(own, to_mm(wish.depth)), to_mm(wish.behind)
@@ -218,8 +227,16 @@ class KindTables(CoreTables):
         super().__init__()
         self._surfaces: dict[str, int] = {}
 
+    def _add_kind(self, kind: Kind, about: Sequence[FloorAbout], name: int) -> None:
+        """Adds a kind with floor about it; `name` is the same for kinds of one name."""
+        comforts = self._added("comfort", about, self._comfort)
+        self._added("kind", [kind], lambda _: self._kind_row(kind, comforts, name))
+
+    def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
+        other = -1 if floor.other is None else SIDES.index(floor.other)
+        return (SIDES.index(floor.side), floor.opens + floor.along_side, *floor[2:-3], other, floor.off)
+
     def _kind_row(self, kind: Kind, comforts: TableRange, name: int) -> tuple[float, ...]:
-        """Returns the row of a kind; `name` is the same for kinds of one name."""
         sides = sum({1 << SIDES.index(side) for side in kind.use_sides})
         levels = self._added("level", kind.levels, self._level)
         parts = self._added("part", kind.parts, part_row)
@@ -262,7 +279,7 @@ class _Tables(KindTables):
                 self._added(table, names, lambda name: (self._word(name),))
             self._added("leaving", run.leaves, lambda one: (self._word(one.to), 0, to_mm(one.floor), one.cost))
         for kind in self.kinds.values():
-            self._add_kind(kind)
+            self._add_known(kind)
         turning = to_mm(self._profile.turning(self._room)) if self._profile else 0
         return self._packed(len(self._words), run is not None, turning)
 
@@ -273,17 +290,11 @@ class _Tables(KindTables):
             self.kinds[name] = self._known[name]
         return [*self.kinds].index(name)
 
-    def _add_kind(self, kind: Kind) -> None:
+    def _add_known(self, kind: Kind) -> None:
         spec = self._catalogs.furniture.get(kind.name)
         about = floors_about(spec, self._catalogs.shapes.get(kind.name, ())) if spec else ()
         about += asked_about(self._profile, self._room, self._catalogs.name_of(kind.name)) if self._profile else ()
-        comforts = self._added("comfort", about, self._comfort)
-        name = self._names.setdefault(self._catalogs.name_of(kind.name), len(self._names))
-        self._added("kind", [kind], lambda _: self._kind_row(kind, comforts, name))
-
-    def _comfort(self, floor: FloorAbout) -> tuple[float, ...]:
-        other = -1 if floor.other is None else SIDES.index(floor.other)
-        return (SIDES.index(floor.side), floor.opens + floor.along_side, *floor[2:-3], other, floor.off)
+        self._add_kind(kind, about, self._names.setdefault(self._catalogs.name_of(kind.name), len(self._names)))
 
     def _add_piece(self, spec: PieceSpec) -> None:
         variants = self._added("variant", spec.variants, self._variant)

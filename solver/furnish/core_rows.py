@@ -85,7 +85,17 @@ def label_of(known: CompiledType, rows: Sequence[tuple[int, int, int]], at: int)
         return f"{known.specs[spec].piece}_{number}"
     if side >= _TURNING:
         return "floor to turn in" if side == _TURNING else f"floor before door {number + 1}"
-    return f"{_FLOORS[side // len(SIDES)]} {SIDES[side % len(SIDES)]} of {label_of(known, rows, number)}"
+    return _floor_label(side, label_of(known, rows, number))
+
+
+def _floor_label(side: int, piece: str) -> str:
+    return f"{_FLOORS[side // len(SIDES)]} {SIDES[side % len(SIDES)]} of {piece}"
+
+
+def labels_in(answer: Answer, listed: Sequence[str]) -> list[str]:
+    """Returns the labels of a list's pieces, which are called so, and of the floor about them, in an answer."""
+    own = [(listed[at], number, side) for at, number, _, _, _, side, *_ in answer.pieces]
+    return [label if side < 0 else _floor_label(side, own[number][0]) for label, number, side in own]
 
 
 def pieces_of(answer: Answer, known: CompiledType) -> tuple[Piece, ...]:

@@ -14,8 +14,8 @@ from typing import Final, NamedTuple
 
 from catalogs.schema import RelationSpec
 from solver.core import ask
-from solver.furnish.compiled_types import KindTables
-from solver.furnish.core_rows import Answer, answer_of, candidate_of, links_of, room_rows
+from solver.furnish.compiled_types import FloorAbout, KindTables
+from solver.furnish.core_rows import Answer, answer_of, candidate_of, labels_in, links_of, room_rows
 from solver.furnish.habits import Habits
 from solver.geometry import to_mm
 from solver.pieces import Candidate, Piece, Placed, Space, Stance, Zone
@@ -23,7 +23,7 @@ from solver.relations.subject import Kind
 from solver.requested import PieceRequest
 from solver.scene import WALL_NUMBERS, Room
 
-_LIST: Final = Struct("<4i")
+_LIST: Final = Struct("<6i")
 _ASKED: Final = Struct("<6i4q2i")
 _STANDS: Final = Struct("<4q2iq")
 _SURE: Final = Struct("<d")
@@ -70,6 +70,8 @@ class Listing:
     kinds: Mapping[str, Kind]
     habits: Habits
     there: Sequence[Piece]
+    floors: Mapping[str, Sequence[FloorAbout]]
+    """What the fronts of those kinds open over, by id."""
     ceiling: float | None = None
     """How high the room is, m, where that is known."""
 
@@ -104,11 +106,17 @@ class Listing:
     def _rows(self) -> _Rows:
         return _ListTables().of(self)
 
-    def _asked(self, every: bool, placed: Sequence[Placed] = (), loose: Collection[str] = ()) -> bytes:
+    @cached_property
+    def fronts(self) -> tuple[Piece, ...]:
+        """The floor that the fronts of the pieces open over, at each that has such."""
+        answer = answer_of(self._asked(every=False, fronts=True))
+        return tuple(piece for piece in self._pieces(answer, self.there) if piece.is_floor)
+
+    def _asked(self, every: bool, placed: Sequence[Placed] = (), loose: Collection[str] = (), fronts: bool = False) -> bytes:
         kinds, room, pieces, standing, labels = self._rows
         poses = {one.label: one for one in placed}
         stands = [_stands_row(poses.get(label), label in loose) for label in labels] if placed else []
-        head = _LIST.pack(standing, len(labels) - standing, len(stands), every)
+        head = _LIST.pack(standing, len(labels) - standing, len(stands), every, fronts, 0)
         return ask("listed_pieces", kinds, b"".join((room, head, pieces, *stands)))
 
     def _with(self, data: bytes) -> ListedPieces:
@@ -117,17 +125,20 @@ class Listing:
         return ListedPieces((*self.there, *self._pieces(answer, self.there)), _SURE.unpack_from(data)[0], unpaid)
 
     def _pieces(self, answer: Answer, known: Sequence[Piece]) -> list[Piece]:
-        labels, kinds = self._rows.labels, [*self.kinds.values()]
+        kinds, labels = [*self.kinds.values()], labels_in(answer, self._rows.labels)
         candidates, links = (candidate_of(row, kinds, labels) for row in answer.candidates), iter(links_of(answer, labels))
         pieces, stances = list[Piece](), {piece.label: _stances(piece.candidates) for piece in known}
         most = inf if self.ceiling is None else to_mm(self.ceiling)
-        for at, _, number, ways, bonds, _, required, _, skip_cost in answer.pieces:
-            raised = _raised(islice(candidates, ways), stances)
+        for label, (at, _, number, ways, bonds, side, required, _, skip_cost) in zip(labels, answer.pieces, strict=True):
+            raised, bound = _raised(islice(candidates, ways), stances), tuple(islice(links, bonds))
+            if side >= 0:
+                pieces.append(Piece(label, bool(required), tuple(raised), skip_cost=skip_cost, is_floor=True))
+                continue
             own, kind = tuple(way for way in raised if way.bottom_mm + way.size_mm[2] <= most), kinds[number]
-            stances.setdefault(labels[at], _stances(own))
-            only = kind.name, kind.size
-            bound = tuple(islice(links, bonds))
-            pieces.append(Piece(labels[at], bool(required), own, bound, kind.stands, kind.need_all, skip_cost=skip_cost, only=only))
+            stances.setdefault(label, _stances(own))
+            if at >= self._rows.standing:
+                only = kind.name, kind.size
+                pieces.append(Piece(label, bool(required), own, bound, kind.stands, kind.need_all, skip_cost=skip_cost, only=only))
         return pieces
 
 
@@ -137,17 +148,20 @@ def _stances(ways: Iterable[Candidate]) -> Sequence[Stance]:
 
 
 def _raised(ways: Iterable[Candidate], stances: Mapping[str, Sequence[Stance]]) -> Iterator[Candidate]:
-    """Yields the ways of a piece, those at another one, by label, once for each height at which that stands so: on it, as much higher."""
+    """Yields the ways of a piece, those at another one, by label, once for each height at which that stands so: on it, as much higher.
+
+    Floor at a piece is there however that stands.
+    """
     for way in ways:
         attach = way.attach
-        if attach is None or attach.parent_stance is None or way.stance is None:
+        if attach is None:
             yield way
             continue
         for stance in stances[attach.parent]:
-            if stance[:2] == attach.parent_stance[:2]:
-                bottom = way.bottom_mm + (stance.bottom_mm if way.on else 0)
+            if attach.parent_stance is None or stance[:2] == attach.parent_stance[:2]:
+                bottom = way.bottom_mm + (stance.bottom_mm if way.on or way.stance is None else 0)
                 at = attach._replace(parent_stance=stance)
-                yield replace(way, attach=at, bottom_mm=bottom, stance=way.stance._replace(bottom_mm=bottom))
+                yield replace(way, attach=at, bottom_mm=bottom, stance=way.stance and way.stance._replace(bottom_mm=bottom))
 
 
 def _stands_row(placed: Placed | None, is_loose: bool) -> bytes:
@@ -174,8 +188,8 @@ class _ListTables(KindTables):
             words = self._word(label), self._word(request.id)
             cell = listing.habits.cells.get(label, _NOWHERE)
             rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, _FREE.rotation, WALL_NUMBERS[None]))
-        for kind in listing.kinds.values():
-            self._added("kind", [kind], lambda kind: self._kind_row(kind, (0, 0), 0))
+        for name, kind in listing.kinds.items():
+            self._add_kind(kind, listing.floors.get(name, ()), 0)
         room = room_rows(listing.room, replace(listing.space, zones=listing.zones), 0.0, 0)
         labels = [*(piece.label for piece in there), *listing.listed]
         return _Rows(self._packed(len(self._words), False, 0), room, b"".join(rows), len(there), labels)

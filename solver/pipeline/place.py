@@ -12,7 +12,7 @@ from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
 from solver.pipeline.reasons import at_limit
-from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, settled, walked_placement
+from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, walked_placement, with_fronts_open
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
@@ -76,7 +76,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
     task = in_room(pieces, setting=setting)
     timing.lap("furnish")
     task, found = _placed(in_room, task, pieces)
-    best = settled(task, found)
+    found, best = with_fronts_open(task, found)
     timing.lap("placement")
     others = other_placements(task, found, alternatives - 1)
     timing.lap("alternatives")
@@ -84,7 +84,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         task = in_room(pieces, setting=setting._replace(flush=True, roaming=_bound(pieces)))
     conflicts = _conflicts(task, best, found, partial(in_room, setting=task.setting))
     timing.lap("reasons")
-    return Answered(best, tuple(settled(task, other) for other in others), conflicts, timing.ms, task.understood_as)
+    return Answered(best, tuple(others), conflicts, timing.ms, task.understood_as)
 
 
 def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence[PieceRequest]) -> tuple[PlaceTask, Round]:

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
 from solver.certificate import room_certificate
-from solver.furnish import Habits, Listing, habits_of, scope_of, space_of, tucks
+from solver.furnish import Habits, Listing, habits_of, opened_about, scope_of, space_of, tucks
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND, to_mm
 from solver.named_assets import with_assets
@@ -136,7 +136,8 @@ def task_of(room: Room, requests: Sequence[PieceRequest], catalogs: Catalogs, se
     space, there = obstacles(inside, empty, catalogs, entrances)
     habits = habits_of(wanted, kinds, catalogs, space.clear)
     goes_to = _goes_to(wanted, habits)
-    listing = Listing(inside, space, empty.zones, in_order(wanted, goes_to), kinds, habits, there, ceiling)
+    floors = {name: opened_about(kind, catalogs) for name, kind in kinds.items()}
+    listing = Listing(inside, space, empty.zones, in_order(wanted, goes_to), kinds, habits, there, floors, ceiling)
     framed, bare = _bare(inside, space, by_label, names), _bare(room, own, by_label, names)
     return PlaceTask(room, in_order(sent, goes_to), catalogs, setting, own, bare, frame, framed, listing, by_label, words)
 

@@ -11,6 +11,7 @@ stands free is clearly elsewhere.
 
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from catalogs.schema import RelationSpec
 from solver.furnish import ListedPieces
@@ -208,6 +209,45 @@ def settled(task: PlaceTask, found: Round) -> Placement:
     return replace(placement, cost=missed)
 
 
+def with_fronts_open(task: PlaceTask, found: Round) -> tuple[Round, Placement]:
+    """Returns an arrangement and its placement after the final solve, with fewer fronts blocked where no relation is lost for it.
+
+    The pieces of blocked fronts, and those that these meet, are taken out and put in again where all fronts open over empty floor.
+    """
+    best = settled(task, found)
+    blocked = _blocked(best)
+    for loose in ({*chain(*blocked)}, *map(set, blocked if len(blocked) > 1 else ())):
+        if is_call_spent() or not any(loose.issuperset(one) for one in _blocked(best)):
+            continue
+        other = _cleared(task, found, loose)
+        if other and other.score[:4] > found.score[:4]:
+            other = _cleared(task, other, {label for label, _ in other.lost})
+        if other is None or other.score[:4] > found.score[:4]:
+            continue
+        placement = settled(task, other)
+        if placement.cost <= best.cost and len(_blocked(placement)) < len(_blocked(best)):
+            found, best = other, placement
+    return found, best
+
+
+def _blocked(placement: Placement) -> Sequence[tuple[str, ...]]:
+    """Returns the pieces of which fronts are blocked, each with what these meet."""
+    return [issue.ids for issue in placement.issues if issue.rule == "front_blocked"]
+
+
+def _cleared(task: PlaceTask, found: Round, loose: set[str]) -> Round | None:
+    """Returns the same pieces placed with empty floor before their fronts, the loose ones anew; None where one has no place then."""
+    stands = {one.label: one for one in found.arrangement.placed}
+    pieces = [piece for piece in _reopened(task, task.pieces, found, loose & set(task.listing.listed)) if piece.label in stands]
+    fronts = {piece.candidates[0].attach.parent: piece for piece in task.listing.fronts if piece.candidates[0].attach}
+    behind = [part for piece in pieces for part in (piece, fronts.get(piece.label)) if part]
+    draft = arrange(task.listing.space, behind, limits=MENDING)
+    if draft.left_out:
+        return None
+    other = _judged(task, replace(draft, left_out=found.draft.left_out, best=found.draft.best))
+    return replace(other, whole=found.whole, given_up=found.given_up)
+
+
 def _ordered(wanted: Sequence[Piece], blame: Mapping[str, float]) -> list[Piece]:
     """Returns the most blamed first, each behind what it refers to; ties in the order given."""
     by_label = {piece.label: piece for piece in wanted}
@@ -237,9 +277,9 @@ TRIES_EACH = 6
 Forbidden = frozenset[tuple[str, Stance | None]]
 
 
-def other_placements(task: PlaceTask, best: Round, number: int) -> list[Round]:
+def other_placements(task: PlaceTask, best: Round, number: int) -> list[Placement]:
     """Returns up to that many placements that differ truly from the best and from each other, by rank."""
-    found: list[Round] = []
+    found: list[tuple[Round, Placement]] = []
     frontier: list[tuple[Round, Forbidden]] = [(best, frozenset())]
     tries = TRIES_EACH * number
     while frontier and tries > 0 and len(found) < number and not is_call_spent():
@@ -253,11 +293,13 @@ def other_placements(task: PlaceTask, best: Round, number: int) -> list[Round]:
             if wanted is None:
                 continue
             other = quick_placement(task, wanted)
-            if not other.breaking and other.score[:2] == best.score[:2] and all(_differ(other, one) for one in (best, *found)):
-                found.append(other)
-                frontier.append((other, without))
+            known = (best, *(one for one, _ in found))
+            if not other.breaking and other.score[:2] == best.score[:2] and all(_differ(other, one) for one in known):
+                opened = with_fronts_open(task, other)
+                found.append(opened if all(_differ(opened[0], one) for one in known) else (other, settled(task, other)))
+                frontier.append((found[-1][0], without))
         frontier.sort(key=lambda entry: entry[0].score)
-    return sorted(found, key=lambda one: one.score)[:number]
+    return [placement for _, placement in sorted(found, key=lambda one: one[0].score)[:number]]
 
 
 def _without(wanted: Sequence[Piece], forbidden: Forbidden) -> list[Piece] | None:

@@ -101,6 +101,8 @@ class Kind:
     need_all: bool = False
     levels: tuple[SurfaceHeight, ...] = ()
     parts: tuple[PartBox, ...] = ()
+    shape: str = ""
+    """The kind in the catalogs whose shape it has."""
 
     @property
     def stands(self) -> tuple[Stand, ...]:
@@ -135,7 +137,8 @@ class Kind:
         )
         use_sides = spec.use.sides if spec.use else ()
         parts = boxes_of(catalogs.shapes.get(shape or name, ()), extents)
-        return cls(name, millimetres, spec.stands == "wall", use_sides, bool(spec.use and spec.use.need == "all"), levels, parts)
+        need_all = bool(spec.use and spec.use.need == "all")
+        return cls(name, millimetres, spec.stands == "wall", use_sides, need_all, levels, parts, shape or name)
 
 
 def as_its_size_says(kind: Kind) -> Kind:

@@ -18,7 +18,7 @@ def ways(spec: RelationSpec, own: Kind, other: Kind) -> tuple[Candidate, ...]:
     """Returns all ways of a piece with one relation, in SCOPE; the other one is called `it`."""
     space = Space("den", CLEAR, (), (), gap_mm=SCOPE.gap_mm, openings=SCOPE.openings)
     asked = (PieceRequest("it", other.name), PieceRequest("own", own.name, relations=(spec,)))
-    listed = Listing(Room("den", width=5.0, depth=4.0), space, space.zones, asked, {"it": other, "own": own}, Habits(), ()).nearly_all
+    listed = Listing(Room("den", width=5.0, depth=4.0), space, space.zones, asked, {"it": other, "own": own}, Habits(), (), {}).nearly_all
     assert listed is not None
     return listed.pieces[1].candidates
 

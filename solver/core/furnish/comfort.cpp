@@ -22,9 +22,15 @@ namespace {
 
 class Comforted {
  public:
-  Comforted(const Scope& scope, const RoomType& type, const WantedRows& wanted) : scope_(scope), type_(type), wanted_(wanted) {
+  Comforted(const Scope& scope, const RoomType& type, const WantedRows& wanted, f64 share)
+      : scope_(scope), type_(type), wanted_(wanted), share_(share) {
     moved_ = reserved<i32>(wanted.pieces.size);
     candidates_.reserve(2 * wanted.candidates.size);
+  }
+
+  // Adds the pieces, each with what its fronts open over.
+  void add_with_fronts() {
+    visit(true, [&](const Comfortable& one, bool) { add_opened(one, !pieces_[one.piece].required); });
   }
 
   // Adds the required pieces, then the floor at their sides: first what their fronts open over, then what is weighed.
@@ -133,11 +139,11 @@ class Comforted {
         side = comfort.side;
         cost = most(cost, comfort.cost);
         add_strip(of.piece, kind, comfort, comfort.side, comfort.depth, 0.0);
-        if (comfort.half < comfort.depth) add_strip(of.piece, kind, comfort, comfort.side, comfort.half, comfort.cost);
+        if (comfort.half < comfort.depth) add_strip(of.piece, kind, comfort, comfort.side, comfort.half, comfort.cost * share_);
       }
       opened += opens;
       if (opens && !required) continue;
-      Candidate& without = add_nothing(of.piece, kind, opens ? BLOCKED : 0.0);
+      Candidate& without = add_nothing(of.piece, kind, opens ? BLOCKED * share_ : 0.0);
       without.bottom = NOWHERE_MM;
     }
     if (opened == 0 || ways[0].is_on) {
@@ -146,7 +152,7 @@ class Comforted {
     }
     PieceRow& own = pieces_[of.piece];
     const i32 ways_opened = candidates_.size() - before;
-    const f64 skipped = in_run ? BLOCKED : cost;
+    const f64 skipped = in_run ? BLOCKED * share_ : cost;
     pieces_.add({own.spec, of.piece, -1, ways_opened, 0, OPENED + static_cast<i32>(side), required, own.with_next, skipped});
     if (!required && !in_run) pieces_[of.piece].with_next = true;
   }
@@ -283,6 +289,7 @@ class Comforted {
   const Scope& scope_;
   const RoomType& type_;
   const WantedRows& wanted_;
+  f64 share_;  // of what it costs that fronts do not open
   Span<i32> moved_;  // by piece: where it is now
   List<PieceRow> pieces_;
   List<Comfortable> run_;  // the pieces of the run, so far
@@ -293,9 +300,15 @@ class Comforted {
 }  // namespace
 
 WantedRows with_comfort(const Scope& scope, const RoomType& type, const WantedRows& wanted) {
-  Comforted found(scope, type, wanted);
+  Comforted found(scope, type, wanted, 1.0);
   found.add_required();
   found.add_optional();
+  return found.all();
+}
+
+WantedRows with_fronts(const Scope& scope, const RoomType& type, const WantedRows& wanted, f64 share) {
+  Comforted found(scope, type, wanted, share);
+  found.add_with_fronts();
   return found.all();
 }
 

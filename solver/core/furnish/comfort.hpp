@@ -17,5 +17,7 @@ struct WantedRows {
 // that the fronts of an optional piece open over: where that is not free for half of their way, the piece is left out.
 // So is floor that a standard asks for: strips about pieces, and a square to turn in, which comes behind those of the required pieces.
 WantedRows with_comfort(const Scope& scope, const RoomType& type, const WantedRows& wanted);
+// Adds the floor that the fronts of pieces open over, right behind each, for that share of what it costs elsewhere. All stand without, too.
+WantedRows with_fronts(const Scope& scope, const RoomType& type, const WantedRows& wanted, f64 share);
 
 }  // namespace furnish

@@ -1,6 +1,8 @@
 // The pieces of a list in its order, each with its ways when those before it are known.
 #include "furnish/listed.hpp"
 
+#include "furnish/comfort.hpp"
+
 namespace furnish {
 
 // Pulls, m^-2, to a piece that a relation names, or into line with it.
@@ -8,12 +10,17 @@ constexpr f64 NEAR_PULL = 0.2, ALIGN_PULL = 0.5;
 // A piece is pushed away until it is that much farther than asked, m, at that share of the relation's cost.
 constexpr f64 PUSHED_BEYOND = 1.0, PUSHED_SHARE = 0.25;
 constexpr i32 MOST_RELATIONS = 64;
+// The share of what it costs in a room of a type that fronts do not open: of several together it is less than of a relation.
+constexpr f64 OF_FRONTS = 1.0 / 24;
 
 namespace {
 
 // Behind a room's own rows; the rows of what stands and of the list follow, and where all of these are, if that is told.
 struct ListHeader {
-  i32 standing, listed, told, all;  // all: as nearly as can be
+  i32 standing, listed, told;
+  i32 all;     // of the ways, as nearly as can be
+  i32 fronts;  // whether the floor follows that fronts open over
+  i32 unused;
 };
 
 // Where the centre of a footprint may be within a rectangle.
@@ -26,10 +33,12 @@ Rect centres_in(const Rect& at, Extent extent) {
 class Lister {
  public:
   Lister(const Scope& scope, const RoomType& type, const ListHeader& header, Span<ListedRow> rows, Span<StandsRow> others)
-      : in_{scope, type, header.all ? NEARLY_ALL : FEW, rows, {}}, others_(others) {
+      : in_{scope, type, header.all ? NEARLY_ALL : FEW, rows, {}}, others_(others), with_fronts_(header.fronts != 0) {
     for (i32 i = 0; i < header.standing; i++) {
-      const Rect& at = rows[i].at;
-      in_.ways.add({}).add({rows[i].stance, centres_in(at, {at.width(), at.depth()})});
+      const ListedRow& row = rows[i];
+      in_.ways.add({}).add({row.stance, centres_in(row.at, {row.at.width(), row.at.depth()})});
+      candidates_.add(free_candidate(row.kind, 0.0)).stance = stance_number(row.stance.rotation, row.stance.wall);
+      pieces_.add({i, 0, row.kind, 1, 0, -1, 1, 0, GONE});
     }
   }
 
@@ -61,10 +70,19 @@ class Lister {
 
   Bytes told() const {
     const f64 sure = least_cost_ + most(0.0, spare_);
-    return answer_rows(__builtin_bit_cast(u64, sure), unpaid().all(), {pieces_.all(), candidates_.all(), links_.all()});
+    return answer_rows(__builtin_bit_cast(u64, sure), unpaid().all(), all());
   }
 
  private:
+  WantedRows all() const {
+    const WantedRows found{pieces_.all(), candidates_.all(), links_.all()};
+    if (!with_fronts_) return found;
+    RoomType own = in_.type;
+    own.pieces = reserved<PieceSpec>(in_.rows.size);
+    for (PieceSpec& piece : own.pieces) piece.required = true;
+    return with_fronts(in_.scope, own, found, OF_FRONTS);
+  }
+
   Span<Rule> rules_of(i32 piece) const { return part_of(in_.type.rules, in_.rows[piece].rules); }
 
   // Those of the first pieces but one that a relation names, by their own label or one that copies share.
@@ -227,6 +245,7 @@ class Lister {
 
   Listing in_;
   Span<StandsRow> others_;
+  bool with_fronts_;
   i64 count_ = 0;  // of ways
   f64 least_cost_ = 0.0, spare_ = INFINITE;
   List<CountRow> unpaid_;
