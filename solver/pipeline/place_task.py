@@ -237,16 +237,25 @@ ROUNDS_TOLD: Final = 2
 
 
 def by_content(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind]) -> tuple[PieceRequest, ...]:
-    """Returns requests, with every size filled in, sorted by kind, size, number and relations."""
+    """Returns requests, with every size filled in, sorted by kind, size, number, relations, and those of others to them."""
     told = {name: repr((kind.name, kind.size)) for name, kind in kinds.items()}
     for request in requests:
         told[request.id] = repr((not request.required, kinds[request.id].name, request.size, request.count))
     for _ in range(ROUNDS_TOLD):
         told |= {request.id: f"{told[request.id]} {_relations(request, told)}" for request in requests}
-    return tuple(sorted(requests, key=lambda request: told[request.id]))
+    named: dict[str, list[str]] = {}
+    for other in requests:
+        for spec in other.relations:
+            words = f"{told[other.id]} {_word(spec)}"
+            for name in spec.of:
+                named.setdefault(name, []).append(words)
+    return tuple(sorted(requests, key=lambda request: (told[request.id], sorted(named.get(request.id, ())))))
 
 
 def _relations(request: PieceRequest, told: Mapping[str, str]) -> str:
     """Returns a request's relations as words, the pieces they name by what these are."""
-    specs = [spec.model_dump_json(exclude={"of"}) + repr([told.get(name, name) for name in spec.of]) for spec in request.relations]
-    return repr(specs)
+    return repr([_word(spec) + repr([told.get(name, name) for name in spec.of]) for spec in request.relations])
+
+
+def _word(spec: RelationSpec) -> str:
+    return spec.model_dump_json(exclude={"of"})

@@ -170,3 +170,13 @@ def test_a_room_with_an_outline_stays_as_it_is() -> None:
     door = Opening("door", "door", edge=5, position=1.0, connects_to="EXTERIOR")
     frame = frame_of(Room("den", width=4.0, depth=3.0, outline=corners, openings=(door,)), (), (), ())
     assert (frame.mirrored, frame.quarters) == (False, 0)
+
+
+def test_pieces_that_differ_in_what_refers_to_them_have_one_order() -> None:
+    chairs = [{"id": name, "name": "armchair", "width": 0.8, "depth": 0.8, "height": 0.8} for name in ("one", "other")]
+    table = {"id": "table", "name": "side_table", "relations": [{"type": "beside", "of": "one"}]}
+    room = {"id": "den", "width": 4.0, "depth": 4.0}
+    bodies = [read(PlaceBody, {"room": room, "pieces": [*sent, table]}) for sent in (chairs, chairs[::-1])]
+    tasks = [task_of(body.room, body.pieces, CATALOGS, PlaceSetting(0.1, 0.6, "osqp", None)) for body in bodies]
+    one, other = ([piece.label for piece in task.pieces] for task in tasks)
+    assert one == other
