@@ -36,6 +36,8 @@ class DrawnRoom:
     id: str = ""
     floor: str | None = None
     holes: tuple[tuple[Spot, ...], ...] = ()
+    found: bool = False
+    """It is not drawn: thick walls enclose it."""
 
     def as_exported(self, said: Mapping[str, str]) -> "DrawnRoom":
         """Returns the room with what our own export says beside its `label`: `type`, `outdoor`, and a `name` if it has one.
@@ -65,6 +67,8 @@ class DrawnWall:
     end: Spot
     thickness: float
     level: int = 0
+    low: bool = False
+    """It is no higher than a railing."""
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ Turn = Callable[[Spot], Spot]
 
 
 def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnPlan:
-    """Returns the plan of one level: the one asked for, else the lowest with rooms.
+    """Returns the plan of one level: the one asked for, else the lowest with rooms that are drawn, if any is.
 
     Raises:
         FieldError: there are no rooms, or none on that level.
@@ -35,7 +35,7 @@ def of_one_level(plan: DrawnPlan, asked: int | None, notes: PlanNotes) -> DrawnP
     names = {level.number: level.name for level in plan.levels}
     if not counts:
         raise _without_rooms(plan)
-    chosen = min(counts) if asked is None else asked
+    chosen = min((room.found, room.level) for room in plan.rooms)[1] if asked is None else asked
     if chosen not in counts:
         raise FieldError("level", f"{chosen} has no rooms", ", ".join(map(str, sorted(counts))))
     for number in sorted(counts.keys() - {chosen}):

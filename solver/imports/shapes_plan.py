@@ -182,7 +182,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
 
 def _left_names(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
     yield from (one for room in rooms for one in _other_names(room, texts))
-    yield from _names_outside(rooms, texts)
+    yield from names_outside(rooms, texts)
 
 
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
@@ -342,7 +342,7 @@ def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread
         yield Unread(f"text {quoted(words)}", f"names a room, but no wall is drawn between it and {quoted(room.label)}")
 
 
-def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
+def names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
     """Yields what names a room beside all rooms: walls may leave one open."""
     known = {room.label for room in rooms}
     inside = {(one.x, one.z) for room in rooms for one in _texts_in(room, texts)}

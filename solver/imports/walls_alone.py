@@ -1,7 +1,7 @@
 """Walls without rooms -> the rooms between them, in the drawing's own unit."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from statistics import median
@@ -65,36 +65,48 @@ class NamedSpot(NamedTuple):
 
 
 def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
-    """Returns a plan that draws walls and no room with the rooms that these enclose on each level, at any angle; any other as it is.
+    """Returns a plan with thick walls with the rooms that these enclose and it does not draw, on each level, at any angle.
 
-    `metres` is the length of its unit, where the caller says it.
+    Where it draws some, on any level, others are those into which a door leads, between walls that are not low. `metres` is the length of
+    its unit, where the caller says it.
     """
-    walls = [one for one in plan.walls if math.dist(one.start, one.end) > 0]
-    if plan.rooms or not walls:
+    walls = [one for one in plan.walls if math.dist(one.start, one.end) > 0 and not (plan.rooms and (one.low or not one.thickness))]
+    if not walls or any(room.found for room in plan.rooms):
         return plan
     unit = metres or told_by_doors(plan.openings, plan.metres).metres
-    rooms: list[DrawnRoom] = []
+    rooms = list(plan.rooms)
     unread, openings, thick = list(plan.unread), list(plan.openings), [one.thickness for one in walls if one.thickness > 0]
     turn = turn_of([_outline(one) for one in walls])
 
-    def back(spots: Iterable[Spot]) -> tuple[Spot, ...]:
-        return tuple(turned_by(spot, -turn) for spot in spots)
+    def back(one: DrawnRoom, level: int) -> DrawnRoom:
+        points, *holes = (tuple(turned_by(spot, -turn) for spot in spots) for spots in (one.points, *one.holes))
+        return replace(one, level=level, where=f"{one.where} of level {level}", points=points, holes=tuple(holes), found=True)
 
     for level in sorted({one.level for one in walls}):
         outlines = [tuple(turned_by(spot, turn) for spot in _outline(one)) for one in walls if one.level == level]
         drawn = [_turned(one, turn) for one in plan.openings if one.level == level]
-        found = rooms_between(WallOutlines(outlines), drawn, unit, fitted(drawn, gaps_of(outlines, unit), unit)[1])
-        rooms += (
-            replace(one, level=level, where=f"{one.where} of level {level}", points=back(one.points), holes=tuple(map(back, one.holes)))
-            for one in found.rooms
-        )
+        gaps = () if plan.rooms else fitted(drawn, gaps_of(outlines, unit), unit)[1]
+        found = rooms_between(WallOutlines(outlines), drawn, unit, gaps)
+        made = [back(one, level) for one in found.rooms]
+        rooms += [one for one in made if not plan.rooms or (unit and _is_undrawn(one, plan, unit))]
         openings += (_turned(replace(one, level=level), -turn) for one in found.passages)
-        unread += (replace(one, place=f"walls of level {level}") for one in found.told)
+        unread += (replace(one, place=f"walls of level {level}") for one in found.told if not plan.rooms)
         thick = thick or ([found.thickness] if found.thickness else [])
+    if plan.rooms:
+        return replace(plan, rooms=tuple(rooms))
     return replace(
         plan, rooms=tuple(rooms), openings=tuple(openings), drawn="inner", wall_thickness=median(thick) if thick else None,
         unread=tuple(unread),
     )  # fmt: skip
+
+
+def _is_undrawn(room: DrawnRoom, plan: DrawnPlan, metres: float) -> bool:
+    """Tells whether a door leads into what walls enclose, and none of a plan's rooms lies in it."""
+    doors = [one for one in plan.openings if one.level == room.level and one.kind != "window" and one.start != one.end]
+    around = [_outline(DrawnWall(one.start, one.end, (THICKEST + 2 * INSIDE) / metres)) for one in doors]
+    return any(room.holds(*between(a, b)) for box in around for a, b in pairwise(box)) and not any(
+        overlap(room.points, other.points, INSIDE / metres) for other in plan.rooms if other.level == room.level
+    )
 
 
 def _turned(one: DrawnOpening, degrees: float) -> DrawnOpening:

@@ -72,8 +72,8 @@ def drawn_room(name: str, *box: float, more: str = "") -> str:
     return f"<room name='{name}' {more}>{points}</room>"
 
 
-def drawn_wall(x0: float, y0: float, x1: float, y1: float) -> str:
-    return f"<wall id='w' xStart='{x0}' yStart='{y0}' xEnd='{x1}' yEnd='{y1}' height='250' thickness='10'/>"
+def drawn_wall(x0: float, y0: float, x1: float, y1: float, height: int = 250) -> str:
+    return f"<wall id='w' xStart='{x0}' yStart='{y0}' xEnd='{x1}' yEnd='{y1}' height='{height}' thickness='10'/>"
 
 
 WALLS = (drawn_wall(-5, -5, 1005, -5), drawn_wall(-5, 405, 1005, 405), drawn_wall(-5, -5, -5, 405), drawn_wall(1005, -5, 1005, 405))
@@ -188,8 +188,26 @@ def label(words: str, x: float, y: float, more: str = "") -> str:
 
 @pytest.mark.parametrize("rooms", [(), (drawn_room("", 0, 0, 400, 400), drawn_room("", 410, 0, 1000, 400))])
 def test_labels_name_the_rooms_without_a_name_that_they_stand_in(rooms: tuple[str, ...]) -> None:
-    labels = label("to be painted", 190, 90), label("Cuisine", 200, 200), label("Salon", 700, 100), label("Bedroom", 1500, 100)
+    labels = label("to be painted", 190, 90), label("Cuisine", 200, 200), label("Salon", 700, 100)
     check_sweet_home(read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *rooms, *labels, DOOR, FRONT, WINDOW, BED)))
+
+
+def test_of_rooms_some_of_which_are_drawn_the_others_are_found_between_their_walls() -> None:
+    """Neither what low walls enclose, a terrace with a door to it, nor that to which no door leads, a shaft."""
+    terrace = (drawn_wall(400, 405, 400, 700, 90), drawn_wall(400, 700, 800, 700, 90), drawn_wall(800, 700, 800, 405, 90))
+    shaft = drawn_wall(-5, 405, -5, 600), drawn_wall(-5, 600, 200, 600), drawn_wall(200, 600, 200, 405)
+    labels = label("Salon", 700, 100), label("Terrasse", 600, 550)
+    answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *terrace, *shaft, ROOMS[0], *labels, DOOR, FRONT, WINDOW, BED))
+    assert [left["place"] for left in answer.unread] == ["text 'Terrasse'"]
+    check_sweet_home(replace(answer, unread=()))
+
+
+def test_a_storey_without_drawn_rooms_beside_one_with_is_read_where_it_is_asked_for() -> None:
+    levels = "<level id='a' elevation='-250' height='250'/><level id='b' elevation='0' height='250'/>"
+    below = [one.replace(" ", " level='a' ", 1) for one in (*WALLS, drawn_wall(405, 0, 405, 400), DOOR, FRONT, WINDOW)]
+    home = sweet_home(levels, *below, drawn_room("Office", 0, 0, 400, 400, more="level='b'"))
+    assert [room.type for room in read(home).scene.rooms] == ["office"]
+    assert [(room.width, room.depth) for room in read(home, level=0).scene.rooms] == [(4.1, 4.1), (6.0, 4.1)]
 
 
 def test_labels_of_another_storey_or_of_no_room_and_of_named_rooms_name_none() -> None:

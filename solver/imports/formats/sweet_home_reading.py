@@ -31,7 +31,7 @@ from solver.imports.drawn import (
 )
 from solver.imports.plain_values import number_in
 from solver.imports.shape_openings import DrawnText
-from solver.imports.shapes_plan import labelled, text_at
+from solver.imports.shapes_plan import labelled, names_outside, text_at
 from solver.imports.walls_alone import with_rooms_between
 from solver.plain import quoted
 
@@ -41,6 +41,8 @@ LONGEST: Final = 200
 """Letters of a name."""
 SILL: Final = 30.0
 """An opening whose underside is higher, cm, is a window."""
+LOW: Final = 150.0
+"""A wall that is lower, cm, is a railing or a fence."""
 PASSAGES: Final = ("passage", "frame", "opening", "archway")
 """Words of openings without a leaf."""
 ARGB: Final = re.compile("[0-9A-Fa-f]{8}")
@@ -91,7 +93,9 @@ def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catal
     plan = DrawnPlan(tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread))
     check_plan(plan)
     plan = with_rooms_between(plan, metres)
-    return replace(plan, rooms=tuple(labelled(room, texts[room.level]) for room in plan.rooms))
+    made = tuple(labelled(room, texts[room.level]) for room in plan.rooms)
+    left = (one for level in texts for one in names_outside([room for room in made if room.level == level], texts[level]))
+    return replace(plan, rooms=made, unread=(*plan.unread, *left))
 
 
 class _Storey:
@@ -131,7 +135,8 @@ def _wall(element: Element, where: str, level: int, unread: list[Unread]) -> Ite
         unread.append(Unread(where, "a round wall: the rooms' outlines tell where it is"))
         return
     start, end = ((number_in(element, f"x{at}", where), number_in(element, f"y{at}", where)) for at in ("Start", "End"))
-    yield DrawnWall(start, end, number_in(element, "thickness", where, 0.0), level)
+    highest = max(number_in(element, key, where, 0.0 if key == "heightAtEnd" else 250.0) for key in ("height", "heightAtEnd"))
+    yield DrawnWall(start, end, number_in(element, "thickness", where, 0.0), level, highest < LOW)
 
 
 def _opening(element: Element, where: str, level: int) -> DrawnOpening:
