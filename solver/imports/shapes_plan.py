@@ -161,7 +161,9 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        found, views = without_views(found, openings, [(one.x, one.z) for one in names], unit or 1.0)
+        ends = {frozenset((gap.start, gap.end)) for gap in all_gaps}
+        doors = [one for one in openings if one.hinge or (one.kind != "window" and frozenset((one.start, one.end)) in ends)]
+        found, views = without_views(found, doors, [(one.x, one.z) for one in names], unit or 1.0)
         told += views
         openings += with_leaves(passages, gaps, [longer_line(one.points) for one in shapes if one.sort is None and len(one.points) > 1])
     rooms += [labelled(room, texts) for room in found]

@@ -17,7 +17,7 @@ APART: Final = 1.0
 LEAST_ROOMS: Final = 3
 """A group of fewer rooms is none: a shed belongs to the nearest."""
 
-VIEWS: Final = "enclose rooms apart from the others in which nothing is named and no door swings, as in elevations and sections: {}"
+VIEWS: Final = "enclose rooms apart from the others in which nothing is named and no door swings or closes a gap, as in elevations and sections: {}"
 
 
 class StoreyTitle(NamedTuple):
@@ -37,19 +37,18 @@ class DrawnGroup(NamedTuple):
 
 
 def without_views(
-    rooms: Sequence[DrawnRoom], openings: Sequence[DrawnOpening], names: Sequence[Spot], metres: float
+    rooms: Sequence[DrawnRoom], doors: Sequence[DrawnOpening], names: Sequence[Spot], metres: float
 ) -> tuple[list[DrawnRoom], list[Unread]]:
-    """Returns rooms but for those apart, among which nothing is named and no leaf swings, where others have either; and says so.
+    """Returns rooms but for those apart, among which nothing is named and there is no door, where others have either; and says so.
 
     Elevations and sections stand beside plans, drawn with the same lines.
     """
     apart = APART / metres
     groups = _groups([DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(rooms)], apart)
-    swung = [one.start for one in openings if one.hinge]
 
     def is_told(group: DrawnGroup) -> bool:
-        is_swung = any(away(group.box, (*spot, *spot)) <= apart for spot in swung)
-        return is_swung or any(rooms[at].holds(*spot) for at in group.rooms for spot in names)
+        has_door = any(away(group.box, (*one.start, *one.start)) <= apart for one in doors)
+        return has_door or any(rooms[at].holds(*spot) for at in group.rooms for spot in names)
 
     views = {at for group in groups if not is_told(group) for at in group.rooms}
     if not 0 < len(views) < len(rooms):
