@@ -161,9 +161,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        ends = {frozenset((gap.start, gap.end)) for gap in all_gaps}
-        doors = [one for one in openings if one.hinge or (one.kind != "window" and frozenset((one.start, one.end)) in ends)]
-        found, views = without_views(found, doors, [(one.x, one.z) for one in names], unit or 1.0)
+        found, views = without_views(found, _seen_from_above(openings, all_gaps), [(one.x, one.z) for one in names], unit or 1.0)
         told += views
         openings += with_leaves(passages, gaps, [longer_line(one.points) for one in shapes if one.sort is None and len(one.points) > 1])
     rooms += [labelled(room, texts) for room in found]
@@ -229,10 +227,20 @@ def _told_by_form(
 
 def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple[list[DrawnOpening], list[DrawnOpening]]:
     """Returns openings but for doors that hang in no gap, and these if all do: quarter circles on layers that tell nothing may be any."""
-    ends = {frozenset((gap.start, gap.end)) for gap in gaps}
-    hung = [one.kind != "door" or frozenset((one.start, one.end)) in ends for one in openings]
+    ends = set(map(_ends, gaps))
+    hung = [one.kind != "door" or _ends(one) in ends for one in openings]
     kept = list(compress(openings, hung))
     return kept, [one for one in openings if one.kind == "door"] if all(one.kind != "door" for one in kept) else []
+
+
+def _seen_from_above(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[DrawnOpening]:
+    """Returns the doors that swing or close a gap in walls, as none does in an elevation, whose lines go on behind it."""
+    ends = set(map(_ends, gaps))
+    return [one for one in openings if one.hinge or (one.kind != "window" and _ends(one) in ends)]
+
+
+def _ends(one: DrawnOpening | WallGap) -> frozenset[Spot]:
+    return frozenset((one.start, one.end))
 
 
 def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) -> list[Unread]:

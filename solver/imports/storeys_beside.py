@@ -17,7 +17,7 @@ APART: Final = 1.0
 LEAST_ROOMS: Final = 3
 """A group of fewer rooms is none: a shed belongs to the nearest."""
 
-VIEWS: Final = "enclose rooms apart from the others in which nothing is named and no door swings or closes a gap, as in elevations and sections: {}"
+VIEWS: Final = "enclose rooms apart from the others in which nothing is named and no door opens, as in elevations and sections: {}"
 
 
 class StoreyTitle(NamedTuple):
