@@ -1,7 +1,7 @@
 """Fourth step: rooms' inner faces -> rooms along the lines of their walls: half the thinnest wall outside of their faces.
 
-Two faces of different rooms that look at each other across at most 0.75 m are one wall. Where it is as thin as any its line runs in its
-middle; of a thicker one each room has a line of its own.
+Two faces of different rooms that look at each other across at most 0.75 m, or what the usual wall measures, are one wall. Where it is
+as thin as any its line runs in its middle; of a thicker one each room has a line of its own.
 """
 
 from bisect import bisect_left
@@ -14,7 +14,7 @@ from typing import Final
 from solver.imports.rectilinear import FloorCorners, PlanEdge, edges_of_corners, tidied, weighted_median
 
 THICKEST: Final = 750
-"""Of a wall between two rooms, mm."""
+"""Of a wall between two rooms, mm, where the usual one is no thicker."""
 FACING: Final = 100
 """Faces of one wall overlap by at least so much, mm."""
 NEAR_LINES: Final = 10
@@ -39,7 +39,7 @@ def grown(edges: Sequence[Sequence[PlanEdge]], thickness: int | None) -> Grown:
 
     `thickness` is that of the walls, mm, where the file says it.
     """
-    pairs = _pairs(edges)
+    pairs = _pairs(edges, max(THICKEST, thickness or 0))
     gaps = [one for one in _gaps(pairs) if one[0] >= THINNEST]
     usual = int(weighted_median(one for one in gaps if one[0] <= gaps[0][0] + ALIKE)) if gaps else thickness or 0
     lines = _lines([pair for pair in pairs if pair[1].at - pair[0].at <= usual + NEAR_LINES])
@@ -54,7 +54,7 @@ def grown(edges: Sequence[Sequence[PlanEdge]], thickness: int | None) -> Grown:
 
 def usual_gap(rooms: Sequence[FloorCorners]) -> int:
     """Returns how far apart rooms that are neighbours lie, mm: 0 where they are drawn along lines, or where there are none."""
-    return int(weighted_median(_gaps(_pairs([edges_of_corners(number, corners) for number, corners in enumerate(rooms)]))))
+    return int(weighted_median(_gaps(_pairs([edges_of_corners(number, corners) for number, corners in enumerate(rooms)], THICKEST))))
 
 
 def _gaps(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> list[tuple[int, int]]:
@@ -62,7 +62,7 @@ def _gaps(pairs: Sequence[tuple[PlanEdge, PlanEdge, int]]) -> list[tuple[int, in
     return sorted((b.at - a.at, overlap) for a, b, overlap in pairs)
 
 
-def _pairs(rooms: Sequence[Sequence[PlanEdge]]) -> list[tuple[PlanEdge, PlanEdge, int]]:
+def _pairs(rooms: Sequence[Sequence[PlanEdge]], thickest: int) -> list[tuple[PlanEdge, PlanEdge, int]]:
     """Returns the edges that see each other across a wall, the nearer first, and over how much of their length."""
     found, edges = [], [edge for room in rooms for edge in room]
     for axis in ("x", "z"):
@@ -71,7 +71,7 @@ def _pairs(rooms: Sequence[Sequence[PlanEdge]]) -> list[tuple[PlanEdge, PlanEdge
         for edge in (one for one in edges if one.axis == axis and one.out > 0):
             seen = [(edge.low, edge.high)]
             for other in facing[bisect_left(starts, edge.at) :]:
-                if other.at - edge.at > THICKEST or not seen:
+                if other.at - edge.at > thickest or not seen:
                     break
                 overlap = sum(max(0, min(high, other.high) - max(low, other.low)) for low, high in seen)
                 if overlap >= FACING:

@@ -58,6 +58,15 @@ def test_walls_thicker_than_any_of_a_scene_are_held_as_thick_as_those() -> None:
     assert (answer.scene.wall_thickness, answer.scene.rooms[0].width) == (1.0, 5.0)
 
 
+@pytest.mark.parametrize(("usual", "thick", "joins"), [(1.0, 0.9, "bedroom_1"), (0.1, 0.1, "EXTERIOR")])
+def test_rooms_no_farther_apart_than_the_usual_wall_is_thick_have_one_between_them(usual: float, thick: float, joins: str) -> None:
+    """A door stands between two rooms 0.9 m apart; of walls 0.1 m thick there is more than one there."""
+    door = line("door", (4.5, 1), (4.5, 1.9)) if usual > 0.9 else line("door", (4.05, 1), (4.05, 1.9))
+    rooms = box("Hallway", 0, 0, 4, 3), box("Bedroom", 4.9, 0, 9, 3)
+    scene = read(collection(*rooms, door, drawn="inner", wall_thickness=usual)).scene
+    assert (scene.wall_thickness, [one.connects_to for one in scene.rooms[0].openings]) == (thick, [joins])
+
+
 @pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
 def test_our_exports_read_back(house: Scene, format: str) -> None:
     after = again(house, format).scene
