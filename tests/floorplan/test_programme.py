@@ -150,6 +150,22 @@ def test_baths_are_not_off_the_kitchen_nor_masters_the_smaller_bedrooms() -> Non
     assert smaller <= 4
 
 
+def test_one_goes_from_bed_to_bathroom_without_walking_through_rooms_one_lives_in() -> None:
+    """Of 400 bedrooms in 80 large homes that are a U 158 had every bathroom beyond such a room: now 30."""
+    beyond = 0
+    for seed in range(931_000, 931_020):
+        rooms = planned(seed=seed, program="large", outline="U").rooms
+        kinds = {room.id: room.type for room in rooms}
+        doors = checks.joined(rooms)
+        for bedroom in (room.id for room in rooms if "bedroom" in room.type):
+            near = {bedroom}
+            for _ in rooms:
+                walked = {one for one in near if one == bedroom or kinds[one] in ("hallway", "foyer")}
+                near |= {one for pair in doors if walked & {*pair} for one in pair}
+            beyond += "bathroom" not in map(kinds.get, near)
+    assert beyond <= 14
+
+
 @pytest.mark.parametrize("preset", ["studio", "one_bed"])
 def test_small_homes_have_their_bath_off_the_foyer(preset: str) -> None:
     """Of 200 studios 118 had it off the living room alone, of 200 with a bedroom 144: now 4 and 2 of 100."""

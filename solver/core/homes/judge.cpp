@@ -19,6 +19,9 @@ constexpr f64 AT_ENTRANCE = 6.0;
 constexpr f64 OFF_ENTRY = 0.7;
 // A bathroom that only rooms one lives in lead to.
 constexpr f64 OFF_LIVING = 4.0;
+// A bedroom, of several, from which one walks through a room one lives in to every bathroom; to the entrance.
+constexpr f64 BATHROOM_AFAR = 4.0;
+constexpr f64 PAST_LIVING = 2.0;
 // A wet room without a wet neighbour.
 constexpr f64 DRY = 4.0;
 // A kitchen away from the dining room, or from the living room where there is none.
@@ -77,7 +80,8 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
     if (room.has(HABITABLE)) found.dark += !is_lit(sheet.boxes[i], i);
   }
   const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others + OFF_LIVING * ways.off_living +
-                     STREETLESS * found.streetless + KITCHEN_BETWEEN * ways.between + PAST_KITCHEN * ways.past_kitchen;
+                     BATHROOM_AFAR * ways.bathless + PAST_LIVING * ways.past_living + STREETLESS * found.streetless +
+                     KITCHEN_BETWEEN * ways.between + PAST_KITCHEN * ways.past_kitchen;
   found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + smallness(sheet) + walked;
   return found;
 }
@@ -175,18 +179,22 @@ f64 Judge::smallness(const Sheet& sheet) const {
 }
 
 // Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, bathrooms that only rooms one lives in lead
-// to, private ones that only the kitchen leads to; tells of a kitchen between.
+// to, private ones that only the kitchen leads to, bedrooms past such rooms; tells of a kitchen between.
 Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 hall = (1ULL << (rooms_.size + sheet.hallways)) - (1ULL << rooms_.size);
   const u64 ways = ways_ | hall;
   const u64 start = entry_ ? lowest(entry_) : living_ ? lowest(living_) : hall ? lowest(hall) : 1;
   const u64 found = reached(ways, start), past = found & ~kitchen_, around = kitchen_ ? reached(past, start) : found;
-  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, 0, (past & ~around) != 0};
+  const u64 passages = entry_ | hall, washed = reached(passages, beside_of(toilets_ & leaves_) & passages), met = reached(passages, start);
+  const u64 guarded = beds_ & (beds_ - 1) ? beds_ : 0;
+  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, 0, 0, 0, (past & ~around) != 0};
   for (i32 i = 0; i < rooms_.size; i++) {
     if (rooms_[i].owned()) counted.unreached += !(beside_[i] >> rooms_[i].owner & 1);
     if (!(leaves_ >> i & 1)) continue;
     const u64 doors = beside_[i] & found;
     const bool bed = beds_ >> i & 1, toilet = toilets_ >> i & 1;
+    counted.bathless += (guarded & ~suites_) >> i & 1 && !(doors & washed);
+    counted.past_living += guarded >> i & 1 && !(doors & met);
     if (!doors) {
       counted.unreached += !is_behind(i, found);
     } else if (doors == start && !toilet) {
@@ -197,6 +205,13 @@ Judge::Ways Judge::access(const Sheet& sheet) const {
     }
   }
   return counted;
+}
+
+// The rooms beside any of some.
+u64 Judge::beside_of(u64 rooms) const {
+  u64 found = 0;
+  for (u64 left = rooms; left; left &= left - 1) found |= beside_[place_of_lowest(left)];
+  return found;
 }
 
 // The rooms that a way through rooms leads to.

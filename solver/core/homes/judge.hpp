@@ -26,7 +26,7 @@ class Judge {
 
  private:
   struct Ways {
-    i64 unreached, at_entrance, others, off_living, past_kitchen;
+    i64 unreached, at_entrance, others, off_living, past_kitchen, bathless, past_living;
     bool between;
   };
   // How long the walls of a room are, in the order of Wall, that other rooms lie at.
@@ -37,6 +37,7 @@ class Judge {
   f64 company() const;
   f64 smallness(const Sheet& sheet) const;
   Ways access(const Sheet& sheet) const;
+  u64 beside_of(u64 rooms) const;
   u64 reached(u64 ways, u64 start) const;
   bool is_behind(i32 room, u64 reached) const;
   bool is_lit(const Rect& box, i32 room) const;
