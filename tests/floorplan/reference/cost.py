@@ -31,6 +31,10 @@ OFF_ENTRY: Final = 0.7
 """Another room than a bedroom or a bathroom that only the entrance room leads to."""
 OFF_LIVING: Final = 4.0
 """A bathroom that only rooms one lives in lead to."""
+BATHROOM_AFAR: Final = 4.0
+"""A bedroom, of several, from which one walks through a room one lives in to every bathroom."""
+PAST_LIVING: Final = 2.0
+"""A bedroom, of several, from which one walks through such a room to the entrance."""
 DRY: Final = 4.0
 """A wet room without a wet neighbour."""
 KITCHEN_APART: Final = 2.5
@@ -102,7 +106,9 @@ class HomeJudge:
         unreached, at_entrance, others, off_living, past_kitchen, between = self._access(beside, sheet)
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
-        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + OFF_LIVING * off_living + STREETLESS * streetless
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + OFF_LIVING * off_living
+        bathless, past_living = self._past_living(beside, sheet)
+        ways = ways + BATHROOM_AFAR * bathless + PAST_LIVING * past_living + STREETLESS * streetless
         ways = ways + KITCHEN_BETWEEN * between + PAST_KITCHEN * past_kitchen
         dark = sum(not _lit(sheet.boxes[i], covered.get(i, {})) for i in self.habitable)
         cost = sizes + (self._outline(sheet) + self.dark * dark) + self._company(beside) + SMALL_SUITE * self._is_small(sheet.boxes) + ways
@@ -178,6 +184,22 @@ class HomeJudge:
                 past_kitchen += not doors & around
                 off_living += i in self.bathrooms and not doors & (self.entry | hall)
         return unreached, at_entrance, others, off_living, past_kitchen, bool(past & ~around)
+
+    def _past_living(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int]:
+        """Counts bedrooms, of several, that rooms one lives in lie between and every bathroom; and the entrance."""
+        first = len(self.planned)
+        hall = (1 << first + len(sheet.hallways)) - (1 << first)
+        passages = self.entry | hall
+        start = self.entry & -self.entry or self.living & -self.living or hall & -hall or 1
+        met = _reached(beside, passages, start)
+        at_baths = 0
+        for bath in self.leaves:
+            at_baths |= beside[bath] & passages if bath in self.bathrooms else 0
+        washed = _reached(beside, passages, at_baths)
+        reached = _reached(beside, self.ways | hall, start)
+        doors = {i: beside[i] & reached for i in self.leaves if i in self.bedrooms and len(self.bedrooms) > 1}
+        suites = {owner for _, owner in self.owned}
+        return sum(i not in suites and not at & washed for i, at in doors.items()), sum(not at & met for at in doors.values())
 
     def _behind(self, room: int, beside: Sequence[int], reached: int) -> bool:
         """Tells whether a garage can be entered through a laundry that is reached itself."""
