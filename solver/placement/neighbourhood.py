@@ -55,7 +55,8 @@ def as_wished(space: Space, pieces: Sequence[Piece]) -> Found | None:
         found[piece.label] = Rect.around(way.anchor_mm, extent)
         if attach is not None:
             parent = found[attach.parent]
-            dx, dz = rotate(sum(attach.across_mm) // 2, sum(attach.along_mm) // 2, turns[attach.parent])
+            across, along = attach.wish_twice_mm
+            dx, dz = rotate(across // 2, along // 2, turns[attach.parent])
             x, z = parent.x0 + (parent.width - extent[0]) // 2 + dx, parent.z0 + (parent.depth - extent[1]) // 2 + dz
             found[piece.label] = Rect(x, z, x + extent[0], z + extent[1])
     return Found(tuple(ways), tuple(found.values()))
@@ -81,7 +82,9 @@ class Neighbourhood:
 
     def neighbourhoods(self) -> Iterator[frozenset[str]]:
         """Yields which pieces to free, one set after the other: each holds the one before."""
-        freed = {label for one in self.in_the_way for label in (one, self._root(one)) if label in self._loose}
+        roots = {self._root(label) for label in self.in_the_way}
+        sliding = {label for label in self.in_the_way if (attach := self.ways[label].attach) is not None and attach.wish_mm}
+        freed = (roots | sliding) & self._loose
         step = 1
         if freed:
             yield frozenset(freed)

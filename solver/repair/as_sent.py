@@ -28,7 +28,7 @@ from solver.scene import Furniture, Room
 SEAT_COST = 1.0
 """What another place at its table costs a chair."""
 SLIDE_COST = 0.003
-"""What sliding along its side of the table costs a chair, or a piece on another over that, besides the way: as much as moving 5 cm."""
+"""What sliding over another piece costs one on it, besides the way: as much as moving 5 cm."""
 FREE_COST = 1.5
 """What leaving its table costs a tucked chair: more than another place at it, also where the table goes and the chair stays."""
 MOVED_WEIGHT = 20.0
@@ -51,21 +51,23 @@ FACE_FAR_MM = 150
 
 @dataclass(frozen=True)
 class _Floor:
-    """The bodies on the floor of a room: which table each tucked chair is under, and who stays as sent."""
+    """The bodies on the floor of a room: which table each tucked chair is under, who stays as sent, and which share space with which."""
 
     problem: RoomProblem
     tables: Mapping[str, Body]
     held: Mapping[str, tuple[str, ...]]
+    crossing: tuple[tuple[str, ...], ...]
 
 
 def pieces_as_sent(problem: RoomProblem) -> tuple[Piece, ...]:
     """Turns a sent room into pieces to place, most important first; they ask for their use sides."""
     room, settings = problem.room, problem.settings
     bodies = floor_bodies(room)
-    floor = _Floor(problem, tables_of(bodies), holders(room, settings))
+    crossing = tuple(issue.ids for issue in problem.errors if issue.rule == "overlap")
+    floor = _Floor(problem, tables_of(bodies), holders(room, settings), crossing)
     bodies.sort(key=lambda body: _importance(body, settings))
     pieces = [_piece(body, _candidates(body, floor), settings) for body in bodies]
-    return (*pieces, *_pieces_on_others(problem, {body.id: body for body in bodies}))
+    return (*pieces, *_pieces_on_others(floor, {body.id: body for body in bodies}))
 
 
 def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
@@ -97,15 +99,14 @@ def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettin
     return Piece(body.id, True, candidates, stands=stands, need_all=need_all)
 
 
-def _pieces_on_others(problem: RoomProblem, floor: Mapping[str, Body]) -> list[Piece]:
+def _pieces_on_others(floor: _Floor, bodies: Mapping[str, Body]) -> list[Piece]:
     """What stands on other pieces, in the frame of the one below it: rigid there, or sliding out of another's space."""
-    room, settings = problem.room, problem.settings
+    room, settings = floor.problem.room, floor.problem.settings
     parents = carriers(room)
-    crossing = {label for issue in problem.errors if issue.rule == "overlap" for label in issue.ids}
-    crowded = {parents[label] for label in crossing & parents.keys()}
-    upon = [piece for piece in room.furniture if root_of(piece.id, parents) in floor.keys() - {piece.id}]
+    crowded = {parents[label] for ids in floor.crossing for label in ids if label in parents}
+    upon = [piece for piece in room.furniture if root_of(piece.id, parents) in bodies.keys() - {piece.id}]
     held = {label for piece in upon if settings.is_locked(piece) for label in (piece.id, *below(piece.id, parents))}
-    known, pieces = {**floor, **{piece.id: piece for piece in upon}}, []
+    known, pieces = {**bodies, **{piece.id: piece for piece in upon}}, []
     for piece in sorted(upon, key=lambda piece: len(below(piece.id, parents))):
         own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
         carrier = known[parents[piece.id]]
@@ -152,13 +153,16 @@ def _candidates(body: Body, floor: _Floor) -> tuple[Candidate, ...]:
         return (*ways, *_seats(straight, table, floor.problem.settings))
     free = tuple(replace(way, cost=way.cost + FREE_COST) for way in ways)
     as_sent = replace(_in_frame(drawn_out(straight, table), table), under=table.id, weights=ways[0].weights)
-    return (as_sent, *_seats(straight, table, floor.problem.settings, as_sent), *free)
+    crowded = any(body.id in ids and all(floor.tables.get(label) is table for label in ids) for ids in floor.crossing)
+    seats = _seats(straight, table, floor.problem.settings, as_sent if crowded else None)
+    slides = any(way.attach is not None and way.attach.wish_mm for way in seats)
+    return (*(() if slides else (as_sent,)), *seats, *free)
 
 
 def _seats(chair: Furniture, table: Body, settings: RepairSettings, as_sent: Candidate | None = None) -> tuple[Candidate, ...]:
     """Returns a chair's places along the sides of its table that people use, looking at it: as it is turned first.
 
-    At the side where it was sent, if it was sent to the table, it is wished there; at others in the middle.
+    At the side where it was sent, if it may slide along it, it is wished there; at others in the middle.
     """
     wide, deep, _ = size = bounding_size(chair, footprint(chair))
     long, broad, _ = bounding_size(table, footprint(table))
@@ -173,7 +177,7 @@ def _seats(chair: Furniture, table: Body, settings: RepairSettings, as_sent: Can
             if as_sent is not None and as_sent.attach is not None and turn == own:
                 sent = as_sent.attach.across_mm[0], as_sent.attach.along_mm[0]
                 if rotate(*sent, -turn)[1] <= 1 - near:  # it is at this side
-                    ends, wish, weights, cost = [*ends, rotate(*sent, -turn)], sent, as_sent.weights, SLIDE_COST
+                    ends, wish, weights, cost = [*ends, rotate(*sent, -turn)], sent, as_sent.weights, 0.0
             across, along = zip(*(rotate(x, z, turn) for x, z in ends), strict=True)
             attach = Attach(table.id, table.name, (min(across), max(across)), (min(along), max(along)), wish_mm=wish)
             found.append(Candidate(chair.name, size, turn, weights=weights, cost=cost, attach=attach, under=table.id))

@@ -9,6 +9,9 @@ from dataclasses import replace
 import pytest
 
 from solver import Scene, fix
+from solver.geometry import Rect
+from solver.pieces import Attach, Candidate, Piece, Space
+from solver.placement.neighbourhood import as_wished
 from solver.scene import Furniture, Opening
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, pieces, room_of
@@ -123,3 +126,13 @@ def test_a_seat_slides_no_farther_under_a_table_of_odd_depth_than_one_sits(rotat
     seat = replace(body("pouf_1", x, z, (0.46, 0.5, 0.9)), rotation=rotation, under=table.id)
     fixed = fix(room_of(table, seat, body("case_1", case_x, case_z, case_size, locked=True), width=5.6, depth=5.6))
     assert errors(fixed.scene) == [] and fixed.conflicts == ()
+
+
+def test_pieces_are_looked_at_first_where_they_are_wished() -> None:
+    """A seat that may be anywhere along a turned table is wished off the middle there."""
+    attach = Attach("table", "table", (-570, 570), (-550, -350), wish_mm=(-400, -500))
+    table = Candidate("table", (1600, 900, 750), 90, anchor_mm=(2000, 3000))
+    seat = Candidate("seat", (460, 500, 900), 0, attach=attach)
+    space = Space("dining_room", Rect(0, 0, 5000, 5000), (), ())
+    found = as_wished(space, [Piece("table", True, (table,)), Piece("seat", True, (seat,))])
+    assert found is not None and found.places[1].centre == (1500, 3400)
