@@ -156,16 +156,6 @@ def _check_number(field: str, value: object, least: float | None, most: float) -
         raise SceneError(field, f"is {called(value)}", told)
 
 
-def has_floats(scene: Scene) -> bool:
-    """Tells whether the lengths of a scene are floats of Python's own, as a reader makes them of whole numbers, too."""
-    found: list[object] = [scene.wall_thickness, *(attrgetter(*sorted(_SIZES))(scene.size) if scene.size else ())]
-    for room in scene.rooms:
-        found += [one for one in (*chain.from_iterable(room.outline or ()), *(room.wall_thickness or ())) if one is not None]
-    for _, records, keys in _numbered(scene):
-        found += chain.from_iterable(map(attrgetter(*(key for key in keys if key != "rotation")), records))
-    return {*map(type, found)} <= {float}
-
-
 def _numbered(scene: Scene) -> Iterator[tuple[str, Sequence[object], Sequence[str]]]:
     """Yields what of a scene has numbers, those of bodies that the core told left aside, with its field and the names of its numbers."""
     yield "levels", scene.levels, _OF_LEVELS

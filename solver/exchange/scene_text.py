@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple, TypeVar
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furniture_ids, rows_in
 from solver.exchange import json_text
 from solver.exchange.text import FORMATS, dump_plain
-from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_scene, write_text
+from solver.exchange.writer import shape_of, write, write_degrees, write_number, write_numbers, write_scene, write_text
 from solver.fields import EXTRA
 from solver.plain import Wrong, plain
 from solver.records import LATER, MadeOnce
@@ -88,11 +88,11 @@ def _any(value: Any) -> str:
         return known(value)
     if hasattr(value.__class__, "__dataclass_fields__"):
         return _record(value)
-    return _items(value) if isinstance(value, tuple) else json_text.dump(plain(value)).rstrip()
+    return _items(value) if isinstance(value, list | tuple) else json_text.dump(plain(value)).rstrip()
 
 
-def _items(values: Iterable[Any]) -> str:
-    return f"[{','.join(map(_any, values))}]"
+def _items(values: Iterable[Any], write: Callable[[Any], str] = _any) -> str:
+    return f"[{','.join(map(write, values))}]"
 
 
 def _texts_told(scene: Scene) -> Iterable[bytes]:
@@ -159,6 +159,10 @@ def _number(value: Any) -> str:
     return "null" if value is None else repr(write_number(value))
 
 
+def _numbers(value: Any) -> str:
+    return _items(value, _numbers) if isinstance(value, list | tuple) else _NUMBERS[value]
+
+
 def _degrees(value: Any) -> str:
     return "null" if value is None else repr(write_degrees(value))
 
@@ -206,6 +210,6 @@ _BY_CLASS: Final[dict[type[Any], Callable[[Any], str]]] = {
     FurnitureRows: lambda _: _TOLD, DecorationRows: lambda _: _TOLD,
 }  # fmt: skip
 _WRITERS: Final[dict[Callable[[Any], Any], Callable[[Any], str]]] = {
-    write_number: _NUMBERS.__getitem__, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
+    write_number: _NUMBERS.__getitem__, write_numbers: _numbers, write_degrees: _degrees, write_text: _TEXTS.__getitem__, int: _whole,
 }  # fmt: skip
 """What writes as text what a function of the document's writer writes."""

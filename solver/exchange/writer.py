@@ -3,16 +3,19 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from functools import lru_cache
-from operator import attrgetter
+from numbers import Real
+from operator import attrgetter, is_
 from types import UnionType
-from typing import Any, Final, NamedTuple, Union, get_args, get_origin, get_type_hints
+from typing import Any, Final, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from solver.errors import FieldError, RequestError, SceneError
 from solver.fields import EXTRA, OMITTED
 from solver.plain import Wrong, path, plain
+from solver.records import changed
 from solver.request import Request
 from solver.scene import Scene
 
+Value = TypeVar("Value")
 DEGREES: Final = "rotation"
 """The key of a number that is written whole where it is whole."""
 _TURN: Final = 360
@@ -52,6 +55,27 @@ def write(record: object, error: type[FieldError] = FieldError) -> dict[str, Any
         raise error(path(wrong.way), wrong.problem, wrong.allowed) from None
 
 
+def as_read(record: Value) -> Value:
+    """Returns a record as a reader makes it, if one took it: tuples of its lists, and numbers of the kinds that its types say."""
+    names, usually, writers, *_ = shape_of(record.__class__)  # type: ignore[arg-type] # classes are hashable
+    told, made = record.__dict__, {}
+    for name, usual in zip(names, usually, strict=True):
+        value = told.get(name)
+        if value is not None and value.__class__ is not usual and (differing := _as_read(value, writers[name])) is not value:
+            made[name] = differing
+    return changed(record, **made) if made else record
+
+
+def _as_read(value: Any, writer: Callable[[Any], Any]) -> Any:
+    if hasattr(value.__class__, "__dataclass_fields__"):
+        return as_read(value)
+    if isinstance(value, list | tuple):
+        made = tuple([_as_read(one, writer) for one in value])
+        return value if value.__class__ is tuple and all(map(is_, made, value)) else made
+    kinds = _KINDS.get(writer)
+    return kinds[0](value) if kinds and value.__class__ not in kinds and isinstance(value, Real) else value
+
+
 class Shape(NamedTuple):
     """What a class of records writes.
 
@@ -84,7 +108,14 @@ def _writer(name: str, hint: Any) -> Callable[[Any], Any]:
         return write_degrees if name == DEGREES else write_number
     if str in kinds:
         return write_text
-    return int if int in kinds and bool not in kinds else _any
+    if int in kinds and bool not in kinds:
+        return int
+    return write_numbers if float in _entries(hint) else _any
+
+
+def _entries(hint: Any) -> set[Any]:
+    """Returns the types of what stands in lists of a type, however deep."""
+    return set().union(*map(_entries, get_args(hint))) if get_origin(hint) in (tuple, Union, UnionType) else {hint}
 
 
 def _record(record: Any) -> dict[str, Any]:
@@ -129,17 +160,30 @@ def write_degrees(value: Any) -> float:
     return int(number) if number.is_integer() else number
 
 
+def write_numbers(value: Any) -> Any:
+    """Writes lists of numbers, each with a point or null."""
+    if isinstance(value, list | tuple):
+        return _items(value, write_numbers)
+    return None if value is None else write_number(value)
+
+
 def _any(value: Any) -> Any:
     if hasattr(value.__class__, "__dataclass_fields__"):
         return _record(value)
-    return _items(value) if isinstance(value, tuple) else plain(value)
+    return _items(value) if isinstance(value, list | tuple) else plain(value)
 
 
-def _items(values: Iterable[Any]) -> list[Any]:
+def _items(values: Iterable[Any], write: Callable[[Any], Any] = _any) -> list[Any]:
     written: list[Any] = []
     try:
         for value in values:
-            written.append(_any(value))
+            written.append(write(value))
     except Wrong as wrong:
         raise wrong.inside(len(written)) from None
     return written
+
+
+_KINDS: Final[Mapping[Any, tuple[Callable[[Any], Any], ...]]] = {
+    int: (int,), write_number: (float,), write_numbers: (float,), write_degrees: (float, int),
+}  # fmt: skip
+"""The kinds of numbers that are such as a reader makes, or as good, by what writes them."""

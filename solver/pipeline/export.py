@@ -7,12 +7,12 @@ from catalogs import Catalogs, load_catalogs
 from solver.answers import Issue
 from solver.demanded import demand
 from solver.errors import SceneError
-from solver.exchange import dump_scene, read, write_scene
+from solver.exchange import as_read, dump_scene
 from solver.export_formats import EXPORTERS, SCENE_FILE, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
 from solver.named_assets import with_assets, with_kinds
 from solver.scene import Scene
-from solver.scene_bodies import check_scene, has_floats
+from solver.scene_bodies import check_scene
 from solver.validator import floors, validate
 
 LEAST_SIDE_M: Final = 0.001
@@ -56,8 +56,7 @@ def export(  # noqa: PLR0913 - keyword-only options of a public function
     """
     known = catalogs or load_catalogs()
     _check_sides(scene)
-    if not has_floats(scene):  # as one that was made in Python may have
-        scene = read(Scene, write_scene(scene), "scene", SceneError)
+    scene = as_read(scene)  # one made in Python may have lists, and whole numbers or NumPy's
     issues = validate(scene, known)
     errors = [issue for issue in issues if issue.severity == "error"]
     if errors and strict:

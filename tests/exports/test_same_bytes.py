@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from compose_homes import Decoration, Furniture, Level, Opening, Room, Scene, Size, export
+from compose_homes import Decoration, Furniture, Level, Opening, Room, Scene, Size, dump, export
+from solver.exchange import write_scene
 from solver.export_formats import EXPORTERS
 from tests.architecture.tree import ROOT
 from tests.exports.agreement import READ_AS
@@ -43,24 +44,29 @@ def test_every_process_writes_the_same() -> None:
     assert export(own(), "csv") == export(own(), "csv")
 
 
-def test_numbers_of_all_kinds_are_written_alike() -> None:
-    kinds = cycle((int, np.float64))
+def test_numbers_and_lists_of_all_kinds_are_written_alike() -> None:
+    kinds = cycle((int, np.float64, np.float32, np.int64))
 
-    def mixed(number: int) -> float:
+    def mixed(number: int) -> Any:
         return next(kinds)(number)
 
-    def home(number: Callable[[int], float]) -> Scene:
+    def home(number: Callable[[int], float], listed: Any = tuple) -> Scene:
         size: dict[str, Any] = {"width": number(2), "depth": number(1), "height": number(1)}
         sofa = Furniture("den/sofa_1", "sofa", x=number(2), z=number(3), rotation=number(90), **size)
         vase = Decoration("den/vase_1", "vase", "den/sofa_1", x=number(2), y=number(1), z=number(3), **size)
         door = Opening("door", wall="south", position=number(2), width=number(1), height=number(2), connects_to="EXTERIOR")
-        outline = tuple((number(x), number(z)) for x, z in ((0, 0), (4, 0), (4, 3), (3, 3), (3, 5), (0, 5)))
-        thickness = (number(1), *[None] * 5)
+        outline = listed(listed((number(x), number(z))) for x, z in ((0, 0), (4, 0), (4, 3), (3, 3), (3, 5), (0, 5)))
+        thickness = listed((number(1), *[None] * 5))
         room = Room("den", width=number(4), depth=number(5), outline=outline, wall_thickness=thickness)
-        filled = replace(room, openings=(replace(door, wall=None, edge=4),), furniture=(sofa,), decorations=(vase,))
-        return Scene(rooms=(filled,), levels=(Level(0, number(0), number(3)),), size=Size(number(4), number(5), number(3)))
+        filled = replace(room, openings=listed([replace(door, wall=None, edge=4)]), furniture=listed([sofa]), decorations=listed([vase]))
+        levels, whole = listed([Level(0, number(0), number(3))]), Size(number(4), number(5), number(3))
+        triangle = Room("attic", width=number(4), depth=number(5), x=number(9), outline=listed(map(listed, outline[:3])))
+        return Scene(rooms=listed([filled, triangle]), levels=levels, size=whole)
 
     formats = [format for format in EXPORTERS if format not in READ_AS]
-    differing = [format for format in formats if export(home(mixed), format) != export(home(float), format)]
+    differing = [format for format in formats if export(home(mixed, list), format) != export(home(float), format)]
     assert home(mixed) == home(float)
     assert differing == []
+    assert dump(home(mixed, list)) == dump(home(float))
+    assert write_scene(home(mixed, list)) == write_scene(home(float))
+    assert repr(write_scene(home(mixed))) == repr(write_scene(home(float))), "to the point of a number"
