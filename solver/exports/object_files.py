@@ -17,8 +17,6 @@ from solver.exports.paints import srgb
 from solver.exports.solid_meshes import Points, SolidSurface, surface_of
 
 FOLDER: Final = "assets"
-LONGEST: Final = 400
-"""The most bytes of a name: a joint's line has three, and PyBullet reads 4,000 of a line; 50,000 end libsdformat."""
 LEAST_AREA: Final = 1e-12
 """A triangle of less area, by the square of the asset's extent, is left out: simulators refuse it."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from xml.etree import ElementTree
 
 import pytest
@@ -45,13 +46,16 @@ def test_links_form_one_tree_with_inertias_that_can_be(home: str) -> None:
 @pytest.mark.parametrize("format", ["urdf", "sdf"])
 def test_names_are_free_and_short_enough_for_simulators(format: str) -> None:
     """Drake puts the link `world` of any robot where its own is; PyBullet reads no name that is long, libsdformat ends at one."""
-    pieces = (Furniture(name, "wardrobe", x=2, z=k + 1, width=1.2, depth=0.6, height=2) for k, name in enumerate(("world", "é" * 50_000)))
-    files = export(Scene(rooms=(Room("den", width=4.0, depth=3.0, furniture=tuple(pieces)),)), format)
-    names = [
-        one.get("name", "") for one in ElementTree.fromstring(files[f"house.{format}"]).iter() if one.tag in ("link", "joint", "model")
-    ]
+    ids = ("world", "é" * 50_000, '"' * 900, "<&" * 900, "_", "__", "___", "_::_", "::", "a___", "a::_", "world_")
+    pieces = (Furniture(name, "wardrobe", x=2, z=k + 1, width=1.2, depth=0.6, height=2) for k, name in enumerate(ids))
+    content = export(Scene(rooms=(Room("den", width=4.0, depth=15.0, furniture=tuple(pieces)),)), format)[f"house.{format}"]
+    names = [one.get("name", "") for one in ElementTree.fromstring(content).iter() if one.tag in ("link", "joint", "model")]
+    written = [max(map(len, re.findall(rb'<(?:link|joint|model) name="([^"]*)"', line)), default=0) for line in content.splitlines()]
     assert "world" not in names
     assert 300 < max(len(name.encode()) for name in names) < 500
+    assert 390 < max(written) < 410
+    if format == "sdf":
+        assert [name for name in names if name.startswith("__") or name.endswith("__") or "::" in name] == []
 
 
 @pytest.mark.parametrize("format", ["urdf", "sdf"])

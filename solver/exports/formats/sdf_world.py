@@ -11,13 +11,13 @@ from typing import Final
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, HeldThing, LinkPart, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
-from solver.exports.object_files import LONGEST, AssetObjects, StretchedMesh, UnitMeshes
+from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
-from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
+from solver.exports.xml_text import xml_comment, xml_name, xml_numbers, xml_text
 from solver.free_names import FreeNames
 
-FORBIDDEN: Final = r"::|^__|__$|^world$"
+FORBIDDEN: Final = r"^(_|::){2,}|(_|::){2,}$|::|^world$"
 """What SDF keeps for itself in names."""
 WALLS, LEAVES, BODIES = 1, 2, 3
 """Bits of contacts: a leaf meets bodies, not the wall it hangs in."""
@@ -36,7 +36,7 @@ class _World:
 
     def __init__(self, objects: AssetObjects) -> None:
         self.meshes, self.objects = UnitMeshes(), objects
-        self._models = FreeNames(FORBIDDEN, LONGEST)
+        self._models = FreeNames(FORBIDDEN, xml_name)
         self._painted: dict[Paint, str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:

@@ -10,10 +10,10 @@ from itertools import starmap
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import HouseModel, ModelBody, Paint
 from solver.exports.moving_parts import UNIT, LinkPart, MovingPart, held_things, moving_leaf, moving_parts, still_part
-from solver.exports.object_files import LONGEST, StretchedMesh, UnitMeshes
+from solver.exports.object_files import StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
-from solver.exports.xml_text import xml_comment, xml_numbers, xml_text
+from solver.exports.xml_text import xml_comment, xml_name, xml_numbers, xml_text
 from solver.free_names import FreeNames
 
 LinkForm = Collider | StretchedMesh
@@ -31,7 +31,7 @@ class _Robot:
     def __init__(self) -> None:
         self.meshes = UnitMeshes()
         self._materials: dict[Paint, str] = {}
-        self._links, self._joints = FreeNames(longest=LONGEST), FreeNames(longest=LONGEST)
+        self._links, self._joints = FreeNames(cut=xml_name), FreeNames(cut=xml_name)
         self._fronts: dict[tuple[str, str], str] = {}
 
     def lines(self, model: HouseModel) -> Iterator[str]:
