@@ -103,5 +103,8 @@ def test_names_make_way_for_the_distances_of_a_piece_that_is_tapped(touched: Vis
         touched.settle()
     touch.choose(sofa)
     laid = touched.page.evaluate(LAID)
+    touched.page.set_viewport_size({"width": 320, "height": 568})
+    for tool in ("undo", "redo", "left", "right", "lock", "delete"):
+        expect(touched.page.locator(f"#tools [data-tool={tool}]")).to_be_in_viewport(ratio=1)
     assert any(words.startswith("sofa") for words, *_ in laid)
     keep_apart(laid)
