@@ -57,6 +57,7 @@ def test_a_room_furnished_anew_and_an_edit_of_another_room_both_stay(visit: Visi
     locked, gone = other["furniture"][0]["id"], other["furniture"][1]["id"]
     visit.page.get_by_label("Room", exact=True).select_option(one["id"])
     waiting = held(visit.page, "generate", visit.page.get_by_role("button", name="Re-roll this room").click)
+    expect(visit.page.get_by_role("button", name="Undo")).to_be_enabled()
     visit.line_of(locked).click()
     visit.page.keyboard.press("k")
     visit.line_of(gone).click()

@@ -64,7 +64,10 @@ export class Workbench {
 
   constructor(readonly home: Home, readonly stage: Stage, readonly words: WorkbenchWords) {
     this.editor = new Editor(home, fix, {
-      busy: (busy) => words.busy(busy),
+      busy: (busy) => {
+        words.busy(busy);
+        this.#offer(); // what is under way can be taken back
+      },
       failed: (reason, again) => words.failed(reason, again, say("The home is as it was before the change.")),
       refused: (refusal) => this.#refuse(refusal),
       lifted: (id, scene) => this.#carry(id, scene),
@@ -300,7 +303,7 @@ export class Workbench {
   #offer(): void {
     const found = this.home.find(this.home.selected);
     const isLocked = found?.piece.locked === true;
-    this.#toolbar.enable("undo", this.home.canUndo);
+    this.#toolbar.enable("undo", this.home.canUndo || this.editor.busy);
     this.#toolbar.enable("redo", this.home.canRedo);
     for (const name of ["left", "right", "delete"]) this.#toolbar.enable(name, this.#acts.canChange);
     if (this.home.selected === null) this.#chooseSeveral(false);
