@@ -1,6 +1,6 @@
 /** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
-import { isAbort, onceAnswered, useKey } from "./service";
+import { isAbort, onceAnswered, ServiceProblem, useKey } from "./service";
 import { Notice, type Again } from "./panel/notice";
 
 /** Does something beside the question, `of` what is given once at a time. */
@@ -56,14 +56,15 @@ export class Asking {
     }
   }
 
-  /** Says why a part of what is shown did not come: it is asked for again where that is wished, or once the service answers anything else. */
+  /** Says why a part of what is shown did not come: it is asked for again where that is wished, or, if it may come yet, once the service answers. */
   readonly missed = (reason: unknown, ask: () => void): void => {
     const again = (): void => {
+      forget();
       if (this.notice.again === again) this.notice.hide();
       ask();
     };
     this.notice.show(reason, again);
-    onceAnswered(again);
+    const forget = reason instanceof ServiceProblem && reason.isFinal ? (): void => undefined : onceAnswered(again);
   };
 
   /** Does something beside that, such as a file; what is under way already is not begun again, which is said. */

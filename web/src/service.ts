@@ -30,6 +30,12 @@ export class ServiceProblem extends Error {
     this.retryAfter = refusal.retryAfter ?? null;
     this.ways = refusal.ways ?? [];
   }
+
+  /** Whether the same is refused whenever it is asked: not for want of a key, of time or of a turn. */
+  get isFinal(): boolean {
+    const status = this.status ?? 0;
+    return status >= 400 && status < 500 && ![401, 408, 429].includes(status);
+  }
 }
 
 export const LOST = new ServiceProblem(
@@ -91,9 +97,10 @@ function withKey(headers: HeadersInit | undefined): Headers {
 /** What waits for the service to answer again. */
 const waiting = new Set<() => void>();
 
-/** Does something once the service has answered any call, and what that changes is shown. */
-export function onceAnswered(act: () => void): void {
+/** Does something once the service has answered any call, and what that changes is shown, unless what is returned is called before. */
+export function onceAnswered(act: () => void): () => void {
   waiting.add(act);
+  return () => waiting.delete(act);
 }
 
 /** Asks, and reads the answer; what is refused is thrown in words. */

@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Asking } from "../src/asking";
 import { Progress } from "../src/panel/progress";
-import { exportFormats } from "../src/service";
+import { exportFormats, problemFrom } from "../src/service";
 
 /** The page's places, and something that ends when it is told to. */
 function page() {
@@ -104,6 +104,22 @@ describe("what is under way", () => {
     for (const _again of [1, 2]) await call();
     await vi.advanceTimersByTimeAsync(1);
     expect([asked, notice.hidden], "and what was said of it goes, of it alone").toEqual([1, other === null]);
+  });
+
+  it.each([[422, false], [404, false], [401, true], [429, true], [503, true], [0, true]])("asks with each answer once for what did not come, and no more for what is refused: %i", async (status, mayCome) => {
+    const { asking, notice } = page();
+    let asked = 0;
+    vi.stubGlobal("fetch", async () => new Response('{"formats":[]}'));
+    const ask = (): void => { asked += 1; asking.missed(problemFrom(status, null), ask); };
+    asking.missed(problemFrom(status, null), ask);
+    for (const again of [true, false, false]) {
+      if (again) notice.querySelector<HTMLElement>(".notice-again")?.click(); // what waits is not asked for twice
+      notice.hidden = true;
+      const before = asked;
+      await exportFormats(new AbortController().signal);
+      await vi.advanceTimersByTimeAsync(1);
+      expect([asked - before, notice.hidden]).toEqual(mayCome ? [1, false] : [0, true]);
+    }
   });
 
   it("tells itself of edits, whatever is told twice", () => {
