@@ -20,6 +20,8 @@ __all__ = ["ComposeError", "FieldError", "RequestError", "SceneError", "SyntaxFa
 Made = TypeVar("Made")
 MOST_TOLD: Final = 20
 """How many wrong fields a refusal names."""
+MOST_LETTERS: Final = 4000
+"""How long its words about one may be, which may hold what was sent: twice what all kinds of the catalog take."""
 
 
 class FieldError(ComposeError):
@@ -33,12 +35,17 @@ class FieldError(ComposeError):
     """
 
     def __init__(self, field: str, problem: str, allowed: str = "", more: tuple[tuple[str, str, str], ...] = ()) -> None:
-        self.field, self.problem, self.allowed, self.more = field, problem, allowed, more
-        super().__init__(f"{field}: {problem}" + (f" (allowed: {allowed})" if allowed else ""))
+        self.field, self.problem, self.allowed = map(_cut, (field, problem, allowed))
+        self.more = tuple([(_cut(where), _cut(what), _cut(may_be)) for where, what, may_be in more])
+        super().__init__(f"{self.field}: {self.problem}" + (f" (allowed: {self.allowed})" if allowed else ""))
 
     def __reduce__(self) -> "tuple[type[FieldError], tuple[str, str, str, tuple[tuple[str, str, str], ...]]]":
         """Lets it go from one process to another: a pool raises it again."""
         return type(self), (self.field, self.problem, self.allowed, self.more)
+
+
+def _cut(words: str) -> str:
+    return words if len(words) <= MOST_LETTERS else f"{words[: MOST_LETTERS - 1]}…"
 
 
 class RequestError(FieldError):

@@ -1,6 +1,7 @@
 """JSON text <-> documents."""
 
 import json
+from sys import get_int_max_str_digits
 from typing import Any, Final
 
 from solver.errors import SyntaxFault
@@ -20,8 +21,10 @@ def parsed(text: str) -> object:
         document: object = json.loads(text, object_pairs_hook=_once)
     except RecursionError:
         raise _too_deep() from None
-    except ValueError as error:
+    except json.JSONDecodeError as error:
         raise SyntaxFault(f"not JSON: {error}") from None
+    except ValueError:  # Python reads no whole number of more digits
+        raise SyntaxFault(f"not JSON that is read here: a whole number of more than {get_int_max_str_digits()} digits") from None
     return document
 
 

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catalogs import yaml_reading
+from compose_homes import Furniture, Room, Scene, fix
 from solver.core import CoreFailed
 from solver.errors import SceneError, SyntaxFault
 from solver.exchange import FORMATS, dump_text, load_text, read_scene
@@ -95,6 +96,19 @@ def test_keys_given_twice_are_refused(name: str) -> None:
     assert "'a'" in refused('{"a": 1, "b": {"c": 2}, "a": 3}', name)
     assert "'c'" in refused('{"b": [{"c": 2, "c": 2}]}', name)
     assert load_text('{"a": {"c": 1}, "b": {"c": 2}}', name) == {"a": {"c": 1}, "b": {"c": 2}}
+
+
+@pytest.mark.parametrize("name", ["json", "yaml"])
+def test_long_numbers_and_names_are_refused_in_few_words_of_ours(name: str) -> None:
+    with pytest.raises(SyntaxFault, match="number of more than") as told:
+        load_text(f'{{"seed": {"9" * 5000}}}', name)
+    assert "set_int" not in str(told.value)
+    assert len(str(told.value)) < 100
+    room = Room("den", width=4.0, depth=3.0, furniture=(Furniture("n" * 100_000, "sofa", x=2, z=1, width=2, depth=1, height=1),))
+    with pytest.raises(SceneError) as refused:
+        fix(Scene(rooms=(room,)), moved=["m" * 100_000])
+    assert len(str(refused.value)) < 10_000
+    assert len(refused.value.problem) + len(refused.value.allowed) < 10_000
 
 
 def test_where_yaml_is_wrong_is_told() -> None:
