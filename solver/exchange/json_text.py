@@ -24,7 +24,7 @@ def parsed(text: str) -> object:
     except json.JSONDecodeError as error:
         raise SyntaxFault(f"not JSON: {error}") from None
     except ValueError:  # Python reads no whole number of more digits
-        raise SyntaxFault(f"not JSON that is read here: a whole number of more than {get_int_max_str_digits()} digits") from None
+        raise SyntaxFault(f"not JSON: a whole number of more than {get_int_max_str_digits()} digits") from None
     return document
 
 
