@@ -4,10 +4,13 @@ import math
 from collections.abc import Container, Iterable, Sequence
 from typing import Final
 
+import numpy as np
+
 from solver.geometry import gaps_between
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes
 from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
+from solver.imports.shape_openings import between, to_lines
 
 WALL_REACH: Final = 200
 """How far from a room's edge its wall may be drawn, mm, or as half of what the file's walls are thick, if that is more."""
@@ -15,8 +18,8 @@ NARROWEST: Final = 600
 """A gap in the walls that is a passage is wider, mm."""
 WIDEST: Final = 2000
 """A gap between the faces of walls that is a passage is no wider, mm."""
-NICHE: Final = THICKEST_JOINED // 2
-"""A niche at a door is no deeper, mm: rooms reach to the middle of its wall."""
+NICHE: Final = 200
+"""A niche at a door is no deeper, mm, or than to the middle of the wall that is drawn there, if that is more."""
 SHALLOW: Final = 40
 """A niche that is no deeper, mm, is none, whether there is a door or not."""
 AlongWall = tuple[int, int]
@@ -77,7 +80,7 @@ def _left(span: AlongWall, taken: Iterable[AlongWall]) -> list[AlongWall]:
     return [(low, high - (high - low) % 2) for low, high in gaps_between(span, taken)]
 
 
-def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> tuple[FloorCorners, int]:
+def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing], walls: Sequence[DrawnWall]) -> tuple[FloorCorners, int]:
     """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm.
 
     The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
@@ -85,7 +88,7 @@ def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> 
     deepest = 0
     for _ in range(len(corners)):
         count = len(corners)
-        found = [at for at in range(count) if count > 4 and _is_niche(corners, at, openings)]
+        found = [at for at in range(count) if count > 4 and _is_niche(corners, at, openings, walls)]
         if not found:
             break
         niche = min(found, key=lambda at: math.dist(corners[at], corners[(at + 1) % count]))
@@ -95,16 +98,23 @@ def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing]) -> 
     return corners, deepest
 
 
-def _is_niche(corners: FloorCorners, at: int, openings: Sequence[PlacedDrawing]) -> bool:
+def _is_niche(corners: FloorCorners, at: int, openings: Sequence[PlacedDrawing], walls: Sequence[DrawnWall]) -> bool:
     """Tells whether the edge from a corner on is the bottom of a niche: its sides lead back to one line, no deeper than a reveal."""
     count = len(corners)
     a, b, c, d = (corners[(at + step) % count] for step in (-1, 0, 1, 2))
     inwards = (a[0] - b[0], a[1] - b[1])
     way = (c[0] - b[0], c[1] - b[1])
     depth = abs(inwards[0]) + abs(inwards[1])
-    if inwards != (d[0] - c[0], d[1] - c[1]) or not 0 < depth <= NICHE or way[0] * inwards[1] - way[1] * inwards[0] <= 0:
+    if inwards != (d[0] - c[0], d[1] - c[1]) or depth == 0 or way[0] * inwards[1] - way[1] * inwards[0] <= 0:
         return False
-    return depth <= SHALLOW or any(_lies_in(one, b, c) for one in openings)
+    return depth <= SHALLOW or any(depth <= _reveal(one, walls) for one in openings if _lies_in(one, b, c))
+
+
+def _reveal(opening: PlacedDrawing, walls: Sequence[DrawnWall]) -> float:
+    """Returns how deep a niche at an opening may be, mm: up to the middle of its wall, but for what is lost by whole mm."""
+    spot = between(opening.start, opening.end)
+    deep = (one for one in walls if one.thickness > 2 * NICHE)
+    return max((NICHE, *(one.thickness / 2 + 1 for one in deep if to_lines(spot, np.array([(*one.start, *one.end)])) <= one.thickness / 2)))
 
 
 def _lies_in(opening: PlacedDrawing, b: FloorCorner, c: FloorCorner) -> bool:
@@ -113,4 +123,4 @@ def _lies_in(opening: PlacedDrawing, b: FloorCorner, c: FloorCorner) -> bool:
     low, high = sorted((b[along], c[along]))
     start, end = sorted((opening.start[along], opening.end[along]))
     middle = (opening.start[across] + opening.end[across]) / 2
-    return abs(middle - b[across]) <= NICHE and min(high, end) - max(low, start) >= (high - low) / 2
+    return abs(middle - b[across]) <= 2 * NICHE and min(high, end) - max(low, start) >= (high - low) / 2

@@ -158,7 +158,7 @@ def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -
     openings = [_placed(one, ()) for one in plan.openings]
     found = []
     for room in rooms:
-        corners, depth = without_niches(room.corners, openings)
+        corners, depth = without_niches(room.corners, openings, plan.walls)
         if depth:
             words = f"niches up to {depth} mm deep, such as a door's reveal, are taken as parts of the wall"
             notes.change("wall_lines", room.id, depth / 1000, words)

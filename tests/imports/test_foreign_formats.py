@@ -17,7 +17,7 @@ from solver import export
 from solver.answers import PlanImport
 from solver.errors import FieldError
 from solver.exports import describe
-from solver.imports.drawn import DrawnOpening
+from solver.imports.drawn import DrawnOpening, DrawnWall
 from solver.imports.joining import PlacedDrawing
 from solver.imports.missing_walls import without_niches
 from solver.scene import Flooring, Room
@@ -151,17 +151,18 @@ def test_rooms_that_reach_into_the_reveal_of_a_door_are_joined() -> None:
     assert any("niches" in str(change["message"]) for change in answer.changes)
 
 
-@pytest.mark.parametrize(("depth", "door", "is_left"), [
-    (1, False, False), (40, False, False), (41, False, True), (41, True, False), (375, True, False), (376, True, True),
-    (-1, True, True), (-40, True, True),
+@pytest.mark.parametrize(("depth", "door", "wall", "is_left"), [
+    (1, False, 0, False), (40, False, 0, False), (41, False, 0, True), (41, True, 0, False), (200, True, 0, False), (201, True, 0, True),
+    (225, True, 450, False), (225, False, 450, True), (230, True, 450, True), (350, True, 100, True), (-1, True, 0, True), (-40, True, 0, True),
 ])  # fmt: skip
-def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, door: bool, is_left: bool) -> None:
+def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, door: bool, wall: int, is_left: bool) -> None:
+    """A reveal of more than 200 mm goes no deeper than to the middle of the wall that is drawn there."""
     south, east = 1500 + max(1, min(depth, 900)), 4000 + depth
     corners = [(0, 0), (4000, 0), (4000, 1500), (east, 1500), (east, south), (4000, south), (4000, 4000), (0, 4000)]
     ends = (east, 1500), (east, south)
     openings = [PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)] if door else []
-    bare = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)]
-    assert without_niches(corners, openings) == ((corners, 0) if is_left else (bare, depth))
+    bare, walls = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)], [DrawnWall((east, 0), (east, 4000), wall), DrawnWall((0, 0), (0, 4000), 900)]
+    assert without_niches(corners, openings, walls) == ((corners, 0) if is_left else (bare, depth))
 
 
 def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
@@ -170,7 +171,7 @@ def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
     corners = [(0, 0), (4000, 0), *east, (4000, 3000), (0, 3000), *west]
     ends = [((4050, 110), (4050, 900)), ((-50, 110), (-50, 900)), ((500, 0), (3500, 0))]
     openings = [PlacedDrawing(DrawnOpening("door", *two, "here"), *two, None) for two in ends]
-    assert without_niches(corners, openings) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
+    assert without_niches(corners, openings, []) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
 
 
 def test_storeys_are_told_apart() -> None:
