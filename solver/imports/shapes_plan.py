@@ -163,7 +163,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
         found, views = without_views(found, _seen_from_above(openings, all_gaps), [(one.x, one.z) for one in names], unit or 1.0)
         told += views
-        openings += with_leaves(passages, gaps, [longer_line(one.points) for one in shapes if one.sort is None and len(one.points) > 1])
+        openings += with_leaves(passages, gaps, [] if is_swung else [one.round() for one in shapes if one.sort is None and one.points])
     rooms += [labelled(room, texts) for room in found]
     openings += doors_in_walls(gapless, shapes, rooms, unit) if unit else ()
     openings += windows_in_walls(openings, untold, shapes, rooms, unit) if unit else ()

@@ -10,9 +10,10 @@ from itertools import pairwise
 from typing import Final, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from solver.imports.drawn import DrawnOpening, Spot
-from solver.imports.shape_openings import between
+from solver.imports.shape_openings import between, longer_line
 from solver.imports.wall_faces import BESIDE, WIDEST, DrawnLine, RowGap, WallRows, gathered, line_between
 
 WIDTHS: Final = (400, 6000)
@@ -33,6 +34,10 @@ FILLING: Final = 0.9
 """Openings that fill a gap together are as wide as this share of it, each with this share of its own in it."""
 AT_JAMB: Final = 0.25
 """A leaf hangs no farther from the corner of a gap than this share of its own width: others lie in a wall across the way."""
+AT_CORNER: Final = 0.03
+"""So it is where nothing says that it is a leaf."""
+SLIM: Final = 0.1
+"""A leaf is no thicker than this share of its width."""
 
 
 class WallGap(NamedTuple):
@@ -161,19 +166,33 @@ def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | No
     return replace(one, start=gap.start, end=gap.end) if one.start[along] <= one.end[along] else replace(one, start=gap.end, end=gap.start)
 
 
-def with_leaves(passages: Sequence[DrawnOpening], gaps: Sequence[WallGap], lines: Sequence[tuple[Spot, Spot]]) -> list[DrawnOpening]:
-    """Returns passages through gaps, of which those are doors at whose corners one of some lines hangs as an open leaf does."""
+def with_leaves(passages: Sequence[DrawnOpening], gaps: Sequence[WallGap], shapes: Sequence[Sequence[Spot]]) -> list[DrawnOpening]:
+    """Returns passages through gaps, of which those are doors at whose corners one of some shapes hangs alone, as an open leaf does."""
+    lines = [longer_line(points) for points in shapes]
     middles, by_ends = np.array([between(*line) for line in lines]).reshape(-1, 2), {(gap.start, gap.end): gap for gap in gaps}
+    sides = np.array([(*a, *b, at) for at, points in enumerate(shapes) for a, b in pairwise(points)]).reshape(-1, 5)
     found = []
     for one in passages:
         gap = by_ends[one.start, one.end]
         near = map(int, np.flatnonzero(np.hypot(*(middles - between(one.start, one.end)).T) < gap.width + gap.thickness))
-        doors = (_hung(replace(one, kind="door", start=lines[at][0], end=lines[at][1], unsaid=False), gap) for at in near)
-        found.append(next((door for door in doors if door), one))
+        hung = ((at, _hung(replace(one, kind="door", start=lines[at][0], end=lines[at][1], unsaid=False), gap, AT_CORNER)) for at in near)
+        found.append(next((door for at, door in hung if door and _is_leaf(lines[at], door.towards, sides[:, :4], sides[:, 4] == at)), one))
     return found
 
 
-def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:
+def _is_leaf(line: tuple[Spot, Spot], tip: Spot | None, sides: NDArray[np.float64], is_own: NDArray[np.bool_]) -> bool:
+    """Tells whether a shape is as thin as a leaf, and no other one ends at its tip or is as long beside it, as in a hatch."""
+    (x, z), long = line[0], math.dist(*line)
+    way = np.array(((line[1][0] - x, line[1][1] - z), (z - line[1][1], line[1][0] - x))) / long**2
+    along, across = np.moveaxis((sides.reshape(-1, 2, 2) - (x, z)) @ way.T, 2, 0)  # of both ends of each side, in lengths of the line
+    lengths = np.hypot(np.ptp(along, axis=1), np.ptp(across, axis=1))
+    at_tip = np.hypot(along - (line[1] == tip), across) <= AT_CORNER
+    is_beside = (np.abs(across).max(axis=1) < 1) & (np.ptp(across, axis=1) <= SLOPED) & (np.abs(along.mean(axis=1) - 0.5) < 0.5)
+    is_like = at_tip.any(axis=1) | (is_beside & (np.abs(lengths - 1) <= SLOPED))
+    return bool((np.abs(across[is_own]) <= SLIM / 2).all() and not is_like[~is_own].any())
+
+
+def _hung(one: DrawnOpening, gap: WallGap, off: float = AT_JAMB) -> DrawnOpening | None:
     """Returns the door whose leaf is drawn open at a corner of a gap; None where it is too far, too short or too long."""
     leaf, along = math.dist(one.start, one.end), 0 if gap.start[1] == gap.end[1] else 1
     if not any(low <= leaf / gap.width <= high for low, high in LEAVES):
@@ -181,7 +200,7 @@ def _hung(one: DrawnOpening, gap: WallGap) -> DrawnOpening | None:
     for foot, tip in ((one.start, one.end), (one.end, one.start)):
         away = abs(tip[1 - along] - gap.start[1 - along])
         for hinge, jamb in (("start", gap.start), ("end", gap.end)):
-            at_jamb = abs(foot[along] - jamb[along]) <= AT_JAMB * leaf
-            if at_jamb and abs(foot[1 - along] - jamb[1 - along]) <= gap.thickness / 2 + AT_JAMB * leaf < away:
+            at_jamb = abs(foot[along] - jamb[along]) <= off * leaf
+            if at_jamb and abs(foot[1 - along] - jamb[1 - along]) <= gap.thickness / 2 + off * leaf < away:
                 return replace(one, start=gap.start, end=gap.end, hinge="start" if hinge == "start" else "end", towards=tip)
     return None

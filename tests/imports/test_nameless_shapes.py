@@ -141,6 +141,27 @@ def test_open_leaves_without_arcs_hang_at_the_corners_of_gaps(layers: dict[str, 
     )  # fmt: skip
 
 
+TILES = [((4500, y), (5400, y)) for y in range(2200, 3700, 300)]
+CUPBOARD = [((4500, 1900), (5400, 1900)), ((5400, 1900), (5400, 2500)), ((5400, 2500), (4500, 2500))]
+LEAF = [((4500, 2500), (5400, 2500))]
+
+
+@pytest.mark.parametrize(("lines", "door", "kind"), [
+    (LEAF, "3", "door"), (TILES, "3", "passage"), (CUPBOARD, "3", "passage"), (LEAF, "DOORS", "passage"),
+])  # fmt: skip
+def test_what_hangs_at_a_gap_is_a_leaf_if_it_is_alone_and_nothing_is_called_a_door(
+    lines: list[tuple[tuple[int, int], tuple[int, int]]], door: str, kind: str
+) -> None:
+    made = drawing(NUMBERS | {"door": door})
+    inner = (one for one in made.modelspace().query(f"LINE[layer=='{door}']") if one.dxf.start.x == LEAVES[0][0][0])
+    for one in (*made.modelspace().query("ARC"), *inner):
+        made.modelspace().delete_entity(one)
+    for line in lines:
+        made.modelspace().add_line(*line, dxfattribs={"layer": "5"})
+    (bedroom,) = [room for room in imported(made).scene.rooms if room.type == "bedroom"]
+    assert [one.kind for one in bedroom.openings] == [kind]
+
+
 @pytest.mark.parametrize("closed", [False, True])
 def test_lengths_axes_a_frame_and_furniture_on_the_same_layer_are_no_walls(closed: bool) -> None:
     made = drawing(ONE, closed=closed)
