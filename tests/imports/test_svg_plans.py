@@ -40,10 +40,17 @@ def test_a_bed_in_a_room_is_no_room_and_one_beside_it_is() -> None:
     rooms = "<rect id='{}' x='10' y='10' width='80' height='60'/><rect id='bath' x='90' y='10' width='80' height='60'/>"
     pieces = "<rect id='bed' x='20' y='20' width='30' height='40'/><g id='furniture'><rect id='bath' x='95' y='15' width='9' height='30'/>"
     door = "</g><g id='doors'><line x1='90' y1='30' x2='90' y2='48'/></g>"
-    for name in ("bedroom", "bed_2"):
+    for name, kind in {"bedroom": "bedroom", "bed_2": "bedroom", "kids_room": "kids_bedroom"}.items():
         answer = drawn(rooms.format(name) + pieces + door, unit="0.05")
-        assert sizes_of(answer) == [("bedroom", 0.0, 0.0, 4.0, 3.0), ("bathroom", 4.0, 0.0, 4.0, 3.0)]
+        assert sizes_of(answer) == [(kind, 0.0, 0.0, 4.0, 3.0), ("bathroom", 4.0, 0.0, 4.0, 3.0)]
         assert [one["place"] for one in answer.unread] == ["layer 'bed'", "layer 'furniture'"]
+
+
+def test_a_bath_in_a_bedroom_and_what_is_called_a_room_are_rooms() -> None:
+    home = "<rect id='apartment' class='room' width='160' height='120'/><rect id='bedroom' width='80' height='120'/>"
+    rooms = "<rect id='bath' x='40' width='40' height='40'/><rect id='bed' class='room' x='2' y='2' width='30' height='40'/>"
+    answer = drawn(home + rooms + "<rect id='bed_2' x='80' width='80' height='60'/>", unit="0.05")
+    assert sorted(one.type for one in answer.scene.rooms) == ["bathroom", "bedroom", "bedroom", "bedroom", "room"]
 
 
 @pytest.mark.parametrize(("said", "kind"), [("Door None", "passage"), ("Door Swing Beside", "door")])

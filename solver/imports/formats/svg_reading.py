@@ -201,7 +201,7 @@ def _shapes_plan(
     sheets: defaultdict[int | None, DrawnSheet] = defaultdict(lambda: DrawnSheet([], [], []))
     if names is None:
         return plan_of_shapes(DrawnSheet([], [], []), told, metres)
-    called = 0
+    called, both = 0, set[str]()
     for element in elements:
         shapes, texts, swings = sheets[names.storey_of_layer("/".join(element.names[:2]))]
         texts += [text_at(element.words, element.lines[0].points[0], names)] if element.words else []
@@ -209,6 +209,7 @@ def _shapes_plan(
             continue
         sort = names.sort_within(element.names)
         label = _label(element, names.rooms, sort == "room") if sort in (None, "room") else ""
+        both |= {element.where} if sort is None and names.is_thing(label) else set()
         for line in element.lines:
             if sort in (*SWUNG, None) and line.swing and (sort or not _is_rounded(line)):
                 swings.append(DrawnSwing(line.swing[0], (line.swing[1], line.swing[2]), element.where, sort))
@@ -221,18 +222,19 @@ def _shapes_plan(
             called += shapes[-1].sort is not None
         check_count("shapes", called, MOST_POINTS)
     sheet = side_by_side(sheets)
-    return plan_of_shapes(sheet._replace(shapes=_without_beds(sheet.shapes, names)), told, metres, _lost(elements, known))
+    return plan_of_shapes(sheet._replace(shapes=_without_beds(sheet.shapes, both, names.rooms)), told, metres, _lost(elements, known))
 
 
-def _without_beds(shapes: Sequence[DrawnShape], names: DrawnNames) -> list[DrawnShape]:
-    """Returns shapes, of which those in a larger room are none that are called as a piece is, too: a bed, a bath."""
-    rooms = [one for one in shapes if one.sort == "room" and one.points]
-    boxes = np.array([bounds_of_points(one.points) for one in rooms]).reshape(-1, 4)
+def _without_beds(shapes: Sequence[DrawnShape], both: Container[str], names: RoomNames) -> list[DrawnShape]:
+    """Returns shapes, of which those within a room of their type are none that may be called as `both` are, a room and a piece: a bed."""
+    rooms = [(one, meaning.key) for one in shapes if one.sort == "room" and one.points and (meaning := names.meaning(one.label))]
+    boxes = np.array([bounds_of_points(one.points) for one, _ in rooms]).reshape(-1, 4)
     sizes, beds = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1), set[str]()
-    for bed, box, size in zip(rooms, boxes, sizes, strict=True):
+    for (bed, kind), box, size in zip(rooms, boxes, sizes, strict=True):
         x, z = between((box[0], box[1]), (box[2], box[3]))
         around = ((boxes[:, :2] < (x, z)) & (boxes[:, 2:] > (x, z))).all(axis=1) & (sizes > size)
-        if names.is_thing(bed.label) and any(encloses(rooms[at].points, x, z) for at in np.flatnonzero(around)):
+        larger = (rooms[at] for at in np.flatnonzero(around) if bed.where in both)
+        if any(kind in other and encloses(room.points, x, z) for room, other in larger):  # a `kids_bedroom` is a `bedroom`, too
             beds.add(bed.where)
     return [one._replace(sort=None) if one.where in beds else one for one in shapes]
 
