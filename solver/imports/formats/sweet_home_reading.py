@@ -143,7 +143,8 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     x, y, angle = number_in(element, "x", where), number_in(element, "y", where), number_in(element, "angle", where, 0.0)
     half, sill = number_in(element, "width", where) / 2, number_in(element, "elevation", where, 0.0)
     c, s = math.cos(angle), math.sin(angle)
-    in_wall = number_in(element, "wallDistance", where, 0.0) + number_in(element, "wallThickness", where, 1.0) / 2
+    thick = _share(element, "wallThickness", 1.0) or 1.0
+    in_wall = min(_share(element, "wallDistance", 0.0), 1.0 - thick) + thick / 2
     before = number_in(element, "depth", where, 0.0) * (in_wall - 0.5)
     x, y = x - before * s, y + before * c  # the box also holds what stands out of the wall, such as an open leaf
     start, end = (x - half * c, y - half * s), (x + half * c, y + half * s)
@@ -165,6 +166,15 @@ def _opening(element: Element, where: str, level: int) -> DrawnOpening:
     return DrawnOpening(
         kind, start, end, where, number_in(element, "height", where, 210.0), sill, level, hinge, towards, main, id=said.get("id", "")
     )
+
+
+def _share(element: Element, key: str, default: float) -> float:
+    """Returns which share of a door's depth is said, the default where none is from 0 to 1."""
+    try:
+        said = float(element.get(key, default))
+    except ValueError:
+        return default
+    return said if 0.0 <= said <= 1.0 else default
 
 
 def _kind(name: str, sill: float, said: str) -> OpeningKind:
