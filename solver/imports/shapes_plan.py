@@ -35,7 +35,7 @@ from solver.imports.shape_openings import (
     to_lines,
     without_leaves,
 )
-from solver.imports.storeys_beside import StoreyTitle, away, with_storeys_apart, without_views
+from solver.imports.storeys_beside import SidesOfWalls, StoreyTitle, away, with_storeys_apart, without_views
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import ASSUMED, DOORS, GAPS, PlanUnit, assumed, told_by_areas, without_area
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of, with_leaves
@@ -161,7 +161,10 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        found, views = without_views(found, _seen_from_above(openings, all_gaps), [(one.x, one.z) for one in names], unit or 1.0)
+        found, views = without_views(
+            found, _seen_from_above(openings, all_gaps), [(one.x, one.z) for one in texts if one.means or one.area], unit or 1.0,
+            SidesOfWalls(drawn.lines, thick),
+        )  # fmt: skip
         told += views
         openings += with_leaves(passages, gaps, [] if is_swung else [one.round() for one in shapes if one.sort is None and one.points])
     rooms += [labelled(room, texts) for room in found]

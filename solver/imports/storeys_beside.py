@@ -5,7 +5,10 @@ Comes in: a drawn plan, texts. Goes out: a drawn plan. May import: drawn, shape_
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final, NamedTuple
+
+import numpy as np
 
 from solver.answers import Unread
 from solver.geometry import bounds_of_points
@@ -36,19 +39,41 @@ class DrawnGroup(NamedTuple):
     rooms: frozenset[int]
 
 
+class SidesOfWalls:
+    """The lines that walls are drawn as, and how thick walls with two faces are; None: there are none."""
+
+    def __init__(self, lines: Sequence[Sequence[Spot]], thickness: float | None) -> None:
+        self._sides = np.array([(a, b) for points in lines for a, b in pairwise(points)]).reshape(-1, 2, 2)
+        self._thickness = thickness
+
+    def are_around(self, box: DrawnBox) -> bool:
+        """Tells whether beyond each side of a box, over half of it, there is a line as the other face of a wall is."""
+        if self._thickness is None:
+            return False
+        for across in (0, 1):
+            (ats, ends), along = np.moveaxis(self._sides[:, :, across], 1, 0), self._sides[:, :, 1 - across]
+            low, high = box[1 - across], box[3 - across]
+            common = np.clip(np.minimum(along.max(axis=1), high) - np.maximum(along.min(axis=1), low), 0.0, None)
+            for beyond in (box[across] - ats, ats - box[across + 2]):
+                is_face = (np.abs(beyond / self._thickness - 1) <= 0.5) & (np.abs(ats - ends) <= self._thickness / 10)
+                if common[is_face].sum() < (high - low) / 2:
+                    return False
+        return True
+
+
 def without_views(
-    rooms: Sequence[DrawnRoom], doors: Sequence[DrawnOpening], names: Sequence[Spot], metres: float
+    rooms: Sequence[DrawnRoom], doors: Sequence[DrawnOpening], names: Sequence[Spot], metres: float, walls: SidesOfWalls
 ) -> tuple[list[DrawnRoom], list[Unread]]:
     """Returns rooms but for those apart, among which nothing is named and there is no door, where others have either; and says so.
 
-    Elevations and sections stand beside plans, drawn with the same lines.
+    Elevations and sections stand beside plans, drawn with the same lines; of walls with two faces there are none around them.
     """
     apart = APART / metres
     groups = _groups([DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(rooms)], apart)
 
     def is_told(group: DrawnGroup) -> bool:
         has_door = any(away(group.box, (*one.start, *one.start)) <= apart for one in doors)
-        return has_door or any(rooms[at].holds(*spot) for at in group.rooms for spot in names)
+        return has_door or any(rooms[at].holds(*spot) for at in group.rooms for spot in names) or walls.are_around(group.box)
 
     views = {at for group in groups if not is_told(group) for at in group.rooms}
     if not 0 < len(views) < len(rooms):

@@ -91,10 +91,18 @@ LEAF = "<path class='door' d='M 1.5 3 A 0.9 0.9 0 0 0 2.4 2.1'/>"
 @pytest.mark.parametrize(("plan", "beside", "left"), [
     (walls(0, 8, "Kitchen"), walls(12, 6), 2), (walls(0, 8) + LEAF, walls(12, 6, "SECTION A-A"), 2), (walls(0, 8), walls(12, 6), 4),
     (walls(0, 8, "Kitchen"), walls(12, 6, "Garage"), 4), (walls(0, 8) + LEAF, walls(12, 6, "Garage"), 4),
-    (walls(0, 8, "Kitchen"), SHED.format("H 12.5 M 13.4 3 H 14"), 3), (walls(0, 8, "Kitchen"), SHED.format("Z"), 2),
+    (walls(0, 8, "Kitchen"), walls(12, 6, "9 m²"), 4), (walls(0, 8, "Kitchen"), SHED.format("H 12.5 M 13.4 3 H 14"), 3),
+    (walls(0, 8, "Kitchen"), SHED.format("Z"), 2),
 ])  # fmt: skip
 def test_what_stands_apart_without_a_name_or_a_door_is_a_view(plan: str, beside: str, left: int) -> None:
     answer = drawn(plan + beside)
     assert len(answer.scene.rooms) == left
     told = [one for one in answer.unread if "elevations" in str(one["reason"])]
     assert bool(told) == (left == 2)
+
+
+@pytest.mark.parametrize(("outer", "left"), [("H 16.2 V 4.2 H 11.8 Z", 2), ("H 16.2 M 11.8 4.2 H 16.2 V -.2", 1), ("", 1)])
+def test_what_has_walls_of_two_faces_all_around_is_no_view(outer: str, left: int) -> None:
+    home = "<path class='wall' d='M 0 0 H 4 V 4 H 0 Z M -.2 -.2 H 4.2 V 4.2 H -.2 Z'/><text x='1' y='1'>Kitchen</text>"
+    answer = drawn(f"{home}<path class='wall' d='M 12 0 H 16 V 4 H 12 Z M 11.8 -.2 {outer}'/>")
+    assert len(answer.scene.rooms) == left
