@@ -13,7 +13,7 @@ from solver.answers import Unread
 from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.rectilinear import FloorCorners
-from solver.imports.shape_openings import between, to_lines
+from solver.imports.shape_openings import between, sides_of, to_lines
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
 from solver.imports.wall_faces import BESIDE, STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
@@ -84,11 +84,14 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
 
     for level in sorted({one.level for one in walls}):
         outlines = [tuple(turned_by(spot, turn) for spot in _outline(one)) for one in walls if one.level == level]
+        beside = _beside_doors(plan, level, unit) if unit else []
+        if plan.rooms and not beside:
+            continue
         drawn = [_turned(one, turn) for one in plan.openings if one.level == level]
         gaps = () if plan.rooms else fitted(drawn, gaps_of(outlines, unit), unit)[1]
         found = rooms_between(WallOutlines(outlines), drawn, unit, gaps)
         made = [back(one, level) for one in found.rooms]
-        rooms += [one for one in made if not plan.rooms or (unit and _is_undrawn(one, plan, unit))]
+        rooms += [one for one in made if not plan.rooms or (unit and _is_undrawn(one, plan, unit, beside))]
         openings += (_turned(replace(one, level=level), -turn) for one in found.passages)
         unread += (replace(one, place=f"walls of level {level}") for one in found.told if not plan.rooms)
         thick = thick or ([found.thickness] if found.thickness else [])
@@ -100,11 +103,18 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     )  # fmt: skip
 
 
-def _is_undrawn(room: DrawnRoom, plan: DrawnPlan, metres: float) -> bool:
-    """Tells whether a door leads into what walls enclose, and none of a plan's rooms lies in it."""
-    doors = [one for one in plan.openings if one.level == room.level and one.kind != "window" and one.start != one.end]
-    around = [_outline(DrawnWall(one.start, one.end, (THICKEST + 2 * INSIDE) / metres)) for one in doors]
-    return any(room.holds(*between(a, b)) for box in around for a, b in pairwise(box)) and not any(
+def _beside_doors(plan: DrawnPlan, level: int, metres: float) -> list[Spot]:
+    """Returns the spots before and behind a level's doors in none of its rooms, as far as its walls reach."""
+    doors = [one for one in plan.openings if one.level == level and one.kind != "window" and one.start != one.end]
+    x0, z0, x1, z1 = bounds_of_points([spot for one in plan.walls if one.level == level for spot in (one.start, one.end)])
+    spots = (spot for one in doors for spot in sides_of(one.start, one.end, (THICKEST / 2 + INSIDE) / metres))
+    within = [(x, z) for x, z in spots if x0 < x < x1 and z0 < z < z1]
+    return [spot for spot in within if not any(room.holds(*spot) for room in plan.rooms if room.level == level)]
+
+
+def _is_undrawn(room: DrawnRoom, plan: DrawnPlan, metres: float, beside: Sequence[Spot]) -> bool:
+    """Tells whether a door leads into what walls enclose, to one of some spots beside them, and none of a plan's rooms lies in it."""
+    return any(room.holds(*spot) for spot in beside) and not any(
         overlap(room.points, other.points, INSIDE / metres) for other in plan.rooms if other.level == room.level
     )
 
