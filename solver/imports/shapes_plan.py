@@ -161,10 +161,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
         found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        found, views = without_views(
-            found, _seen_from_above(openings, all_gaps), [(one.x, one.z) for one in texts if one.means or one.area], unit or 1.0,
-            SidesOfWalls(drawn.lines, thick),
-        )  # fmt: skip
+        found, views = _seen_from_above(found, openings, all_gaps, texts, SidesOfWalls(drawn.lines, thick, unit or 1.0))
         told += views
         openings += with_leaves(passages, gaps, [] if is_swung else [one.round() for one in shapes if one.sort is None and one.points])
     rooms += [labelled(room, texts) for room in found]
@@ -236,10 +233,13 @@ def _in_gaps(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> tuple
     return kept, [one for one in openings if one.kind == "door"] if all(one.kind != "door" for one in kept) else []
 
 
-def _seen_from_above(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap]) -> list[DrawnOpening]:
-    """Returns the doors that swing or close a gap in walls, as none does in an elevation, whose lines go on behind it."""
+def _seen_from_above(
+    rooms: Sequence[DrawnRoom], openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], texts: Sequence[DrawnText], walls: SidesOfWalls
+) -> tuple[list[DrawnRoom], list[Unread]]:
+    """Returns rooms but for those of elevations, in which no door swings or closes a gap: the lines of walls go on behind it."""
     ends = set(map(_ends, gaps))
-    return [one for one in openings if one.hinge or (one.kind != "window" and _ends(one) in ends)]
+    doors = [one for one in openings if one.hinge or (one.kind != "window" and _ends(one) in ends)]
+    return without_views(rooms, doors, [(one.x, one.z) for one in texts if one.means or one.area], walls)
 
 
 def _ends(one: DrawnOpening | WallGap) -> frozenset[Spot]:

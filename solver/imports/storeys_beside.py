@@ -40,11 +40,12 @@ class DrawnGroup(NamedTuple):
 
 
 class SidesOfWalls:
-    """The lines that walls are drawn as, and how thick walls with two faces are; None: there are none."""
+    """The lines that walls are drawn as, how thick walls with two faces are, None: there are none, and the length of the unit."""
 
-    def __init__(self, lines: Sequence[Sequence[Spot]], thickness: float | None) -> None:
+    def __init__(self, lines: Sequence[Sequence[Spot]], thickness: float | None, metres: float) -> None:
         self._sides = np.array([(a, b) for points in lines for a, b in pairwise(points)]).reshape(-1, 2, 2)
         self._thickness = thickness
+        self.metres = metres
 
     def are_around(self, box: DrawnBox) -> bool:
         """Tells whether beyond each side of a box, over half of it, there is a line as the other face of a wall is."""
@@ -62,13 +63,13 @@ class SidesOfWalls:
 
 
 def without_views(
-    rooms: Sequence[DrawnRoom], doors: Sequence[DrawnOpening], names: Sequence[Spot], metres: float, walls: SidesOfWalls
+    rooms: Sequence[DrawnRoom], doors: Sequence[DrawnOpening], names: Sequence[Spot], walls: SidesOfWalls
 ) -> tuple[list[DrawnRoom], list[Unread]]:
     """Returns rooms but for those apart, among which nothing is named and there is no door, where others have either; and says so.
 
     Elevations and sections stand beside plans, drawn with the same lines; of walls with two faces there are none around them.
     """
-    apart = APART / metres
+    apart = APART / walls.metres
     groups = _groups([DrawnGroup(bounds_of_points(room.points), frozenset((at,))) for at, room in enumerate(rooms)], apart)
 
     def is_told(group: DrawnGroup) -> bool:
