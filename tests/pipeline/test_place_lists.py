@@ -125,23 +125,48 @@ def test_of_a_name_that_is_no_kind_the_nearest_kind_is_told() -> None:
     assert has_form(caught.value.allowed)
 
 
-@pytest.mark.parametrize(("number", "along"), [(2, (1, 1)), (4, (2, 2)), (6, (3, 3)), (8, (3, 3))])
-def test_chairs_asked_for_around_a_table_share_its_sides(number: int, along: tuple[int, int]) -> None:
-    """Opposite sides have as many, each of them as much of the table; the ends have what the long sides have no place for."""
-    around = (RelationSpec(type="around", of=("table",)),)
-    chairs = PieceRequest("chair", "dining_chair", 0.45, 0.5, 0.9, count=number, relations=around)
-    made = place(Room("den", width=4.6, depth=4.4), [PieceRequest("table", "dining_table", 1.8, 0.9, 0.75), chairs]).best
-    table, *seats = made.scene.rooms[0].furniture
-    assert table.id == "table" and len(seats) == number and all(one.held for one in made.relations)
-    sides = {
-        turn: sorted(_along(table, one) for one in seats if (one.rotation - table.rotation) % 360 == turn) for turn in (0, 90, 180, 270)
-    }
-    assert (len(sides[0]), len(sides[180])) == along
-    assert len(sides[90]) == len(sides[270]) == (number - sum(along)) / 2
-    for turn in (0, 180):
-        assert sides[turn] == pytest.approx([1.8 * (k + 0.5) / along[0] - 0.9 for k in range(along[0])], abs=0.02)
+_TABLE = PieceRequest("table", "dining_table", 1.8, 0.9, 0.75)
+_AT_WALL = replace(_TABLE, relations=(RelationSpec(type="against_wall"),))
+_ISLAND = PieceRequest("table", "kitchen_island", 2.0, 0.9, 0.9)
 
 
-def _along(table: Furniture, seat: Furniture) -> float:
-    """How far a seat is from the table's middle along its length, m."""
-    return seat.x - table.x if table.rotation % 180 == 0 else seat.z - table.z
+def _around(piece: str, count: int, *sides: str, width: float = 0.45, align: str | None = None) -> PieceRequest:
+    around = RelationSpec(type="around", of=("table",), sides=sides, align=align)
+    return PieceRequest(piece, "dining_chair", width, 0.5, 0.9, count=count, relations=(around,))
+
+
+@pytest.mark.parametrize(
+    ("table", "chairs", "front", "back", "ends"),
+    [
+        (_TABLE, [_around("a", 2)], [0], [0], []),
+        (_TABLE, [_around("a", 4)], [-0.45, 0.45], [-0.45, 0.45], []),
+        (_TABLE, [_around("a", 8)], [-0.6, 0, 0.6], [-0.6, 0, 0.6], [0, 0]),
+        (_TABLE, [_around("a", 10)], [-0.675, -0.225, 0.225, 0.675], [-0.675, -0.225, 0.225, 0.675], [0, 0]),
+        (_TABLE, [_around("a", 3, "front"), _around("b", 1, "back")], [-0.6, 0, 0.6], [0], []),
+        (_TABLE, [_around("a", 2, "left", "right"), _around("b", 4, "front", "back")], [-0.45, 0.45], [-0.45, 0.45], [0, 0]),
+        (_TABLE, [_around("a", 2), _around("bench", 1, "front", width=1.2)], [0], [-0.45, 0.45], []),
+        (_TABLE, [_around("a", 4, align="centre")], [0], [0], [0, 0]),
+        (_AT_WALL, [_around("a", 4)], [-0.6, 0, 0.6], [], [0]),
+        (_ISLAND, [_around("a", 3, "back", width=0.4)], [], [-0.41, -0.01, 0.39], []),
+    ],
+)
+def test_chairs_asked_for_around_a_table_share_its_sides(
+    table: PieceRequest, chairs: list[PieceRequest], front: list[float], back: list[float], ends: list[float]
+) -> None:
+    """Each has as much of a side as the others, 5 cm off; the ends have what the long sides have no place for; who cooks has room."""
+    made = place(Room("den", width=5.0, depth=5.0), [table, *chairs]).best
+    found: dict[int, list[float]] = {0: [], 90: [], 180: [], 270: []}
+    assert all(one.held for one in made.relations)
+    stood, *seats = made.scene.rooms[0].furniture
+    assert stood.id == "table"
+    for seat in seats:
+        turn = round(seat.rotation - stood.rotation) % 360
+        across, along = seat.x - stood.x, seat.z - stood.z
+        for _ in range(round(stood.rotation / 90) % 4):
+            across, along = -along, across
+        length, away = (across, along) if turn % 180 == 0 else (along, across)
+        found[turn].append(length)
+        assert abs(away) == pytest.approx(((stood.depth if turn % 180 == 0 else stood.width) + seat.depth) / 2 + 0.05, abs=0.002)
+    assert sorted(found[180]) == pytest.approx(front, abs=0.02)
+    assert sorted(found[0]) == pytest.approx(back, abs=0.02)
+    assert found[90] + found[270] == pytest.approx(ends, abs=0.02)

@@ -2,6 +2,7 @@
 #include "furnish/listed.hpp"
 
 #include "furnish/comfort.hpp"
+#include "furnish/relations/around.hpp"
 
 namespace furnish {
 
@@ -59,7 +60,7 @@ class Lister {
     if (others_.size > 0) told = others_[seeker.number].is_loose ? between_others(seeker, whole.all(), others_) : List<Candidate>{};
     const i32 before = links_.size();
     for (const Bond& pair : seeker.pairs) {
-      if (pair.owner < 0 && found.size() > 0 && pair.among.of == 0) add_links(pair);
+      if (pair.owner < 0 && found.size() > 0 && !pair.setting.is_laid) add_links(pair);
     }
     pieces_.add({seeker.number, 0, seeker.row().kind, told.size(), links_.size() - before, -1, seeker.row().required, 0, GONE});
     candidates_.add_all(told.all());
@@ -98,16 +99,28 @@ class Lister {
 
   List<i32> earlier(const Rule& rule, i32 piece) const { return named(rule, piece, piece); }
 
-  // Of those asked to stand so at one piece, which one this is.
-  Among among(Word word, const List<i32>& parent, i32 number) const {
-    Among found;
-    for (i32 i = 0; i < in_.rows.size && parent.size() == 1 && word == Word::around; i++) {
-      bool is_one = false;
-      for (const Rule& rule : rules_of(i)) is_one |= rule.word == word && has(named(rule, in_.rows.size, i).all(), parent[0]);
-      found.number += is_one && i < number;
-      found.of += is_one;
-    }
+  // The sides of a piece, bit by bit, that are at a wall, or where somebody has to stand to use it.
+  i32 closed(i32 piece) const {
+    const Kind& kind = in_.type.kind(in_.rows[piece].kind);
+    i32 found = kind.need_all || kind.use_count == 1 ? kind.use_sides : 0;
+    for (const Rule& rule : rules_of(piece)) found |= static_cast<i32>(relation_of(rule.word).at_walls) << static_cast<i32>(Side::back);
     return found;
+  }
+
+  // Where a piece sits that is asked to stand around one other, among all that are.
+  Setting setting(const Rule& rule, const List<i32>& parent) const {
+    List<Guest> guests;
+    i32 own = -1;
+    for (i32 i = 0; i < in_.rows.size && parent.size() == 1 && rule.word == Word::around; i++) {
+      for (const Rule& one : rules_of(i)) {
+        if (one.word != Word::around || one.align != Align::none || named(one, in_.rows.size, i).size() != 1) continue;
+        if (!has(named(one, in_.rows.size, i).all(), parent[0])) continue;
+        if (&one == &rule) own = guests.size();
+        guests.add({in_.type.kind(in_.rows[i].kind).width, all_or(part_of(in_.type.sides, one.sides))});
+        break;
+      }
+    }
+    return own < 0 ? Setting{} : settings(in_.type.kind(in_.rows[parent[0]].kind), closed(parent[0]), guests.all())[own];
   }
 
   // The pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
@@ -135,7 +148,7 @@ class Lister {
       if (pieces.size() == 0 && to_room) seeker.to_room.add(&rule);
       // To keep away from what has no way to stand is kept.
       if (pieces.size() == 0 || (relation_of(rule.word).with_all && !any_stands(pieces))) continue;
-      seeker.pairs.add({&rule, -1, pieces, among(rule.word, pieces, number)});
+      seeker.pairs.add({&rule, -1, pieces, setting(rule, pieces)});
     }
     for (i32 owner = 0; owner < number; owner++) {
       for (const Rule& rule : rules_of(owner)) {

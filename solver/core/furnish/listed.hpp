@@ -74,7 +74,7 @@ struct Bond {
   const Rule* rule;
   i32 owner;
   List<i32> earlier;
-  Among among = {};
+  Setting setting = {};
 
   const Relation& relation() const { return relation_of(rule->word); }
 };

@@ -34,7 +34,7 @@ static List<DoubleBox> boxes(const Listing& in, const Bond& pair, const Kind& ow
   const Asked asked = in.asked(*pair.rule);
   List<DoubleBox> found;
   pair.relation().boxes({asked, other.size(), turned(own.size(), turn), turn, own.height, in.type.levels_of(other),
-                         in.type.parts_of(other), in.type.parts_of(own), pair.among}, found);
+                         in.type.parts_of(other), in.type.parts_of(own), pair.setting}, found);
   return found;
 }
 

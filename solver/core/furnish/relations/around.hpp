@@ -12,9 +12,66 @@ constexpr i64 ELBOW_MM = 100;
 // More than any side has places: the ends of a table come last.
 constexpr i32 END_RANK = 100;
 
+constexpr Side ALL_SIDES[] = {Side::front, Side::back, Side::left, Side::right};
+
+inline Span<const Side> all_or(Span<Side> named) {
+  return named.size ? Span<const Side>{named.data, named.size} : Span<const Side>{ALL_SIDES, 4};
+}
+
+// One of the pieces that are asked to stand around another one: its width, and the sides it may be at.
+struct Guest {
+  i64 width;
+  Span<const Side> sides;
+};
+
+// Where each sits, those with the fewest sides first: they share the long sides evenly, and the ends what is left. Nobody sits where there
+// is no room, or at a closed side, bit by Side. Where some are left over, all sit closer.
+inline List<Setting> settings(const Kind& parent, i32 closed, Span<Guest> guests, i64 elbow = ELBOW_MM) {
+  struct Laid {
+    i64 width = 0;
+    i32 count = 0;
+  };
+  Laid laid[4];  // by Side
+  List<Setting> found;
+  List<Laid> before;  // each: what was laid at its side
+  const auto at = [&](Side side) -> Laid& { return laid[static_cast<i32>(side)]; };
+  const auto length = [&](Side side) { return is_lateral(side) ? parent.depth : parent.width; };
+  const auto is_better = [&](Side side, Side than) {
+    return length(side) == length(than) ? at(side).width < at(than).width : length(side) > length(than);
+  };
+  for (i32 i = 0; i < guests.size; i++) {
+    found.add({});
+    before.add({});
+  }
+  for (i32 choice = 1; choice <= 4; choice++) {
+    for (i32 i = 0; i < guests.size; i++) {
+      if (guests[i].sides.size != choice) continue;
+      const i64 width = guests[i].width + elbow;
+      Setting& own = found[i];
+      for (Side side : guests[i].sides) {
+        if (closed >> static_cast<i32>(side) & 1 || (at(side).count > 0 && at(side).width + width > length(side))) continue;
+        if (!own.is_laid || is_better(side, own.side)) own = {true, side, {}};
+      }
+      if (!own.is_laid && elbow > 0) return settings(parent, closed, guests, 0);
+      if (!own.is_laid) continue;
+      before[i] = at(own.side);
+      at(own.side) = {before[i].width + width, before[i].count + 1};
+    }
+  }
+  for (i32 i = 0; i < guests.size; i++) {
+    const Laid& all = at(found[i].side);
+    const auto end = [&](i64 taken, i32 count) {  // doubled, with its share of the spare length
+      const i64 whole = length(found[i].side);
+      return 2 * taken - whole + floor_div(2 * count * (whole - all.width), most(1, all.count));
+    };
+    found[i].part = {end(before[i].width, before[i].count), end(before[i].width + guests[i].width + elbow, before[i].count + 1)};
+  }
+  return found;
+}
+
 class Around : public AtSide {
  public:
-  constexpr Around() : AtSide({SIDES, 4, 50, 0, true, {20, 280}, {-10'000, 300}, Align::none}) {}
+  constexpr Around() : AtSide({ALL_SIDES, 4, 50, 0, true, {20, 280}, {-10'000, 300}, Align::none}) {}
 
   // Offers every seat of every parent.
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
@@ -30,28 +87,13 @@ class Around : public AtSide {
     }
   }
 
-  // First its own seat: all that are asked for share the long sides evenly, and the ends what is left.
+  // First its own seat, then the line along each side that seats are on, then all that hold.
   void boxes(const Fit& fit, List<DoubleBox>& found) const override {
-    const Span<Side> named = fit.asked.sides;
-    const i64 width = (fit.turn % 180 == 0 ? fit.own.x : fit.own.z) + ELBOW_MM, spare = 2 * fit.asked.tolerance.inside;
-    const auto length_of = [&](Side side) { return is_lateral(side) ? fit.parent.z : fit.parent.x; };
-    i32 number = fit.among.number, of = fit.among.of;
-    for (i32 ends = 0; ends < 2; ends++) {
-      List<Side> own;
-      for (Side side : named.size ? Span<const Side>{named.data, named.size} : Span<const Side>{SIDES, 4}) {
-        if ((length_of(side) < most(fit.parent.x, fit.parent.z)) == ends) own.add(side);
-      }
-      if (own.size() == 0) continue;
-      const i64 length = length_of(own[0]);
-      const i32 here = least(of, own.size() * static_cast<i32>(most<i64>(1, floor_div(length, width))));
-      if (number >= 0 && number < here) {
-        const i32 at = number % own.size(), there = here / own.size() + (at < here % own.size());
-        const i64 low = floor_div(2 * (number / own.size()) * length, there) - length, wide = floor_div(2 * length, there);
-        const Interval part{low + spare, low + wide - spare};
-        if (towards(own[at]) == fit.turn && fit.asked.rule.align == Align::none) add_seat_box(fit, own[at], part, found);
-      }
-      number -= here;
-      of -= here;
+    const Asked& asked = fit.asked;
+    if (fit.setting.is_laid && towards(fit.setting.side) == fit.turn) add_seat_box(fit, found);
+    for (Side side : all_or(asked.sides)) {
+      if (asked.tolerance.judged || asked.rule.has_gap || towards(side) != fit.turn) continue;
+      found.add(beside(fit.parent, fit.own, side, slot_gap(asked.rule), asked.rule.align, asked.tolerance));
     }
     AtSide::boxes(fit, found);
   }
@@ -97,8 +139,6 @@ class Around : public AtSide {
     slot.slot_number = shift;
     add_places(subject, pair, slot, gap, wish, near, effect);
   }
-
-  static constexpr Side SIDES[] = {Side::front, Side::back, Side::left, Side::right};
 };
 
 }  // namespace furnish

@@ -48,9 +48,11 @@ struct Footing {
   i64 off_wall(Point at) const;
 };
 
-// Of the pieces that are asked to stand around another one: which one this is, and how many they are; none where that does not matter.
-struct Among {
-  i32 number = 0, of = 0;
+// What of the floor around another piece is for one of those that are asked to stand there: the side, and the part of it, doubled.
+struct Setting {
+  bool is_laid = false;
+  Side side = Side::front;
+  Interval part = {0, 0};
 };
 
 // A relation between two pieces: the other's extents, the own ones in the other's frame, and the own rotation there.
@@ -61,7 +63,7 @@ struct Fit {
   i64 height;                         // the own one
   Span<Level> levels;                 // of the other
   Span<PartBox> parent_parts, parts;  // what can be in each other's way where the one reaches under the other
-  Among among;
+  Setting setting;
 
   // Twice the distance of the centres where the pieces touch.
   Extent touching() const { return {parent.x + own.x, parent.z + own.z}; }

@@ -51,8 +51,10 @@ void AtSide::add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const 
   add_free(fit, gap, beside(fit.parent, fit.own, side, gap, rule.align, tolerance), found);
 }
 
-void AtSide::add_seat_box(const Fit& fit, Side side, Interval doubled, List<DoubleBox>& found) const {
-  const Interval gap = slot_gap(fit.asked.rule);
+void AtSide::add_seat_box(const Fit& fit, List<DoubleBox>& found) const {
+  const Side side = fit.setting.side;
+  const i64 spare = 2 * fit.asked.tolerance.inside;
+  const Interval gap = slot_gap(fit.asked.rule), doubled{fit.setting.part.low + spare, fit.setting.part.high - spare};
   DoubleBox box = beside(fit.parent, fit.own, side, gap, Align::centre, EXACT);
   (is_lateral(side) ? box.along : box.across) = doubled;
   List<DoubleBox> places;

@@ -72,8 +72,8 @@ class AtSide : public Relation {
   void add_places(
       const Subject& subject, const Pair& pair, Candidate slot, Interval gap, const Rect& wish, const Rect& near, Effect& effect) const;
 
-  // At one side: a seat so far along it, and the floor to both sides of it that is as far from there.
-  void add_seat_box(const Fit& fit, Side side, Interval doubled, List<DoubleBox>& found) const;
+  // Adds where it sits: the middle of its part of a side, and the floor to both sides that is as far from there.
+  void add_seat_box(const Fit& fit, List<DoubleBox>& found) const;
 
  private:
   // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
