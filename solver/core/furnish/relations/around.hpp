@@ -87,12 +87,12 @@ class Around : public AtSide {
     }
   }
 
-  // First its own seat, then the line along each side that seats are on, then all that hold.
+  // For whom a seat is laid: first that, then the line along each side that seats are on; then all that hold.
   void boxes(const Fit& fit, List<DoubleBox>& found) const override {
     const Asked& asked = fit.asked;
     if (fit.setting.is_laid && towards(fit.setting.side) == fit.turn) add_seat_box(fit, found);
     for (Side side : all_or(asked.sides)) {
-      if (asked.tolerance.judged || asked.rule.has_gap || towards(side) != fit.turn) continue;
+      if (!fit.setting.is_laid || asked.rule.has_gap || towards(side) != fit.turn) continue;
       found.add(beside(fit.parent, fit.own, side, slot_gap(asked.rule), asked.rule.align, asked.tolerance));
     }
     AtSide::boxes(fit, found);
