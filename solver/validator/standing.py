@@ -8,13 +8,9 @@ from typing import Final
 
 from solver.scene import Decoration
 from solver.validator.judging import Finding, RuleCase, Told
-from solver.validator.lattice import exact, words
+from solver.validator.lattice import words
 from solver.validator.sent_rooms import openings_on
 
-WALL_REACH: Final = exact(0.2)
-"""A piece with a wall is no farther than this from its line,"""
-FACE_REACH: Final = exact(0.15)
-"""or than this from its face, where the wall is thick."""
 _WAYS_OUT: Final = ("to the west", "to the east", "to the north", "to the south", "into a corner that is not part of it")
 _TUCKED: Final = 1
 """How the core tells a chair that is too far under its table from other bodies that share space."""
@@ -42,11 +38,10 @@ def overlap(case: RuleCase) -> Iterator[Finding]:
 
 def wall_far(case: RuleCase) -> Iterator[Finding]:
     """A piece whose `wall` is set is more than 0.2 m from that wall's line, and more than 0.15 m from its face."""
-    most = max(WALL_REACH, case.world.half_wall + FACE_REACH)
     for told in case.told["wall_far"]:
         piece = case.room.room.furniture[told.body]
         where = f"{words(told.a)} from the {piece.wall} wall of {case.room.room.id}"
-        yield Finding((piece.id,), told.amount, f"{piece.id} stands {where}, at most {words(most)} is allowed")
+        yield Finding((piece.id,), told.amount, f"{piece.id} stands {where}, at most {words(told.a - told.amount)} is allowed")
 
 
 def blocks_door(case: RuleCase) -> Iterator[Finding]:
