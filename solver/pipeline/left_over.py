@@ -3,7 +3,7 @@
 Each way out is tried: the validator judges the house without the body.
 """
 
-from collections.abc import Collection, Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -100,7 +100,6 @@ class _LeftOver:
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
-        here = here or self._reaching_in(issue)
         if issue.ids and here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
             self._waiting.update(issue.ids)
             missing = "out of reach" if issue.rule == "unreachable" else "no repair"
@@ -109,19 +108,10 @@ class _LeftOver:
         helping = [one for one in issue.ids if self._is_due_to(one, issue)] if all(conflict.repairs for conflict in here) else ()
         return Conflict(issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in helping))
 
-    def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
-        """Returns the conflicts about a body that leaves its own room and shuts a way in this one."""
-        if issue.rule != "unreachable":
-            return ()
-        outside = {label for other in self.house.errors if other.rule == "out_of_bounds" for label in other.ids}
-        members = dict.fromkeys(label for conflict in self.conflicts for label in conflict.ids)
-        shuts = {label for label in members if label in outside and self._is_due_to(label, issue)}
-        return [conflict for conflict in self.conflicts if shuts.intersection(conflict.ids)]
-
     def _is_due_to(self, label: str, issue: Issue) -> bool:
         """Tells whether an error ends where a body is left out."""
         if label not in self._left_without:
-            trial = _house_without(self.house, (label,), self.budget)
+            trial = _house_without(self.house, label, self.budget)
             self._left_without[label] = None if trial is None else frozenset((other.rule, other.ids) for other in trial.errors)
         left = self._left_without[label]
         return left is not None and (issue.rule, issue.ids) not in left
@@ -193,30 +183,30 @@ def _entry_apart_from(scene: Scene, issue: Issue) -> str | None:
     return outer[0] if outer and issue.rule == "unreachable" and issue.room is not None and issue.room not in reached else None
 
 
-def _house_without(house: Checked, labels: Sequence[str], budget: Budget) -> Checked | None:
-    """Returns the house without some bodies and all that they carry; who sat there stands up. None where the budget is spent."""
+def _house_without(house: Checked, label: str, budget: Budget) -> Checked | None:
+    """Returns the house without a body and all that it carries; who sat there stands up. None where the budget is spent."""
     if budget.spent:
         return None
     scene = house.scene
-    held = {room.id: without(room, labels) for room in scene.rooms if not _ids_in(scene, room).isdisjoint(labels)}
+    held = {room.id: without(room, (label,)) for room in scene.rooms if label in _ids_in(scene, room)}
     after = tuple(held.get(room.id, room) for room in scene.rooms)
-    people = tuple(person for person in scene.dynamic if person.id not in labels)
+    people = tuple(person for person in scene.dynamic if person.id != label)
     return judged_again(house, replace(scene, rooms=after, dynamic=seated_along(people, scene.rooms, after)), held, budget)
 
 
 def cleaned(house: Checked, settings: RepairSettings) -> tuple[Checked, list[Conflict]]:
-    """Takes bodies out, one at a time and the least important first, as long as that leaves less broken; several where no one does.
+    """Takes bodies out, one at a time and the least important first, as long as that leaves less broken.
 
     Returns the house, and for each body that is gone the rule that it broke.
     """
     reasons, budget = list[Conflict](), Budget(LEAVING_WORK, is_known=True)
     lasting = _without_bodies(house, budget)
     while house.errors:
-        better = next(_lighter(house, lasting, settings, budget), None)
+        better = _lighter(house, lasting, settings, budget)
         if better is None:
             break
-        issue, labels, house = better
-        reasons += [Conflict((label,), issue.message, ({"action": "leave_out", "id": label},)) for label in labels]
+        issue, label, house = better
+        reasons.append(Conflict((label,), issue.message, ({"action": "leave_out", "id": label},)))
     return house, reasons
 
 
@@ -236,8 +226,8 @@ def _breaches(house: Checked) -> tuple[int, int]:
 
 def _lighter(
     house: Checked, lasting: Container[tuple[str, str | None]], settings: RepairSettings, budget: Budget
-) -> Iterator[tuple[Issue, Sequence[str], Checked]]:
-    """Yields houses with less broken, each with an issue that is gone and who is left out for it; nobody is for what is lasting."""
+) -> tuple[Issue, str, Checked] | None:
+    """Returns a house with less broken, with who is left out for it and the issue that is gone; nobody is for what is lasting."""
     order = {label: k for k, label in enumerate(_by_importance(house.scene, settings))}
     broken_by = {label: issue for issue in reversed(house.errors) for label in issue.ids}
     open_ways = [issue for issue in house.errors if not issue.ids and (issue.rule, issue.room) not in lasting]
@@ -245,31 +235,10 @@ def _lighter(
         broken_by = dict.fromkeys(order, open_ways[0])
     before = _breaches(house)
     for label, issue in sorted(broken_by.items(), key=lambda pair: order.get(pair[0], len(order))):
-        trial = _house_without(house, (label,), budget)
+        trial = _house_without(house, label, budget)
         if trial and _breaches(trial) < before:
-            yield issue, (label,), trial
-    for issue in open_ways:
-        inside = {label for room in house.scene.rooms if room.id == issue.room for label in _ids_in(house.scene, room)}
-        if several := _several_less(house, [label for label in order if label in inside], budget):
-            yield issue, *several
-
-
-def _several_less(house: Checked, order: Sequence[str], budget: Budget) -> tuple[Sequence[str], Checked] | None:
-    """Returns who of some, the first as few as can be, leave less broken together, and the house without them; none of them can stay."""
-    gone, found = list[str](), None
-    for label in order:
-        gone.append(label)
-        found = _house_without(house, gone, budget)
-        if found and _breaches(found) < _breaches(house):
-            break
-    else:
-        return None
-    for label in gone[-2::-1]:
-        fewer = [one for one in gone if one != label]
-        trial = _house_without(house, fewer, budget)
-        if trial and _breaches(trial) < _breaches(house):
-            gone, found = fewer, trial
-    return gone, found
+            return issue, label, trial
+    return None
 
 
 def _by_importance(scene: Scene, settings: RepairSettings) -> list[str]:
