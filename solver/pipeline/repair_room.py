@@ -307,8 +307,6 @@ JUMP_COST = 0.2
 """What it costs that a neighbour of the dragged piece goes elsewhere than near its last pose: as much as moving it by 45 cm."""
 JUMP_SHARE = 0.1
 """What it costs besides, as a share of the cost: where much is in the way, little is gained by it."""
-MOST_FREED = 3
-"""How many neighbours are tried elsewhere, each alone."""
 LIVE_WORK = 60_000.0
 """Work each attempt near the last answer may cost, in QPs of a small room: about 60 ms."""
 
@@ -339,12 +337,11 @@ def least_moved_from_last(problem: RoomProblem, pieces: Sequence[Piece]) -> Arra
         return least_moved(space, pieces, Budget(settings.work))
     work = min(settings.work, LIVE_WORK)
     free = least_moved(space, pieces, Budget(work))
-    jumped = last.jumped(free)
-    if not jumped and not free.left_out and not free.notes:
+    near = last.near()
+    if near is None or (is_whole(free) and not last.jumped(free)):
         return free
-    alone = [(label,) for label in jumped[:MOST_FREED] if len(jumped) > 1]
-    answers = [least_moved(space, near, Budget(work)) for near in map(last.near, [(), *alone]) if near is not None]
-    return min([*answers, free], key=lambda answer: (len(answer.left_out), len(answer.notes), _cost(answer, last)))
+    answers = (least_moved(space, near, Budget(work)), free)
+    return min(answers, key=lambda answer: (len(answer.left_out), len(answer.notes), _cost(answer, last)))
 
 
 def _cost(answer: Arrangement, last: LastAnswer) -> float:

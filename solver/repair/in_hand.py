@@ -140,10 +140,9 @@ class LastAnswer:
         """Labels of the pieces that are bound to a pose."""
         return frozenset(piece.label for piece in self.pieces if piece.label in self.poses and piece.label not in self.moved)
 
-    def near(self, free: Collection[str] = ()) -> tuple[Piece, ...] | None:
-        """Restricts pieces but those `free` to wall, rotation and neighbourhood of their last poses; None where one has no such way."""
-        bound = self.bound.difference(free)
-        found = [replace(piece, candidates=self._near(piece)) if piece.label in bound else piece for piece in self.pieces]
+    def near(self) -> tuple[Piece, ...] | None:
+        """Restricts bound pieces to wall, rotation and neighbourhood of their last poses; None where one has no such way."""
+        found = [replace(piece, candidates=self._near(piece)) if piece.label in self.bound else piece for piece in self.pieces]
         return None if any(not piece.candidates for piece in found) else tuple(found)
 
     def jumped(self, answer: Arrangement) -> tuple[str, ...]:
