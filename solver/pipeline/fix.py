@@ -147,8 +147,7 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     }
     alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
     if is_call_spent():
-        alone, repairs = _crowds_joined(alone, repairs)
-        alone, repairs = _no_worse_than_sent(alone, repairs)
+        alone, repairs = _as_few_lost(alone, repairs)
     if closed and closed <= _closed_rooms(alone.errors):  # nothing was gained in the rooms that lead there
         repairs |= {name: unchanged(problem) for name, problem in problems.items() if name in leading}
         alone = _with_rooms(alone, {name: repair.answer for name, repair in repairs.items()})
@@ -163,28 +162,21 @@ def _rooms_repaired(house: Checked, settings: RepairSettings) -> tuple[Checked, 
     return _with_rooms(house, {name: repair.answer for name, repair in repairs.items()}), list(repairs.values())
 
 
-def _crowds_joined(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[Checked, dict[str, RoomRepair]]:
-    """Has the pieces of rooms that the end of the call's work left broken stand in turn, where fewer are wrong or missing then."""
-    before = _by_room(alone.errors)
-    joined = {name: with_joined(repair) for name, repair in repairs.items() if before[name] or repair.unplaced}
-    then = _by_room(_with_rooms(alone, {name: repair.answer for name, repair in joined.items()}).errors)
-    better = {name: repair for name, repair in joined.items() if _lost(repair, then[name]) < _lost(repairs[name], before[name])}
-    return _with_rooms(alone, {name: repair.answer for name, repair in better.items()}), {**repairs, **better}
+def _as_few_lost(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[Checked, dict[str, RoomRepair]]:
+    """Leaves of rooms that the end of the call's work left broken the way in which fewest bodies are wrong or missing.
 
-
-def _no_worse_than_sent(alone: Checked, repairs: Mapping[str, RoomRepair]) -> tuple[Checked, dict[str, RoomRepair]]:
-    """Leaves rooms that the end of the call's work left broken as they were sent, unless fewer are wrong or missing now.
-
-    No place was found for those alone that are wrong; where nobody can come in, for whom the search found none.
+    That is as sent, as the search left them, or with their pieces having stood in turn. No place was found for those alone that are wrong;
+    where nobody can come in, for whom the search found none.
     """
     now, kept = _by_room(alone.errors), {}
-    for name, repair in repairs.items():
-        if now[name] and not repair.problem.settings.remove:
-            sent, before = replace(repair, room=repair.asked), repair.problem.errors
-            is_better = _lost(repair, now[name]) < _lost(sent, before)
-            chosen, errors = (repair, now[name]) if is_better else (sent, before)
-            wrong = {label for issue in errors for label in issue.ids or repair.unplaced}
-            kept[name] = replace(chosen, unplaced=tuple(label for label in repair.unplaced if label in wrong))
+    joined = {name: with_joined(repair) for name, repair in repairs.items() if now[name] or repair.unplaced}
+    then = _by_room(_with_rooms(alone, {name: repair.answer for name, repair in joined.items()}).errors)
+    for name, in_turn in joined.items():
+        repair, remove = repairs[name], in_turn.problem.settings.remove
+        sent = [] if remove else [(replace(repair, room=repair.asked), repair.problem.errors)]
+        chosen, errors = min([*sent, (repair, now[name]), (in_turn, then[name])], key=lambda way: _lost(*way))
+        wrong = {label for issue in errors for label in issue.ids or chosen.unplaced}
+        kept[name] = chosen if remove else replace(chosen, unplaced=tuple(label for label in chosen.unplaced if label in wrong))
     return _with_rooms(alone, {name: repair.answer for name, repair in kept.items()}), {**repairs, **kept}
 
 

@@ -186,24 +186,7 @@ def _placed(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Sequence[
         arrangement = least_moved_from_last(problem, pieces)
     if not is_whole(arrangement) and _is_walked_in(problem):
         arrangement = without_fewest(problem.space, pieces, problem.settings.work) or arrangement
-    return pieces, _as_sent_without_wrong(problem, pieces, arrangement) if arrangement.left_out and is_call_spent() else arrangement
-
-
-def _as_sent_without_wrong(problem: RoomProblem, pieces: Sequence[Piece], ended: Arrangement) -> Arrangement:
-    """Returns the room as it was sent but for the least important one of those that break each rule, or what an ended search came to.
-
-    That is taken where it leaves no more out.
-    """
-    loose = [piece.label for piece in pieces if not piece.candidates[0].stays]
-    gone: set[str] = set()
-    for issue in problem.errors:
-        if gone.isdisjoint(issue.ids):
-            gone.update([label for label in loose if label in issue.ids][-1:])
-    gone = set(with_relying(pieces, gone))
-    if not 0 < len(gone) < len(ended.left_out):
-        return ended
-    left_out = tuple((piece.label, "the search for its place was ended") for piece in pieces if piece.label in gone)
-    return Arrangement(ended.room, (), left_out, proven=False, best=False)
+    return pieces, arrangement
 
 
 def _used(problem: RoomProblem, misplaced: Collection[str]) -> tuple[Piece, ...]:
