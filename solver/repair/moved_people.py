@@ -1,6 +1,6 @@
 """People and pets that are in the way -> the nearest free places."""
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Final
@@ -14,8 +14,6 @@ from solver.scene import Dynamic
 
 MOST_PLACES: Final = 200
 """Places that are tried for somebody who is to be in nobody's way."""
-NEXT_MM: Final = 200
-"""Of places that near each other one is tried, mm."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +113,7 @@ def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> Dynamic | None:
         own = block_of(turned)
         taken = floor.obstacles(own)
         outermost = [rect for rect in taken if not any(other != rect and other.contains(rect) for other in taken)]
-        for place in islice(_spread(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)), MOST_PLACES):
+        for place in islice(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm), MOST_PLACES):
             if floor.connects([place], [Goal.beside(place)]):
                 return _put(turned, place)
     return None
@@ -128,13 +126,3 @@ def _put_nearest(person: Dynamic, floor: FreeFloor) -> Dynamic | None:
 
 def _put(person: Dynamic, place: Rect) -> Dynamic:
     return replace(person, x=half_m(place.x0 + place.x1), z=half_m(place.z0 + place.z1))
-
-
-def _spread(places: Iterable[Rect]) -> Iterator[Rect]:
-    """Leaves out places next to one before: where that would not do, they hardly ever do."""
-    kept: set[tuple[int, int]] = set()
-    for place in places:
-        cell = (place.x0 // NEXT_MM, place.z0 // NEXT_MM)
-        if cell not in kept:
-            kept.add(cell)
-            yield place
