@@ -8,20 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from struct import Struct
 from typing import Final, NamedTuple
 
-from solver.body_rows import FurnitureRows, rows_in
+from solver.body_rows import BODY, furniture_names, furniture_turns
 from solver.core import ask, borrowed
-from solver.free_places import (
-    FLAT_MM,
-    RECT,
-    Block,
-    PlacedBody,
-    bodies_told,
-    decorations_in,
-    furniture_in,
-    is_told,
-    nearest_place,
-    rect_rows,
-)
+from solver.free_places import RECT, Block, decorations_as_told, furniture_as_told, nearest_place, rect_rows
 from solver.geometry import Rect, wall_faced
 from solver.pieces import DOORWAY, Space
 from solver.scene import WALL_NUMBERS, WALLS, Room
@@ -52,14 +41,15 @@ class Goal(NamedTuple):
 class FreeFloor:
     """What a room's furniture leaves free, and what has to stay within reach over it: doors and use sides, the `goals`.
 
-    `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in, `goals` are rows. `told` is the
-    room whose furniture and small things are rows: what of them is in the way, the core tells.
+    `bodies` are the footprints of what stands in the way of walking, mm, `blocks` is what nobody can be in, `goals` are rows. `room` is one
+    whose furniture and small things are in the way, too.
     """
 
     def __init__(
-        self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = (), told: Room | None = None
+        self, space: Space, bodies: Iterable[Rect], goals: Iterable[Goal], blocks: Iterable[Block] = (), room: Room | None = None
     ) -> None:
-        self.space, self._blocks, self._told = space, list(blocks), told
+        self.space, self._blocks = space, list(blocks)
+        self._told = (furniture_as_told(room), decorations_as_told(room)) if room else (b"", b"")
         self._goals = b"".join([goal.row() for goal in goals])
         self._bodies = rect_rows([*bodies, *(zone.rect for zone in space.zones if zone.cause == "outline")])
         self._bodies += self._taken_between(-math.inf, HEADROOM_MM, loose=True)
@@ -72,18 +62,11 @@ class FreeFloor:
         `uses` are by name of piece the sides it is used from, and whether all of them have to be within reach.
         """
         kept_free = [Block(zone.rect, -math.inf, math.inf) for zone in space.zones if zone.above_mm < 0]
-        if is_told(room):
-            return cls(space, (), _goals_in(_rects_told(room), uses), kept_free, room)
-        furniture = furniture_in(room)
-        goals = _goals_in(((one.block.rect, one.rotation, one.key[1]) for one in furniture), uses)
-        standing = [one.block for one in furniture if is_high(one)]
-        things = [one for one in decorations_in(room) if is_high(one)]
-        in_the_way = (block.rect for block in (*standing, *(one.block for one in things if not one.rests)) if block.low < HEADROOM_MM)
-        return cls(space, in_the_way, goals, [*kept_free, *standing, *(one.block for one in things)])
+        return cls(space, (), _goals_in(room, uses), kept_free, room)
 
     def _taken_between(self, low: float, high: float, loose: bool = False) -> bytes:
-        """Returns the footprints of what is told as rows and taken between two heights; `loose`: of things those on the floor."""
-        return b"" if self._told is None else ask("taken_between", *bodies_told(self._told), numbers=[low, high, loose])
+        """Returns the footprints of the room's bodies that are between two heights; `loose`: of things those on the floor."""
+        return ask("taken_between", *self._told, numbers=[low, high, loose]) if any(self._told) else b""
 
     def add(self, block: Block, in_the_way: bool = True, is_goal: bool = False) -> None:
         """Notes that somebody or something is there; who sits is not in the way of those who walk.
@@ -135,24 +118,13 @@ class FreeFloor:
             return bool(core.call("connects", core.write(request), len(request)))
 
 
-def is_high(body: PlacedBody) -> bool:
-    """Tells whether a body is more than one that one stands on."""
-    return body.key[4] * 1000 > FLAT_MM
-
-
-def _rects_told(room: Room) -> Iterator[tuple[Rect, float, str]]:
-    """Yields the footprint, rotation and name of each piece of furniture that is told as rows."""
-    rows = rows_in(room, FurnitureRows)
-    for (turn, x0, z0, x1, z1, *_), look in zip(rows.poses, rows.looks, strict=True) if rows else ():
-        yield Rect(x0, z0, x1, z1), turn, look.name
-
-
-def _goals_in(pieces: Iterable[tuple[Rect, float, str]], uses: Mapping[str, tuple[Sequence[str], bool]]) -> Iterator[Goal]:
-    """Yields what has to be come to of pieces, each told by its footprint, rotation and name."""
-    for rect, rotation, name in pieces:
+def _goals_in(room: Room, uses: Mapping[str, tuple[Sequence[str], bool]]) -> Iterator[Goal]:
+    """Yields what has to be come to of a room's furniture."""
+    rows = BODY.iter_unpack(furniture_as_told(room))
+    for name, (_, rotation), row in zip(furniture_names(room), furniture_turns(room), rows, strict=True):
         if name in uses:
             sides, need_all = uses[name]
-            yield Goal(rect, tuple(wall_faced(side, rotation) for side in sides), need_all)
+            yield Goal(Rect(*row[8:12]), tuple(wall_faced(side, rotation) for side in sides), need_all)
 
 
 def sides_seen(walls: Iterable[str]) -> int:

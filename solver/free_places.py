@@ -6,11 +6,11 @@ has both coordinates among the wish's own and the edges of those, so that these 
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import chain, repeat
+from itertools import chain
 from struct import Struct, pack
 from typing import Final, NamedTuple
 
-from solver.body_rows import BODY, BODY_WALLS, BodyRow, DecorationRows, FurnitureRows, Look, rows_in
+from solver.body_rows import BODY, DecorationRows, FurnitureRows, rows_in
 from solver.core import borrowed
 from solver.geometry import Rect, extents, to_mm
 from solver.scene import Decoration, Dynamic, Furniture, Room
@@ -23,8 +23,6 @@ ROUNDED_MM: Final = 1e-3
 
 RECT: Final = Struct("<4q")
 _NEAREST: Final = Struct("<9q2i")
-_new: Final = tuple.__new__
-"""What a named tuple's own constructor calls, in half its time: a room has fifty bodies."""
 
 
 class Block(NamedTuple):
@@ -55,81 +53,30 @@ def rounded_mm(body: Furniture | Decoration) -> int:
     return int(rect.width - width * 1000 > ROUNDED_MM or rect.depth - depth * 1000 > ROUNDED_MM)
 
 
-class PlacedBody(NamedTuple):
-    """A body of a room as whoever measures floor reads it.
-
-    Args:
-        block: the space it takes up.
-        key: what its kind is looked up by: sort, name, width, depth and height, m, the kind that the scene names.
-        rotation: degrees.
-        y: of its underside, m.
-        under: the number of the furniture that it is tucked under; -1: none.
-        rests: furniture that stands on a piece; a small thing that is not loose on the floor.
-    """
-
-    block: Block
-    key: tuple[str, str, float, float, float, str | None]
-    rotation: float
-    y: float
-    under: int
-    rests: bool
-
-
-def furniture_in(room: Room) -> list[PlacedBody]:
-    """Returns a room's furniture."""
-    if (rows := rows_in(room, FurnitureRows)) is not None:
-        return [_as_told(*one) for one in zip(rows.ids, rows.looks, rows.rows, strict=True)]
-    numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
-    keyed = ((one, ("furniture", one.name, one.width, one.depth, one.height, one.kind)) for one in room.furniture)
-    return [PlacedBody(block_of(one), key, one.rotation, one.y, numbers.get(one.under or "", -1), one.on is not None) for one, key in keyed]
-
-
 def furniture_as_told(room: Room) -> bytes:
     """Returns a room's furniture as rows: the core's; where it was told one by one such rows, of no kind, 0 for any that it rests on."""
     if (rows := rows_in(room, FurnitureRows)) is not None:
         return rows.content
-    return b"".join([
-        BODY.pack(0, one.rests - 1, one.under, -1, 0, 0, 0, 0, *one.block.rect, to_mm(one.y), *map(to_mm, one.key[2:5]))
-        for one in furniture_in(room)
-    ])  # fmt: skip
+    numbers = {piece.id: k for k, piece in enumerate(room.furniture)}
+    return b"".join([_as_told(one, one.on is not None, numbers.get(one.under or "", -1)) for one in room.furniture])
 
 
-def is_told(room: Room) -> bool:
-    """Tells whether all furniture and small things of a room are told as rows."""
-    return rows_in(room, FurnitureRows) is not None and (rows_in(room, DecorationRows) is not None or not room.decorations)
-
-
-def bodies_told(room: Room) -> tuple[bytes, bytes]:
-    """Returns the rows of such a room's furniture and small things: the core's."""
-    pieces, things = rows_in(room, FurnitureRows), rows_in(room, DecorationRows)
-    return pieces.content if pieces else b"", things.content if things else b""
-
-
-def decorations_in(room: Room) -> list[PlacedBody]:
-    """Returns a room's decorations."""
+def decorations_as_told(room: Room) -> bytes:
+    """Returns a room's decorations as such rows."""
     if (rows := rows_in(room, DecorationRows)) is not None:
-        return [_as_told(*one) for one in zip(rows.ids, rows.looks, rows.rows, strict=True)]
-    keyed = ((one, ("decoration", one.name, one.width, one.depth, one.height, one.kind)) for one in room.decorations)
+        return rows.content
     rests = (one.parent is not None or one.mounted_on_wall is not None or one.y != 0 for one in room.decorations)
-    return [PlacedBody(block_of(one), key, one.rotation, one.y, -1, rest) for (one, key), rest in zip(keyed, rests, strict=True)]
+    return b"".join([*map(_as_told, room.decorations, rests)])
+
+
+def _as_told(body: Furniture | Decoration, rests: bool, under: int = -1) -> bytes:
+    lengths = map(to_mm, (body.y, body.width, body.depth, body.height))
+    return BODY.pack(0, rests - 1, under, -1, 0, 0, 0, 0, *footprint(body), *lengths)
 
 
 def decoration_blocks(room: Room) -> list[Block]:
-    """Returns the spaces that a room's decorations take up; those told as rows without their ids."""
-    if (rows := rows_in(room, DecorationRows)) is not None:
-        return [*map(_block_told, repeat(""), rows.looks, rows.rows)]
-    return [*map(block_of, room.decorations)]
-
-
-def _as_told(name: str, look: Look, row: BodyRow) -> PlacedBody:
-    _, on, under, wall, rotation, _, _, _, _, _, _, _, low, _, _, _ = row
-    rests = on >= 0 or ((BODY_WALLS[wall] is not None or low != 0) and look.key[0] == "decoration")
-    return _new(PlacedBody, (_block_told(name, look, row), look.key, rotation, low / 1000, under, rests))
-
-
-def _block_told(name: str, look: Look, row: BodyRow) -> Block:
-    y = row[12] / 1000
-    return _new(Block, (_new(Rect, row[8:12]), y * 1000, (y + look.size[2]) * 1000, name))
+    """Returns the spaces that a room's decorations take up, without their ids."""
+    return [Block(Rect(*row[8:12]), row[12], row[12] + row[15]) for row in BODY.iter_unpack(decorations_as_told(room))]
 
 
 def block_of(body: Furniture | Decoration | Dynamic) -> Block:

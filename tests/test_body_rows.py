@@ -13,12 +13,21 @@ import pytest
 from catalogs import load_catalogs
 from service.dataset.shards import SCHEMAS
 from solver import generate
-from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, furniture_ids, furniture_names, rows_in
+from solver.body_rows import (
+    BODY,
+    DecorationRows,
+    FurnitureRows,
+    count_decorations,
+    count_furniture,
+    furniture_ids,
+    furniture_names,
+    rows_in,
+)
 from solver.certificate import mark_of
 from solver.exchange import dump_scene, dump_text, write_scene
 from solver.exports.table_rows import rows_of
 from solver.free_floor import FreeFloor
-from solver.free_places import Block, block_of, decoration_blocks, decorations_in, furniture_in
+from solver.free_places import Block, block_of, decoration_blocks, decorations_as_told, furniture_as_told
 from solver.pipeline.room_spaces import spaces_in
 from solver.request import Request
 from solver.scene import Dynamic, Level, Room, Scene
@@ -63,9 +72,9 @@ def test_rows_are_kept_and_nothing_is_made_before_it_is_asked_for(homes: tuple[S
     assert sum(map(count_decorations, told.rooms)) > 20
     for room, other in zip(told.rooms, made.rooms, strict=True):
         assert (furniture_ids(room), furniture_names(room)) == (furniture_ids(other), furniture_names(other))
-        assert furniture_in(room) == furniture_in(other)
-        assert decorations_in(room) == decorations_in(other)
-        assert [one._replace(id="") for one in decoration_blocks(room)] == [one.block._replace(id="") for one in decorations_in(other)]
+        for rows in (furniture_as_told, decorations_as_told):
+            assert [row[8:] for row in BODY.iter_unpack(rows(room))] == [row[8:] for row in BODY.iter_unpack(rows(other))]
+        assert decoration_blocks(room) == decoration_blocks(other)
         assert mark_of(room) == mark_of(other)
 
 
@@ -82,7 +91,7 @@ def test_the_floor_that_is_left_is_alike(homes: tuple[Scene, Scene]) -> None:
             assert sorted(floor.obstacles(own)) == sorted(same.obstacles(own))
             assert floor.connects([own.rect]) == same.connects([own.rect])
             of = block_of(stream.pick(other.furniture)) if other.furniture else own
-            there = [one.block for one in (*furniture_in(other), *decorations_in(other)) if one.key[4] > 0.02 and one.block.id != of.id]
+            there = [block_of(one) for one in (*other.furniture, *other.decorations) if one.height > 0.02 and one.id != of.id]
             there += [Block(zone.rect, -inf, inf) for zone in space(other).zones if zone.above_mm < 0]
             is_free = not any(one.rect.overlaps(own.rect) and one.between(own.low, own.high) for one in there)
             assert floor.is_free(own, of) == same.is_free(own, of) == is_free
