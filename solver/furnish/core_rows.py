@@ -11,7 +11,7 @@ from solver.pieces import DOORWAY, Attach, Candidate, Link, Piece, Space, Stance
 from solver.relations.subject import NO_SIDES, RELATION_WORDS, SIDES, WALLS_ASKED, Kind, opened_rows
 from solver.scene import WALLS, Room
 
-_ROOM: Final = Struct("<Qd5q6i")
+_ROOM: Final = Struct("<Qd5q4i")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
@@ -45,11 +45,11 @@ class Answer(NamedTuple):
     links: list[tuple[Any, ...]]
 
 
-def room_rows(room: Room, space: Space, area: float, state: int, counts_only: bool = False) -> bytes:
-    """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's. `counts_only`: pieces are only counted."""
+def room_rows(room: Room, space: Space, area: float, state: int) -> bytes:
+    """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's."""
     exterior = room.exterior_walls or NO_SIDES
     walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
-    counts = len(space.openings), len(space.zones), counts_only, len(space.approaches), 0
+    counts = len(space.openings), len(space.zones), len(space.approaches)
     rows = _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts), opened_rows(space.openings), space.rows[0]
     return b"".join([*rows, *starmap(_RECT.pack, space.approaches)])
 

@@ -59,7 +59,7 @@ def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream
     found = [(spec.piece, f"only in a home planned without {', '.join(spec.without)}") for spec in room_type.pieces if spec.without]
     known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
     found += [(spec.piece, "only where one enters the home") for spec in room_type.pieces if spec.entered and spec not in known.specs]
-    for at, copies in _asked(known, room_rows(room, space, area, stream.state, counts_only=True)).counted:
+    for at, copies in _asked(known, room_rows(room, space, area, stream.state)).counted:
         spec = known.specs[at]
         if any(f"{spec.piece}_{number}" not in labels for number in range(1, copies + 1)):
             found.append((spec.piece, _why_nowhere(spec, labels)))

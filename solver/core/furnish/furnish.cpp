@@ -57,10 +57,8 @@ Wanted wanted_in(const RoomType& any, const RoomHeader& room, const Scope& scope
   Furnisher furnisher(scope, type, walls);
   Stream stream(room.stream);
   const List<CountedPiece> counted = counted_pieces(type, room.area, stream);
-  if (!room.counts_only) {
-    const Span<Candidate> run = type.has_run ? planned_run(scope, walls, type, counted, stream) : Span<Candidate>{};
-    add_pieces(furnisher, type, counted, run, stream);
-  }
+  const Span<Candidate> run = type.has_run ? planned_run(scope, walls, type, counted, stream) : Span<Candidate>{};
+  add_pieces(furnisher, type, counted, run, stream);
   return {stream.state(), counted, with_comfort(scope, type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
 }
 

@@ -33,9 +33,7 @@ struct RoomHeader {
   i32 exterior;  // bit by Wall
   i32 openings;
   i32 zones;
-  i32 counts_only;
   i32 approaches;
-  i32 unused;
 };
 
 struct Scope {
