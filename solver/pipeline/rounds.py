@@ -18,10 +18,9 @@ from solver.furnish import ListedPieces
 from solver.geometry import turned
 from solver.pieces import Arrangement, Piece, Placed, Space, Stance
 from solver.pipeline.place_task import PlaceTask, finished, lost
-from solver.placement import ROOM_WORK, Budget, finish, is_call_spent
-from solver.placement.arrange import SolvedRoom, arrange, needed
+from solver.placement import finish, is_call_spent
+from solver.placement.arrange import SolvedRoom, arrange
 from solver.placement.core import Limits
-from solver.placement.walkable import find_walkable
 from solver.requested import Placement, relations_of
 
 ROUNDS = 3
@@ -94,28 +93,20 @@ def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
         if found.score[:4] >= best.score[:4]:
             break
         best = found
-    if not best.is_best and not is_call_spent():
-        best = _thorough(task, wanted, best)
+    if wanted is task.pieces and not best.is_best:
+        best = _thorough(task, best)
     return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] and not is_call_spent() else best
 
 
-def _thorough(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
+def _thorough(task: PlaceTask, best: Round) -> Round:
     """Returns what is proven best among nearly all candidates; where that is not shown, the better one of a longer search among the few."""
     for listed in (task.listing.nearly_all, task.listing.few):
         if listed is not None and not is_call_spent():
-            thorough = _first(task, listed.pieces if wanted is task.pieces else wanted, THOROUGH, listed, [label for label, _ in best.lost])
+            thorough = _first(task, listed.pieces, THOROUGH, listed, [label for label, _ in best.lost])
             if thorough.is_best and thorough.score[:4] <= best.score[:4]:
                 return thorough
             best = min(best, thorough, key=lambda one: one.score)
     return best
-
-
-def walked_placement(task: PlaceTask) -> Round | None:
-    """Returns a placement round the required pieces where branch and bound finds these walkable, if it does: no wish counts for it."""
-    space, firm = task.listing.space, needed(task.pieces)
-    _, found = find_walkable(space, [piece for piece in task.pieces if piece.label in firm], Budget(ROOM_WORK), prove=False)
-    at = {one.piece.label: one.near(0, space.clear) for one in found}
-    return _judged(task, arrange(space, [at.get(piece.label, piece) for piece in task.pieces], limits=FIRST)) if at else None
 
 
 def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
