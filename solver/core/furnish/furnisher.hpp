@@ -49,7 +49,6 @@ class Furnisher {
   const RoomType& type_;
   WallOccupancy& walls_;
   Earlier earlier_;
-  KneeRoom knee_room_;
   List<Meant> meant_;  // by piece
 };
 
