@@ -107,7 +107,7 @@ struct Beside {
   Rect box, rect;
 };
 
-// What one stance of another piece leaves a piece, by the relations between them; each kind of frame is worked out once.
+// What one stance of another piece leaves a piece, by the relations between them.
 class Frames {
  public:
   Frames(Seeker& seeker, Span<Bond> pairs, i32 other, f64 others)
@@ -119,7 +119,7 @@ class Frames {
   // Adds the cheapest places of all stances beside one stance of the other.
   void add(Span<Foothold> every, const Way& parent, f64 dearest, List<Candidate>& found) {
     List<Beside> places;
-    for (const Foothold& at : every) add_in_both(at, boxes(parent.stance, at.stance), parent, dearest, places);
+    for (const Foothold& at : every) add_in_both(at, parent, dearest, places);
     stable_sort(places.all(), [](const Beside& a, const Beside& b) { return rounded_9(a.cost) < rounded_9(b.cost); });
     const i64 most = in_.kept.beside;
     if (places.size() > most) seeker_.drop(places[most].cost + others_);
@@ -128,33 +128,26 @@ class Frames {
   }
 
  private:
-  struct Known {
-    i32 turn;
-    u64 suited;
-    List<Costed> boxes;
-  };
   struct Both {
     f64 cost;
     i32 box, rect;
   };
 
   // Boxes that each hold at least one relation, cheapest first.
-  Span<Costed> boxes(Stance parent, Stance own) {
+  List<Costed> boxes(Stance parent, Stance own) {
     u64 suited = 0;
     for (i32 i = 0; i < pairs_.size; i++) suited |= static_cast<u64>(suits(pairs_[i], own.wall, parent.wall)) << i;
     const i32 turn = (360 + own.rotation - parent.rotation) % 360;
-    for (const Known& one : known_) {
-      if (one.turn == turn && one.suited == suited) return one.boxes.all();
-    }
-    return known_.add({turn, suited, costed_boxes(seeker_, pairs_, suited, kind_, turn)}).boxes.all();
+    return costed_boxes(seeker_, pairs_, suited, kind_, turn);
   }
 
   // Adds the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together.
-  void add_in_both(const Foothold& at, Span<Costed> held, const Way& parent, f64 dearest, List<Beside>& places) {
+  void add_in_both(const Foothold& at, const Way& parent, f64 dearest, List<Beside>& places) {
     places.reserve(places.size() + static_cast<i32>(in_.kept.places));
     arena::Scope scope;
+    const List<Costed> held = boxes(parent.stance, at.stance);
     List<Both> pairs;
-    for (i32 i = 0; i < held.size; i++) {
+    for (i32 i = 0; i < held.size(); i++) {
       for (i32 j = 0; j < at.found.size(); j++) pairs.add({held[i].cost + at.found[j].cost, i, j});
     }
     stable_sort(pairs.all(), [](const Both& a, const Both& b) { return a.cost < b.cost; });
@@ -205,7 +198,6 @@ class Frames {
   const Kind& kind_;
   f64 others_;  // what relations with further pieces cost here
   f64 pull_ = LOOSE;
-  List<Known> known_;
 };
 
 }  // namespace
