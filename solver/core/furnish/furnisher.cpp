@@ -70,9 +70,9 @@ static bool has_anchor(const Group& group, Point anchor) {
 }
 
 // Keeps, for every variant, wall and way round, the cheapest anchors: a few for the wanted variant, one for the others.
-static List<Candidate*> best_of_each(const Subject& subject, const List<Candidate*>& found) {
+static List<Candidate*> best_of_each(const Subject& subject, Span<Effect> effects, const List<Candidate*>& found) {
   bool corners = false;
-  for (const Rule& rule : subject.rules) corners = corners || rule.word == Word::in_corner;
+  for (const Effect& effect : effects) corners = corners || effect.corners;
   stable_sort(found.all(), IS_CHEAPER);
   List<Group> groups;
   for (Candidate* each : found) {
@@ -186,7 +186,7 @@ List<Candidate*> Furnisher::alone(const Subject& subject, Span<Effect> effects, 
     candidate.weight = pull;
     found.add(&candidate);
   }
-  return best_of_each(subject, found);
+  return best_of_each(subject, effects, found);
 }
 
 static bool has_kind(const List<i32>& kinds, i32 kind) {

@@ -2,23 +2,8 @@
 #include "furnish/relations/asked.hpp"
 
 #include "furnish/relations/at_side.hpp"
-#include "furnish/relations/openings.hpp"
 
 namespace furnish {
-
-List<Opened> Footing::openings(bool doors) const {
-  List<Opened> found;
-  const auto add = [&](Opening kind) {
-    for (const Opened& one : scope.openings) {
-      if (Scope::is(one, kind)) found.add(one);
-    }
-  };
-  if (doors) add(Opening::door);
-  for (const Name& name : asked.of) {
-    if (!doors && name.opening != Opening::none) add(name.opening);
-  }
-  return found;
-}
 
 i64 Footing::off_wall(Point at) const {
   const bool level = runs_along_x(wall);

@@ -42,8 +42,6 @@ struct Footing {
   Extent extent;
   Rect reach;
 
-  // The openings that the relation names, in its order, or the doors.
-  List<Opened> openings(bool doors) const;
   // Across the wall at its back: how far its reach is from a point.
   i64 off_wall(Point at) const;
 };

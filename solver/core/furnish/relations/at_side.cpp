@@ -103,11 +103,7 @@ Interval AtSide::slot_gap(const Rule& rule) const { return rule.has_gap ? rule.g
 void AtSide::effect(const Subject& subject, const Rule& rule, Effect& effect) const {
   add_slots(subject, rule, meaning_.looks || subject.faces(subject.type.of(rule)), effect);
   const i32 piece = subject.first(rule);
-  if (rule.wall == Walls::any || piece < 0) return;
-  Link& link = effect.links.add(link_to(rule, piece));
-  link.walls = rule.wall;
-  link.cost = rule.cost;
-  link.required = rule.required;
+  if (rule.wall != Walls::any && piece >= 0) add_asking(effect, rule, piece, rule.wall);
 }
 
 void AtSide::add_slots(const Subject& subject, const Rule& rule, bool turn, Effect& effect) const {

@@ -58,8 +58,7 @@ class Facing : public Relation {
   // Asks for the turn; to an opening, for being turned to its wall.
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
     if (names_opening(subject.type.of(rule))) {
-      for (const Opened& one : subject.scope.openings) {
-        if (!is_named(one, subject.type.of(rule))) continue;
+      for (const Opened& one : openings_named(subject.scope, subject.type.of(rule), false)) {
         effect.walls |= 1ULL << static_cast<i32>(one.wall);
         if (one.kind != Opening::garage_door) continue;
         effect.gates = true;
@@ -70,10 +69,7 @@ class Facing : public Relation {
     }
     const i32 piece = subject.first(rule);
     if (piece < 0 || slots_turn_it(subject, rule)) return;
-    Link& link = effect.links.add(link_to(rule, piece));
-    link.turn = LOOKS_AT;
-    link.cost = rule.cost;
-    link.required = rule.required;
+    add_asking(effect, rule, piece, Walls::any).turn = LOOKS_AT;
   }
 
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override {
@@ -97,7 +93,7 @@ class Facing : public Relation {
 
   // Anywhere, turned to the wall of an opening.
   void regions(const Footing& at, List<Rect>& found) const override {
-    for (const Opened& one : at.openings(false)) {
+    for (const Opened& one : openings_named(at.scope, at.asked.of, false)) {
       if (one.wall == wall_ahead(at.rotation)) return static_cast<void>(found.add(at.reach));
     }
   }

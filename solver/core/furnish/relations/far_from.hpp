@@ -56,11 +56,7 @@ class FarFrom : public Relation {
       link.apart_m = static_cast<f64>(rule.distance_or(FAR_MM)) / 1000.0;
       link.apart_cost = rule.cost;
     }
-    if (rule.wall == Walls::any || effect.links.size() == 0) return;
-    Link& link = effect.links.add(link_to(rule, effect.links[0].of));
-    link.walls = rule.wall;
-    link.cost = rule.cost;
-    link.required = rule.required;
+    if (rule.wall != Walls::any && effect.links.size() > 0) add_asking(effect, rule, effect.links[0].of, rule.wall);
   }
 
   f64 cost(const Subject& subject, const Effect& effect, const Candidate& candidate) const override {
@@ -72,7 +68,7 @@ class FarFrom : public Relation {
     const i64 wished = at.asked.rule.distance_or(FAR_FROM_OPENING_MM) + at.asked.tolerance.inside;
     List<Rect> left;
     left.add(at.reach);
-    for (const Opened& one : at.openings(doors_)) {
+    for (const Opened& one : openings_named(at.scope, at.asked.of, doors_)) {
       f64 half_x = static_cast<f64>(wished), half_z = half_x;
       if (at.wall != Wall::none) {
         const i64 off = at.off_wall(one.centre());
@@ -114,7 +110,7 @@ class FarFrom : public Relation {
   }
 
   bool holds_in_room(const Footing& at) const override {
-    for (const Opened& one : at.openings(doors_)) {
+    for (const Opened& one : openings_named(at.scope, at.asked.of, doors_)) {
       if (at.reach.distance_to(one.centre()) < static_cast<f64>(at.asked.rule.distance_or(FAR_FROM_OPENING_MM))) return false;
     }
     return true;

@@ -26,11 +26,7 @@ class InRow : public AtSide {
     if (rule.wall != Walls::adjacent) return add_slots(subject, rule, false, effect);
     const i32 piece = subject.first(rule);
     if (piece < 0) return;
-    Link& link = effect.links.add(link_to(rule, piece));
-    link.walls = Walls::adjacent;
-    link.cost = rule.cost;
-    link.required = rule.required;
-    link.near = rule.weight;
+    add_asking(effect, rule, piece, Walls::adjacent).near = rule.weight;
     const List<i64> depths = depths_of(subject, rule);
     for (const Variant& variant : subject.variants) {
       for (Wall wall : WALLS) {

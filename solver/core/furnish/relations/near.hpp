@@ -29,10 +29,8 @@ class Near : public Relation {
     if (doors_ || names_opening(names)) return measure_from(subject, names, doors_, effect);
     const i32 piece = subject.first(rule);
     if (piece < 0) return;
-    Link& link = effect.links.add(link_to(rule, piece));
-    link.walls = rule.wall;
-    link.cost = rule.wall == Walls::any ? 0.0 : rule.cost;
-    link.required = rule.required;
+    Link& link = add_asking(effect, rule, piece, rule.wall);
+    if (rule.wall == Walls::any) link.cost = 0.0;
     link.near = rule.weight;
   }
 
@@ -45,7 +43,7 @@ class Near : public Relation {
     const i64 wished = at.asked.rule.distance_or(NEAR_MM) - at.asked.tolerance.inside;
     if (wished < 0) return;
     const f64 far = static_cast<f64>(wished);
-    for (const Opened& one : at.openings(doors_)) {
+    for (const Opened& one : openings_named(at.scope, at.asked.of, doors_)) {
       const Point middle = one.centre();
       if (at.wall == Wall::none) {
         for (const Shares& share : IN_CIRCLE) add_reach(at, middle, share.x * far, share.z * far, found);
@@ -72,7 +70,7 @@ class Near : public Relation {
   }
 
   bool holds_in_room(const Footing& at) const override {
-    for (const Opened& one : at.openings(doors_)) {
+    for (const Opened& one : openings_named(at.scope, at.asked.of, doors_)) {
       if (at.reach.distance_to(one.centre()) <= static_cast<f64>(at.asked.rule.distance_or(NEAR_MM))) return true;
     }
     return false;

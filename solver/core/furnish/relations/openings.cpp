@@ -9,17 +9,22 @@ bool names_opening(Span<Name> names) {
   return false;
 }
 
-bool is_named(const Opened& one, Span<Name> names) {
+List<Opened> openings_named(const Scope& scope, Span<Name> names, bool doors) {
+  List<Opened> found;
+  const auto add = [&](Opening kind) {
+    for (const Opened& one : scope.openings) {
+      if (Scope::is(one, kind)) found.add(one);
+    }
+  };
+  if (doors) add(Opening::door);
   for (const Name& name : names) {
-    if (name.opening != Opening::none && Scope::is(one, name.opening)) return true;
+    if (!doors && name.opening != Opening::none) add(name.opening);
   }
-  return false;
+  return found;
 }
 
 void measure_from(const Subject& subject, Span<Name> names, bool doors, Effect& effect) {
-  for (const Opened& one : subject.scope.openings) {
-    if (doors ? Scope::is(one, Opening::door) : is_named(one, names)) effect.points.add(one.centre());
-  }
+  for (const Opened& one : openings_named(subject.scope, names, doors)) effect.points.add(one.centre());
   effect.has_cost = effect.points.size() > 0;
 }
 

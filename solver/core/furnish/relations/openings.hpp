@@ -6,7 +6,8 @@
 namespace furnish {
 
 bool names_opening(Span<Name> names);
-bool is_named(const Opened& one, Span<Name> names);
+// The openings of a room that `names` has, in their order, or the doors.
+List<Opened> openings_named(const Scope& scope, Span<Name> names, bool doors);
 
 // Which way off the wished distance costs.
 enum class Off : i32 { beyond = 1, shortfall = -1 };

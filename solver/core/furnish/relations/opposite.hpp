@@ -12,11 +12,8 @@ class Opposite : public Relation {
   void effect(const Subject& subject, const Rule& rule, Effect& effect) const override {
     const i32 piece = subject.first(rule);
     if (piece < 0) return;
-    Link& link = effect.links.add(link_to(rule, piece));
+    Link& link = add_asking(effect, rule, piece, Walls::opposite);
     link.turn = 180;
-    link.walls = Walls::opposite;
-    link.cost = rule.cost;
-    link.required = rule.required;
     link.align = rule.weight;
   }
 

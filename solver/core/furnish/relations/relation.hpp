@@ -102,4 +102,13 @@ inline Link link_to(const Rule& rule, i32 piece) {
   return made;
 }
 
+// Adds a link that asks for its rule to be met: for the walls behind the two, or for what else is set of it.
+inline Link& add_asking(Effect& effect, const Rule& rule, i32 piece, Walls walls) {
+  Link& link = effect.links.add(link_to(rule, piece));
+  link.walls = walls;
+  link.cost = rule.cost;
+  link.required = rule.required;
+  return link;
+}
+
 }  // namespace furnish
