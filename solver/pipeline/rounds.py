@@ -1,7 +1,7 @@
 """From the candidates of pieces to the placement that holds most: the placement stage, asked several times.
 
 The first round decides the candidates of all pieces together, best-first, those with the least freedom first. Then pieces that are
-missing or miss a relation are taken out and put in again between the others, for as long as more is held. The judge of the
+missing or miss a relation are taken out and put in again between the others, where more is held then. The judge of the
 relations says which round is better; only the last goes through the final solve.
 
 Other placements: from one that was found, the stance of one of its pieces is forbidden and the rest solved again (after Lawler, 1972): once
@@ -23,8 +23,6 @@ from solver.placement.arrange import SolvedRoom, arrange
 from solver.placement.core import Limits
 from solver.requested import Placement, relations_of
 
-ROUNDS = 3
-"""Most rounds of one placement."""
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
 THOROUGH = Limits(required=3000, required_qps=1000)
@@ -86,14 +84,9 @@ def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
 
 def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
     best = _first(task, wanted, FIRST)
-    for _ in range(ROUNDS - 1):
-        if is_call_spent():
-            return best
-        found = best if best.perfect else _mended(task, wanted, best)
-        if found.score[:4] >= best.score[:4]:
-            break
-        best = found
-    if wanted is task.pieces and not best.is_best:
+    if not best.perfect and not is_call_spent():
+        best = min(best, _mended(task, wanted, best), key=lambda one: one.score[:4])
+    if wanted is task.pieces and not best.is_best and not is_call_spent():
         best = _thorough(task, best)
     return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] and not is_call_spent() else best
 
