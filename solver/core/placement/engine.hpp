@@ -218,7 +218,6 @@ struct Counters {
   i64 best, deepest;  // numbers of states, or -1
   i64 refused;
   i64 incumbent, lapsed, solved_qps, moves_left;
-  u64 refused_bits;  // one for each refused fingerprint: by its upper bits
   i64 begun;         // whether it began with decisions whose optimum is known
 };
 
@@ -307,6 +306,6 @@ template <class T> inline T place_of(const Table<T>& positions, i64 axis, i64 va
   return positions.at(axis, variable < 0 ? positions.columns - 1 : variable);
 }
 
-static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 15 * 8 && sizeof(GridState) == 9 * 8);
+static_assert(sizeof(Part) == 10 * 8 && sizeof(Mark) == 8 * 8 && sizeof(Counters) == 14 * 8 && sizeof(GridState) == 9 * 8);
 
 }  // namespace placement

@@ -165,8 +165,6 @@ static u64 fingerprint(const Room& room, const Decisions& decisions, const Group
 
 // Tells whether a fingerprint is among the refused; adds it where asked.
 static bool refused(const Tree& tree, u64 number, bool add) {
-  const u64 bit = 1ULL << (number >> 58);
-  if (!add && !(tree.counters->refused_bits & bit)) return false;  // nearly always
   const i32 mask = tree.refused_table.size - 1;
   i64& count = tree.counters->refused;
   i32 at = static_cast<i32>(number >> 32) & mask;
@@ -179,7 +177,6 @@ static bool refused(const Tree& tree, u64 number, bool add) {
     tree.refused_table[at] = static_cast<i32>(count);
     tree.refused_at[count] = at;
     tree.refused[count++] = number;
-    tree.counters->refused_bits |= bit;
   }
   return false;
 }
