@@ -14,9 +14,6 @@ constexpr f64 ENOUGH = 400'000.0;  // work for one placement that is known to be
 constexpr WayMargin MARGINS[] = {{200, 0.9, 10.0}, {100, 0.8, 12.0}, {50, 0.6, 20.0}};
 constexpr RoomLimits MARGIN_LIMITS = {600, 500, 16, 50, 2, 8, 24000};  // such a try is given up sooner
 
-// A placement that is known to be there is looked for with so many times the QPs, each time with so many times more.
-constexpr i64 SEARCHED_AGAIN = 100, SEARCHED_FURTHER = 10;
-
 static Desk* desk_for(const NumberedRoom& asked) { return new_desk(asked.room, sizes_of(asked.room)); }
 
 static void arrange(Desk* desk, const RoomLimits& limits, f64& budget, bool walk, RoomReport& report, Memo* memo = nullptr) {
@@ -45,16 +42,14 @@ static i64 take_deepest(const Tree& tree, const Decisions& decisions) {
   return count;
 }
 
-// Finds a placement of decisions that were reached under other bounds, with more and more QPs; else of all but the last of them.
+// Finds a placement of decisions that were reached under other bounds; else of all but the last of them.
 static void find_again(Desk& desk, i64 limit, bool walk) {
   const Decisions& decisions = desk.decisions;
   const auto is_found = [&] {
     desk.engine.tree.budget[0] = ENOUGH;
     return evaluate(desk.engine, decisions, limit, INFINITE, walk);
   };
-  for (const i64 most_qps = limit * SEARCHED_AGAIN; limit < most_qps; limit *= SEARCHED_FURTHER) {
-    if (is_found()) return;
-  }
+  if (is_found()) return;
   for (i64 last = decisions.size; last > 0;) {
     if (decisions[--last] == ABSENT) continue;
     decisions[last] = ABSENT;
