@@ -6,7 +6,6 @@ FastAPI describes what a call takes and answers; a worker reads the body, and do
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from copy import deepcopy
-from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from typing import Annotated, Any, Final
@@ -38,7 +37,7 @@ from service.problems import Busy, NoSuchFormat
 from service.service_settings import Settings
 from service.service_store import NONE, TEMPORARY, ServiceStore, store_limiter
 from service.wire import FILE, NOT_CHANGED, as_written, body_of, format_sent, format_wanted, is_known, not_changed, tagged, written
-from service.work import Failure, Job, UnknownCatalogs, do_alone
+from service.work import Failure, Job, do_alone
 from service.workers import Workers, unless_left
 from solver.exchange import dump_plain, read
 from solver.version import VERSION
@@ -123,11 +122,11 @@ class ComposeApp(Starlette):
         super().__init__(routes=[route for declared in CALLS for route in declared.routes()], lifespan=_started)
         self.router.redirect_slashes = False
         self.catalogs = catalogs
-        self.packed_catalogs = packed(catalogs)
-        self.mark = mark_of(self.packed_catalogs)
+        content = packed(catalogs)
+        self.mark = mark_of(content)
         self.settings = settings
         self.terms = Terms(settings.work, settings.most_effort, settings.judging)
-        self.workers = Workers(settings)
+        self.workers = Workers(settings, warm, content)
         self.connections = Connections(settings)
         self.store = ServiceStore(settings)
         self.store_threads = store_limiter()
@@ -150,8 +149,6 @@ class ComposeApp(Starlette):
         is_light = call in calls.LIGHT and len(body) <= self.settings.light_bytes
         job = Job(call, body, sent, wanted, self.mark, self.terms, reading)
         done = await self.workers.run(do_alone, job, is_light=is_light)
-        if isinstance(done, UnknownCatalogs):  # a process that was started since
-            done = await self.workers.run(do_alone, replace(job, catalogs=self.packed_catalogs), is_light=is_light)
         if not isinstance(done, Response):
             raise RuntimeError(f"/{call} failed in its worker:\n{done.trace if isinstance(done, Failure) else done}")
         return done
@@ -172,7 +169,7 @@ class ComposeApp(Starlette):
 
 @asynccontextmanager
 async def _started(app: ComposeApp) -> AsyncIterator[None]:
-    await app.workers.start(warm, app.packed_catalogs)
+    await app.workers.start()
     app.is_ready = True
     async with create_task_group() as group:
         if app.settings.store != NONE:

@@ -13,7 +13,7 @@ from service import calls, problems
 from service.contract import USUAL_READING, ImportQuery
 from service.effort import USUAL, Terms, on_terms
 from service.measures import ISSUES_HEADER, RETRIED_HEADER, WORK_HEADER
-from service.packed_catalogs import KNOWN, unpacked
+from service.packed_catalogs import KNOWN
 from service.wire import FILE, attached, written
 from solver.core import CoreFailed, CoreFull
 from solver.demanded import demanding_at_most
@@ -37,7 +37,7 @@ class Job:
         sent: the body's format.
         wanted: the answer's format.
         reading: how a foreign file is read.
-        catalogs: the catalogs, packed by `packed`; or their mark (`mark_of`), where the process may know them.
+        catalogs: the mark (`mark_of`) of catalogs that the process has packed or unpacked.
         terms: how much work it may do.
     """
 
@@ -45,14 +45,9 @@ class Job:
     body: bytes
     sent: str
     wanted: str
-    catalogs: bytes | str
+    catalogs: str
     terms: Terms = USUAL
     reading: ImportQuery = USUAL_READING
-
-
-@dataclass(frozen=True)
-class UnknownCatalogs:
-    """The process does not know the catalogs of that mark: the job has to be sent again with them."""
 
 
 @dataclass(frozen=True)
@@ -62,13 +57,10 @@ class Failure:
     trace: str
 
 
-def do(job: Job) -> Response | Failure | UnknownCatalogs:
+def do(job: Job) -> Response | Failure:
     """Makes a call; what is wrong with the request becomes a problem document."""
-    if isinstance(job.catalogs, str) and job.catalogs not in KNOWN:
-        return UnknownCatalogs()
-    catalogs = KNOWN[job.catalogs] if isinstance(job.catalogs, str) else unpacked(job.catalogs)
     try:
-        return _measured(job, catalogs)
+        return _measured(job, KNOWN[job.catalogs])
     except ComposeError as error:
         return problems.of_error(None, error)
     except MemoryError:
@@ -112,7 +104,7 @@ def _asked(job: Job, catalogs: Catalogs) -> Response:
     return answer
 
 
-def do_alone(job: Job) -> Response | Failure | UnknownCatalogs:
+def do_alone(job: Job) -> Response | Failure:
     """Makes a call in a process that does nothing else, with bounded memory."""
     if sys.platform != "win32":
         _, most = resource.getrlimit(resource.RLIMIT_DATA)

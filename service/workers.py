@@ -165,13 +165,14 @@ class Lane(NamedTuple):
 class Workers:
     """The processes of a service, as many as its settings say."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, first: Callable[[Unpack[Given]], object] | None = None, *given: *Given) -> None:
+        """Begins nothing; `first` is what every process does before its first call, with what is `given`."""
+        self._first = None if first is None else (first, given)
         self._seconds = settings.request_seconds
         self.heavy = Lane(CapacityLimiter(settings.running()), settings.waiting, GIVES_WAY, [], set())
         self.light = Lane(CapacityLimiter(settings.light_processes), settings.waiting, 0, [], set())
         self.restarts = 0
         """Processes that ended and were replaced."""
-        self._first: tuple[Callable[..., object], tuple[object, ...]] | None = None
 
     def check(self) -> None:
         """Tells whether there are processes; a lane without one begins to start another.
@@ -266,9 +267,8 @@ class Workers:
         lane.idle.append(process)
         return True
 
-    async def start(self, work: Callable[[Unpack[Given]], object], *given: *Given) -> None:
-        """Starts all processes, however long it takes: a first start may compile. They do this work first, as those that replace one do."""
-        self._first = work, given
+    async def start(self) -> None:
+        """Starts all processes, however long it takes: a first start may compile."""
         async with create_task_group() as group:
             for lane in (self.heavy, self.light):
                 for _ in range(int(lane.slots.total_tokens)):

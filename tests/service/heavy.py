@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 if TYPE_CHECKING:
     from starlette.responses import Response
 
-    from service.work import Failure, Job, UnknownCatalogs
+    from service.work import Failure, Job
 
 PATIENCE_S = 600.0
 """A guard against a test that would never end."""
@@ -33,7 +33,7 @@ def niceness() -> tuple[int, int]:
     return os.getpid(), os.nice(0)
 
 
-def held(job: Job) -> Response | Failure | UnknownCatalogs:
+def held(job: Job) -> Response | Failure:
     """A call that first waits at the gate of the folder that its body names."""
     from service.work import do_alone
 
@@ -68,10 +68,10 @@ def hungry() -> str:
     from starlette.responses import Response
 
     from catalogs import load_catalogs
-    from service.packed_catalogs import packed
+    from service.packed_catalogs import mark_of, packed
     from service.work import Job, do_alone
 
-    done = do_alone(Job("view", b'{"scene": {"rooms": []}}', "json", "json", packed(load_catalogs())))
+    done = do_alone(Job("view", b'{"scene": {"rooms": []}}', "json", "json", mark_of(packed(load_catalogs()))))
     assert isinstance(done, Response)
     try:
         return f"{done.status_code} took {len(bytearray(3 << 30))}"

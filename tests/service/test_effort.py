@@ -14,7 +14,7 @@ from catalogs import load_catalogs
 from service.calls import CALLS
 from service.contract import PlaceBody
 from service.effort import EFFORTS, USUAL, Terms, limited_to, on_terms
-from service.packed_catalogs import packed
+from service.packed_catalogs import mark_of, packed
 from service.work import Job, do
 from solver import fix, place
 from solver.errors import FieldError
@@ -78,7 +78,7 @@ def test_no_call_works_much_longer_than_its_limit(call: Callable[[], None]) -> N
 def judged(room: dict[str, Any], judging: float = USUAL.judging, call: str = "validate", wanted: str = "json") -> Response:
     """Returns what the service answers to a scene of one room."""
     body = json.dumps({"scene": {"rooms": [{"id": "a", "width": 1000.0, "depth": 1000.0, **room}]}}).encode()
-    done = do(Job(call, body, "json", wanted, packed(load_catalogs()), Terms(judging=judging)))
+    done = do(Job(call, body, "json", wanted, mark_of(packed(load_catalogs())), Terms(judging=judging)))
     assert isinstance(done, Response)
     return done
 

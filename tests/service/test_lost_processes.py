@@ -55,8 +55,8 @@ def test_processes_that_die_or_cannot_be_had_while_they_are_started_are_not_wait
     most = RUNNING + LIGHT + 3 * workers.TRIES
 
     async def scene() -> None:
-        bench = Workers(SETTINGS)
-        await bench.start(heavy.dies, str(tmp_path), most)
+        bench = Workers(SETTINGS, heavy.dies, str(tmp_path), most)
+        await bench.start()
         with pytest.raises(ProcessLost):
             await bench.run(os.getpid)
         assert len(list(tmp_path.iterdir())) < most
@@ -81,7 +81,7 @@ def test_who_has_no_processes_is_not_ready_and_begins_to_start_some(monkeypatch:
     async def scene() -> None:
         bench = Workers(SETTINGS)
         monkeypatch.setattr(workers, "WorkerProcess", refuse)
-        await bench.start(os.getpid)
+        await bench.start()
         with pytest.raises(Busy):
             bench.check()
         await asyncio.gather(*bench.heavy.coming)
@@ -107,7 +107,7 @@ def test_who_lost_processes_is_told_to_come_back(path: str, work: str, client: T
 def test_processes_that_died_while_they_were_idle_are_replaced_before_they_are_asked() -> None:
     async def scene() -> None:
         bench = Workers(SETTINGS)
-        await bench.start(os.getpid)
+        await bench.start()
         told = [await process.ask(os.getpid, ()) for process in bench.light.idle]
         idle = [one for one in told if isinstance(one, int)]
         assert len(idle) == LIGHT > 1

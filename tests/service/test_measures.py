@@ -13,7 +13,7 @@ from starlette.testclient import TestClient
 from catalogs import load_catalogs
 from service import calls
 from service.app import EMBEDDED, create_app
-from service.packed_catalogs import packed
+from service.packed_catalogs import mark_of, packed
 from service.work import Job, do
 from solver.core import CoreFailed
 from tests.service.problems import entry_of
@@ -86,7 +86,7 @@ def test_a_trap_of_the_core_is_tried_once_more(monkeypatch: pytest.MonkeyPatch) 
         return {"issues": ()}
 
     monkeypatch.setattr(calls, "CALLS", {"view": traps})
-    job = Job("view", b"{}", "json", "json", packed(load_catalogs()))
+    job = Job("view", b"{}", "json", "json", mark_of(packed(load_catalogs())))
     answer = do(job)
     assert getattr(answer, "status_code", None) == 200
     assert answer.headers["x-retried"] == "1"  # type: ignore[union-attr]

@@ -8,7 +8,6 @@ import socket
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -22,11 +21,11 @@ from starlette.types import Message
 from catalogs import load_catalogs
 from service import calls, workers
 from service.app import ComposeApp
-from service.packed_catalogs import KNOWN, mark_of, packed
+from service.packed_catalogs import mark_of, packed
 from service.problems import Busy, TooLong
 from service.server import listening
 from service.service_settings import Settings
-from service.work import Failure, Job, UnknownCatalogs, do
+from service.work import Failure, Job, do
 from service.workers import Workers, unless_left
 from tests.service import apart, heavy
 from tests.service.problems import entry_of, problem_of
@@ -259,7 +258,7 @@ def test_a_call_that_is_abandoned_costs_only_its_own_process_which_is_replaced_a
 
     async def scene() -> None:
         bench, caller = Workers(SETTINGS), Caller()
-        await bench.start(heavy.niceness)
+        await bench.start()
         light, nice = await bench.run(heavy.niceness, is_light=True)
         assert nice == os.nice(0)
 
@@ -327,21 +326,7 @@ def test_a_failure_says_nothing_of_its_insides(
 
 
 def job(body: bytes) -> Job:
-    return Job("view", body, "json", "json", packed(load_catalogs()))
-
-
-def test_catalogs_are_sent_by_their_mark_to_a_process_that_knows_them() -> None:
-    ours = packed(load_catalogs())
-    marked = replace(job(b'{"scene": {"rooms": []}}'), catalogs=mark_of(ours))
-    KNOWN.clear()
-    assert isinstance(do(marked), UnknownCatalogs)
-    assert isinstance(do(replace(marked, catalogs=ours)), Response)
-    assert isinstance(do(marked), Response)
-
-
-def test_a_process_that_does_not_know_the_catalogs_is_sent_them(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(client.app, "mark", "0" * 64)
-    assert client.post("/view", json={"scene": {"rooms": []}}).status_code == 200
+    return Job("view", body, "json", "json", mark_of(packed(load_catalogs())))
 
 
 def test_what_is_written_is_sent_at_once() -> None:
