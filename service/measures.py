@@ -5,8 +5,8 @@ import logging
 import re
 import time
 import uuid
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Final
 
 from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, generate_latest
 from prometheus_client.exposition import CONTENT_TYPE_LATEST
@@ -116,18 +116,9 @@ class Observed:
 
     def _named(self, scope: Scope) -> str:
         """Returns what a path counts as: how it begins, where that is one of the service's."""
-        self._paths = self._paths or set(map(_beginning, _paths_of(scope["app"].routes)))
+        self._paths = self._paths or {_beginning(route.path) for route in scope["app"].routes}
         begins = _beginning(scope["path"])
         return begins if begins in self._paths else OTHER
-
-
-def _paths_of(routes: Iterable[Any]) -> Iterator[str]:
-    """Yields the paths of routes; of a router that was included, those of its own."""
-    for route in routes:
-        if hasattr(route, "path"):
-            yield route.path
-        else:
-            yield from _paths_of(route.original_router.routes)
 
 
 def _beginning(path: str) -> str:
