@@ -90,16 +90,12 @@ class Callers:
         self._places = frozenset(_place(origin) for origin in origins)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answers one request; HEAD as GET, without the body."""
+        """Answers one request; HEAD as GET, of which the server leaves out the body."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        refusal = self._refusal(scope["method"], Headers(scope=scope))
-        answer = refusal or self._app
-        if scope["method"] == "HEAD":
-            await answer({**scope, "method": "GET"}, receive, _without_body(send))
-        else:
-            await answer(scope, receive, send)
+        answer = self._refusal(scope["method"], Headers(scope=scope)) or self._app
+        await answer({**scope, "method": "GET"} if scope["method"] == "HEAD" else scope, receive, send)
 
     def _refusal(self, method: str, headers: Mapping[str, str]) -> Response | None:
         if "content-length" in headers and "transfer-encoding" in headers:
@@ -134,10 +130,3 @@ def _place(origin: str) -> str:
 def _refused(status: int, title: str, field: str, what: str, allowed: str) -> Response:
     entry = {"field": field, "problem": what, "allowed": allowed}
     return problem(status, title, f"{field}: {what}; allowed: {allowed}.", [entry])
-
-
-def _without_body(send: Send) -> Send:
-    async def send_head(message: Message) -> None:
-        await send({**message, "body": b""} if message["type"] == "http.response.body" else message)
-
-    return send_head

@@ -137,10 +137,7 @@ class DescribedCalls:
 
     def routes(self) -> list[Route]:
         """Returns what answers the calls."""
-        made = [Route(self._prefix + one.path, one.answering, name=one.described["name"]) for one in self._declared]
-        for route, one in zip(made, self._declared, strict=True):
-            route.methods = {one.method}  # HEAD is the guard's
-        return made
+        return [Route(self._prefix + one.path, one.answering, methods=[one.method], name=one.described["name"]) for one in self._declared]
 
     def describe(self, app: FastAPI) -> None:
         """Has FastAPI describe the calls."""

@@ -132,10 +132,12 @@ def of_http(request: Request, error: Exception) -> Response:
     """Turns the router's own errors (unknown path, wrong method) into problem documents."""
     status = error.status_code if isinstance(error, HTTPException) else HTTPStatus.INTERNAL_SERVER_ERROR
     headers = dict(getattr(error, "headers", None) or {})
-    allow = {name.lower(): value for name, value in headers.items()}.get("allow", "")
     title, path = HTTPStatus(status).phrase, request.url.path
     if status == HTTPStatus.METHOD_NOT_ALLOWED:
-        return problem(status, title, f"{path} does not take {request.method}.", [_entry("method", request.method, allow)], headers)
+        allow = ", ".join(sorted(headers.get("Allow", "GET, HEAD").split(", ")))
+        return problem(
+            status, title, f"{path} does not take {request.method}.", [_entry("method", request.method, allow)], {"Allow": allow}
+        )
     if status == HTTPStatus.NOT_FOUND:
         return problem(status, title, f"There is no {path}.", [_entry("path", path, "the calls listed at /docs")], headers)
     return problem(status, title, f"{path}: {title}.", [], headers)

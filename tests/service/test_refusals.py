@@ -326,7 +326,7 @@ def test_an_unknown_format_is_not_found(client: TestClient) -> None:
 
 
 @pytest.mark.parametrize(
-    ("method", "path", "allowed"), [("GET", "/generate", "POST"), ("DELETE", "/fix", "POST"), ("POST", "/catalog", "GET")]
+    ("method", "path", "allowed"), [("GET", "/generate", "POST"), ("DELETE", "/fix", "POST"), ("POST", "/catalog", "GET, HEAD")]
 )
 def test_another_method_is_not_allowed(client: TestClient, method: str, path: str, allowed: str) -> None:
     answer = client.request(method, path)
