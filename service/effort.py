@@ -39,22 +39,28 @@ class Terms:
 
 
 USUAL: Final = Terms()
-_terms: ContextVar[Terms] = ContextVar("terms of the service", default=USUAL)
 
 
-_done: ContextVar[list[float] | None] = ContextVar("work of the calls of a block", default=None)
+@dataclass
+class Bill:
+    """The terms that calls are made on, and the work that they did."""
+
+    terms: Terms
+    done: float = 0.0
+
+
+_bill: ContextVar[Bill] = ContextVar("what calls may do and did", default=Bill(USUAL))  # noqa: B039 - one for all calls on the usual terms
 
 
 @contextmanager
-def on_terms(terms: Terms) -> Iterator[list[float]]:
-    """Has calls within a block made on these terms; yields the work that each did."""
-    before, done = _terms.set(terms), list[float]()
-    noted = _done.set(done)
+def on_terms(terms: Terms) -> Iterator[Bill]:
+    """Has calls within a block made on these terms; yields what tells the work that they did."""
+    bill = Bill(terms)
+    before = _bill.set(bill)
     try:
-        yield done
+        yield bill
     finally:
-        _done.reset(noted)
-        _terms.reset(before)
+        _bill.reset(before)
 
 
 class Spending:
@@ -70,7 +76,7 @@ class Spending:
         from solver.answers import Limited  # noqa: PLC0415 - the command line's words need none of it
 
         most = round(self._counted.most)
-        more = [name for name in list(EFFORTS)[list(EFFORTS).index(self._effort) + 1 :] if EFFORTS[name] <= EFFORTS[_terms.get().most]]
+        more = [name for name in list(EFFORTS)[list(EFFORTS).index(self._effort) + 1 :] if EFFORTS[name] <= EFFORTS[_bill.get().terms.most]]
         words = f"the search ended at its limit of work, {most:,}; more may be found with " + (
             f"effort {more[0]}" if more else "less to place, or on the command line"
         )
@@ -87,12 +93,11 @@ def limited_to(effort: str = NORMAL) -> Iterator[Spending]:
     from solver.errors import FieldError  # noqa: PLC0415
     from solver.placement import work_of_call  # noqa: PLC0415 - what only reads a scene needs no placement
 
-    terms = _terms.get()
+    bill = _bill.get()
+    terms = bill.terms
     if EFFORTS[effort] > EFFORTS[terms.most]:
         allowed = [name for name, times in EFFORTS.items() if times <= EFFORTS[terms.most]]
         raise FieldError("effort", f"is {effort}, more than this service does", ", ".join(allowed))
     with work_of_call(terms.work * EFFORTS[effort]) as counted:
         yield Spending(effort, counted)
-    done = _done.get()
-    if done is not None:
-        done.append(counted.done)
+    bill.done += counted.done

@@ -71,14 +71,14 @@ def do(job: Job) -> Response | Failure:
 
 def _measured(job: Job, catalogs: Catalogs) -> Response:
     """Answers, and says in headers what it took; once more on a fresh instance where the core ended in a trap."""
-    with on_terms(job.terms) as done:
+    with on_terms(job.terms) as bill:
         try:
             answer, retried = _answered(job, catalogs), False
         except CoreFull:
             raise
         except CoreFailed:
             answer, retried = _answered(job, catalogs), True
-    answer.headers[WORK_HEADER] = str(round(sum(done)))
+    answer.headers[WORK_HEADER] = str(round(bill.done))
     if retried:
         answer.headers[RETRIED_HEADER] = "1"
     return answer
