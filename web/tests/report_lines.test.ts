@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { fixWords } from "../src/panel/fix_words";
-import { groupsOf } from "../src/panel/issues";
+import { grouped } from "../src/panel/issues";
 import { sharedEnds, type Line } from "../src/panel/line_list";
 import { kindOf, reportLines } from "../src/panel/report_lines";
 import { marksOf } from "../src/view/mark_words";
@@ -63,9 +63,9 @@ test("decorations that a repair moved are no pieces of furniture", () => {
 
 test("issues are grouped by rule, errors first, each once", () => {
   const issues = [issue("missing_required", "warning"), issue("overlap"), issue("wall_far"), issue("overlap")];
-  const groups = groupsOf(issues);
-  expect(groups.map(({ rule, issues: members }) => [rule, members.length])).toEqual([["overlap", 2], ["wall_far", 1], ["missing_required", 1]]);
-  expect(new Set(groups.flatMap((group) => group.issues))).toEqual(new Set(issues));
+  const groups = grouped(issues, ({ rule }) => rule);
+  expect([...groups].map(([rule, of]) => [rule, of.length])).toEqual([["overlap", 2], ["wall_far", 1], ["missing_required", 1]]);
+  expect(new Set([...groups.values()].flat())).toEqual(new Set(issues));
 });
 
 test("every body with an error gets its rules' words once, and a room where no body is named", () => {

@@ -4,10 +4,11 @@ import { Live } from "../edit/live";
 import { Toolbar, type Tool } from "../edit/toolbar";
 import { doorlessIn } from "../panel/imported";
 import { inWords } from "../panel/programme";
+import { button, made } from "../made";
 import { boxOf, type Box, type Point } from "./corners";
 import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
 import { DrawnPlan } from "./drawn_plan";
-import { button, group, hint, lengthField, row } from "./elements";
+import { group, hint, lengthField, row } from "./elements";
 import { draftNames, Inspector } from "./inspector";
 import { leftOutWords, lostWords } from "./lost";
 import { isOpening, Pencil, type ToolName } from "./pencil";
@@ -55,8 +56,8 @@ export class Board {
   readonly #picture = new PictureBeneath();
   readonly #reflow: Reflow;
   readonly #verdicts: Live<Scene, ValidateAnswer>;
-  readonly #said = document.createElement("p");
-  readonly #found = document.createElement("div");
+  readonly #said = made("p", { className: "drawing-said", role: "status" });
+  readonly #found = made("div");
   #catalog: Catalog | null = null;
   #ghost: Box | null = null;
   #issues: readonly Issue[] = [];
@@ -70,15 +71,9 @@ export class Board {
   #told: Draft | null = null;
 
   constructor(readonly host: HTMLElement, readonly calls: BoardCalls, readonly words: BoardWords) {
-    const [tools, side, inspected] = [document.createElement("div"), document.createElement("div"), document.createElement("div")];
-    tools.className = "tools drawing-tools";
-    tools.setAttribute("role", "toolbar");
-    tools.setAttribute("aria-label", say("Drawing tools"));
-    side.className = "drawing-side";
-    this.#said.setAttribute("role", "status");
-    this.#said.className = "drawing-said";
-    side.append(inspected, this.#found);
-    host.replaceChildren(tools, side, this.#said);
+    const tools = made("div", { className: "tools drawing-tools", role: "toolbar", "aria-label": say("Drawing tools") });
+    const inspected = made("div");
+    host.replaceChildren(tools, made("div", { className: "drawing-side" }, inspected, this.#found), this.#said);
     this.#sheet = new Sheet(host);
     this.#inspector = new Inspector(inspected, this.#plan, (words) => this.#say(words));
     this.#toolbar = new Toolbar(tools, this.#tools());
@@ -254,15 +249,10 @@ export class Board {
 
   /** The picture beneath: laid, faded, scaled, removed. */
   #beneath(): HTMLElement {
-    const chooser = document.createElement("input");
-    chooser.type = "file";
-    chooser.accept = "image/*";
-    chooser.setAttribute("aria-label", say("A picture to trace"));
+    const chooser = made("input", { type: "file", accept: "image/*", "aria-label": say("A picture to trace") });
     chooser.addEventListener("change", () => void this.lay(chooser.files?.[0]));
     if (!this.#picture.picture) return group(say("Picture beneath"), chooser, hint(say("A scan or photograph of a plan, to draw over.")));
-    const fade = document.createElement("input");
-    Object.assign(fade, { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity) });
-    fade.setAttribute("aria-label", say("How strongly the picture is seen"));
+    const fade = made("input", { type: "range", min: "0.1", max: "1", step: "0.05", value: String(this.#picture.picture.opacity), "aria-label": say("How strongly the picture is seen") });
     fade.addEventListener("input", () => { this.#picture.fade(fade.valueAsNumber); this.#draw(); });
     const isMeasured = this.#picture.measured.length === 2;
     const scale = lengthField(isMeasured ? say("That is, m") : say("Its width, m"), this.#picture.length, (length) => {

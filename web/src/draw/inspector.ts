@@ -1,11 +1,12 @@
 /** The panel beside the sheet: the chosen room or opening in exact numbers, all rooms, and the picture beneath. */
 import type { Catalog, OpeningKind } from "../contract";
 import { inWords } from "../panel/programme";
+import { button, made } from "../made";
 import { roomNames } from "../panel/room";
 import { wallsOf, type Wall } from "./corners";
 import { OPENING_SIZES, wallLengthened, wallsAt, withOpeningAt, withOpeningChanged, withoutOpening, withName, withoutRoom, withType, type Draft, type DraftOpening, type DraftRoom } from "./draft";
 import type { DrawnPlan } from "./drawn_plan";
-import { button, choiceField, group, hint, lengthField, row, switchField, textField } from "./elements";
+import { choiceField, group, hint, lengthField, row, switchField, textField } from "./elements";
 import { UNTYPED } from "./scene_draft";
 import { inMetres } from "./sheet";
 import { capital, say, sayArea, type Words } from "../words/language";
@@ -85,7 +86,7 @@ export class Inspector {
   #wall(room: DraftRoom, wall: Wall, words: string): HTMLElement {
     const take = (length: number): boolean => this.#take(
       wallLengthened(this.plan.settled, room.id, wall.index, length), say("The wall cannot be so long: rooms would meet, or nothing would be left."));
-    const puts = (["door", "window"] as const).map((kind) => button(say(kind === "door" ? "Door" : "Window"), () => this.put(kind, room, wall), { label: say(`Add a ${kind} to the {wall}`, { wall: words }) }));
+    const puts = (["door", "window"] as const).map((kind) => button(say(kind === "door" ? "Door" : "Window"), () => this.put(kind, room, wall), { "aria-label": say(`Add a ${kind} to the {wall}`, { wall: words }) }));
     return row(lengthField(capital(words), wall.to - wall.from, take), ...puts);
   }
 
@@ -130,14 +131,9 @@ export class Inspector {
     const total = sayArea(indoors.reduce((sum, { id }) => sum + (this.#areas.get(id) ?? 0), 0));
     const area = indoors.length < draft.rooms.length ? say("{area} indoors", { area: total }) : total;
     const names = draftNames(draft);
-    const list = document.createElement("div");
-    list.className = "drawing-rooms";
-    list.append(...draft.rooms.map(({ id }) => {
-      const choose = button(`, ${this.#area(id)}`, () => this.plan.choose({ room: id }));
-      const name = document.createElement("bdi"); // written from the right, it leaves the area where it is
-      name.textContent = capital(names.get(id) ?? id);
-      choose.prepend(name);
-      choose.setAttribute("aria-pressed", String(this.plan.chosen.room === id));
+    const list = made("div", { className: "drawing-rooms" }, ...draft.rooms.map(({ id }) => {
+      const choose = button(`, ${this.#area(id)}`, () => this.plan.choose({ room: id }), { "aria-pressed": this.plan.chosen.room === id });
+      choose.prepend(made("bdi", {}, capital(names.get(id) ?? id))); // written from the right, it leaves the area where it is
       return choose;
     }));
     const words = draft.rooms.length === 0 ? say("Draw a rectangle for each room, or press “4 × 3 m”.") : say("A shared wall is one wall: dragged, both rooms follow; with Shift one alone. Alt: no snapping.");

@@ -1,11 +1,11 @@
 /** The sheet that is drawn on: a plan as SVG, in millimetres, with what is chosen and what is about to be drawn. */
 import type { Room } from "../contract";
 import { WIDEST_LEAF } from "../house/door_leaves";
+import { drawn } from "../made";
 import { boxOf, wallsOf, type Box, type Corners, type Point } from "./corners";
 import type { Draft, DraftOpening, DraftRoom } from "./draft";
 import { say, sayArea, sayNumber } from "../words/language";
 
-const SVG = "http://www.w3.org/2000/svg";
 /** How thick a wall is drawn [mm]; what is nearer than that to a line of the sheet is on it. */
 const WALL = 100;
 const METRE = 1000;
@@ -48,15 +48,6 @@ export interface Marks {
   readonly colors: (room: DraftRoom) => string;
 }
 
-type Attributes = Readonly<Record<string, string | number>>;
-
-function make(tag: string, attributes: Attributes, ...children: readonly (Node | string)[]): SVGElement {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.append(...children);
-  return element;
-}
-
 export function inMetres(length: number): string {
   return sayNumber(length / METRE, 2);
 }
@@ -89,7 +80,7 @@ function inLines(words: readonly string[], most: number): string[] {
 }
 
 export class Sheet {
-  readonly svg = make("svg", { class: "sheet", tabindex: 0, role: "application", "aria-label": say("The plan that is drawn") }) as SVGSVGElement;
+  readonly svg = drawn("svg", { class: "sheet", tabindex: 0, role: "application", "aria-label": say("The plan that is drawn") });
   /** The point in the middle, and how much a pixel shows [mm]. */
   #middle: Point = { x: 5 * METRE, z: 4 * METRE };
   #perPixel = 16;
@@ -176,23 +167,23 @@ export class Sheet {
       this.#grid(across, down),
       ...draft.rooms.map((room) => this.#floor(room, marks)),
       ...draft.rooms.flatMap(({ id, from }) => this.#furniture(marks.furnished.get(id) ?? from)),
-      ...draft.rooms.map((room) => make("path", { class: "wall", d: pathOf(room.corners), "stroke-width": WALL })),
+      ...draft.rooms.map((room) => drawn("path", { class: "wall", d: pathOf(room.corners), "stroke-width": WALL })),
       ...draft.openings.map((opening) => this.#opening(opening, opening.id === marks.opening)),
       ...draft.rooms.map((room) => this.#name(room, marks)),
       ...(chosen ? this.#handles(chosen) : []),
       ...(marks.ghost ? this.#ghost(marks.ghost) : []),
-      ...marks.measured.map(({ x, z }) => make("circle", { class: "measured", cx: x, cy: z, r: 4 * this.#perPixel })),
+      ...marks.measured.map(({ x, z }) => drawn("circle", { class: "measured", cx: x, cy: z, r: 4 * this.#perPixel })),
       ...(marks.measured.length === 2 ? [this.#measure(marks.measured)] : []),
     ];
   }
 
   #picture({ url, width, height, scale, opacity }: Picture): SVGElement {
-    return make("image", { class: "traced", href: url, x: 0, y: 0, width: width * scale, height: height * scale, opacity });
+    return drawn("image", { class: "traced", href: url, x: 0, y: 0, width: width * scale, height: height * scale, opacity });
   }
 
   #measure(points: readonly Point[]): SVGElement {
     const [a, b] = points as [Point, Point];
-    return make("line", { class: "measured", x1: a.x, y1: a.z, x2: b.x, y2: b.z, "stroke-width": 2 * this.#perPixel });
+    return drawn("line", { class: "measured", x1: a.x, y1: a.z, x2: b.x, y2: b.z, "stroke-width": 2 * this.#perPixel });
   }
 
   #grid(across: number, down: number): SVGElement {
@@ -201,12 +192,12 @@ export class Sheet {
     const lines: string[] = [];
     for (let x = Math.ceil(west / step) * step; x < west + across; x += step) lines.push(`M${x} ${north}v${down}`);
     for (let z = Math.ceil(north / step) * step; z < north + down; z += step) lines.push(`M${west} ${z}h${across}`);
-    return make("path", { class: "grid", d: lines.join(""), "stroke-width": this.#perPixel });
+    return drawn("path", { class: "grid", d: lines.join(""), "stroke-width": this.#perPixel });
   }
 
   #floor(room: DraftRoom, { room: chosen, wrong, colors }: Marks): SVGElement {
     const state = [chosen === room.id ? " chosen" : "", wrong.has(room.id) ? " wrong" : ""].join("");
-    return make("path", { class: `floor${state}`, d: pathOf(room.corners), fill: colors(room), "data-room": room.id });
+    return drawn("path", { class: `floor${state}`, d: pathOf(room.corners), fill: colors(room), "data-room": room.id });
   }
 
   #furniture(room: Room | null): SVGElement[] {
@@ -216,9 +207,9 @@ export class Sheet {
       const [width, depth] = [piece.width * METRE, piece.depth * METRE];
       const middle: Point = { x: (x + piece.x) * METRE, z: (z + piece.z) * METRE };
       const turn = `translate(${middle.x} ${middle.z}) rotate(${-(piece.rotation ?? 0)})`;
-      return make("g", { class: "piece", transform: turn },
-        make("rect", { x: -width / 2, y: -depth / 2, width, height: depth, "stroke-width": 1.5 * this.#perPixel }, make("title", {}, piece.name.replaceAll("_", " "))),
-        make("path", { d: `M${-width / 4} ${depth / 2 - Math.min(80, depth / 4)}h${width / 2}`, "stroke-width": this.#perPixel }));
+      return drawn("g", { class: "piece", transform: turn },
+        drawn("rect", { x: -width / 2, y: -depth / 2, width, height: depth, "stroke-width": 1.5 * this.#perPixel }, drawn("title", {}, piece.name.replaceAll("_", " "))),
+        drawn("path", { d: `M${-width / 4} ${depth / 2 - Math.min(80, depth / 4)}h${width / 2}`, "stroke-width": this.#perPixel }));
     });
   }
 
@@ -227,8 +218,8 @@ export class Sheet {
     const rect = axis === "x" ? { x: from, y: line - WALL / 2, width: to - from, height: WALL } : { x: line - WALL / 2, y: from, width: WALL, height: to - from };
     const reach = Math.max(0, 10 * this.#perPixel - WALL / 2);
     const grip = axis === "x" ? { x: from, y: line - WALL / 2 - reach, width: to - from, height: WALL + 2 * reach } : { x: line - WALL / 2 - reach, y: from, width: WALL + 2 * reach, height: to - from };
-    return make("g", { class: `opening ${kind}${isChosen ? " chosen" : ""}${opening.isMainEntrance ? " entrance" : ""}`, "data-opening": id },
-      make("rect", { class: "gap", ...rect }), ...this.#leaf(opening), make("rect", { class: "grip", ...grip }));
+    return drawn("g", { class: `opening ${kind}${isChosen ? " chosen" : ""}${opening.isMainEntrance ? " entrance" : ""}`, "data-opening": id },
+      drawn("rect", { class: "gap", ...rect }), ...this.#leaf(opening), drawn("rect", { class: "grip", ...grip }));
   }
 
   /** A door's leaf and the arc of its edge; a window's pane. */
@@ -236,7 +227,7 @@ export class Sheet {
     const width = (to - from) / (to - from > 1000 * WIDEST_LEAF ? 2 : 1);
     const point = (along: number, across: number): string => (axis === "x" ? `${along} ${across}` : `${across} ${along}`);
     const stroke = { "stroke-width": 2 * this.#perPixel };
-    if (kind === "window") return [make("path", { class: "leaf", d: `M${point(from, line)}L${point(to, line)}`, ...stroke })];
+    if (kind === "window") return [drawn("path", { class: "leaf", d: `M${point(from, line)}L${point(to, line)}`, ...stroke })];
     if (kind !== "door") return [];
     const tip = line + swing * width;
     const leaf = (end: "start" | "end"): string => {
@@ -245,7 +236,7 @@ export class Sheet {
       return `M${point(pivot, line)}L${point(pivot, tip)}A${width} ${width} 0 0 ${isClockwise ? 0 : 1} ${point(far, line)}`;
     };
     const leaves = width < to - from ? leaf("start") + leaf("end") : leaf(hinge);
-    return [make("path", { class: "leaf", d: leaves, ...stroke })];
+    return [drawn("path", { class: "leaf", d: leaves, ...stroke })];
   }
 
   #name(room: DraftRoom, { names, areas }: Marks): SVGElement {
@@ -258,8 +249,8 @@ export class Sheet {
     const lines = fitting(best) >= smallest ? best : []; // else it is read beside the sheet, where each room is listed
     const down = (line: number): string => `${line === 0 ? (-LINE * lines.length) / 2 : LINE}em`;
     const area = sayArea(areas.get(room.id) ?? 0);
-    return make("text", { class: "room-name", role: "img", "aria-label": `${names(room)}, ${area}`, x, y: z, "font-size": Math.max(smallest, fitting(best)) },
-      ...lines.map((line, at) => make("tspan", { x, dy: down(at) }, line)), make("tspan", { class: "area", x, dy: down(lines.length) }, area));
+    return drawn("text", { class: "room-name", role: "img", "aria-label": `${names(room)}, ${area}`, x, y: z, "font-size": Math.max(smallest, fitting(best)) },
+      ...lines.map((line, at) => drawn("tspan", { x, dy: down(at) }, line)), drawn("tspan", { class: "area", x, dy: down(lines.length) }, area));
   }
 
   /** The walls of the room that is chosen, to take hold of, with their lengths. */
@@ -272,8 +263,8 @@ export class Sheet {
       const [tx, tz] = axis === "x" ? [x, z + away] : [x + away, z];
       const turn = axis === "x" ? "" : `rotate(-90 ${tx} ${tz})`;
       return [
-        make("line", { class: `hold along-${axis}`, ...ends, "stroke-width": 12 * this.#perPixel, "data-wall": index, "data-of": id }),
-        make("text", { class: "length", x: tx, y: tz, "font-size": 12 * this.#perPixel, transform: turn }, inMetres(to - from)),
+        drawn("line", { class: `hold along-${axis}`, ...ends, "stroke-width": 12 * this.#perPixel, "data-wall": index, "data-of": id }),
+        drawn("text", { class: "length", x: tx, y: tz, "font-size": 12 * this.#perPixel, transform: turn }, inMetres(to - from)),
       ];
     });
   }
@@ -281,8 +272,8 @@ export class Sheet {
   #ghost({ x0, z0, x1, z1 }: Box): SVGElement[] {
     const words = `${inMetres(x1 - x0)} × ${inMetres(z1 - z0)} m`;
     return [
-      make("rect", { class: "ghost", x: x0, y: z0, width: x1 - x0, height: z1 - z0, "stroke-width": 2 * this.#perPixel }),
-      make("text", { class: "length", x: (x0 + x1) / 2, y: (z0 + z1) / 2, "font-size": 13 * this.#perPixel }, words),
+      drawn("rect", { class: "ghost", x: x0, y: z0, width: x1 - x0, height: z1 - z0, "stroke-width": 2 * this.#perPixel }),
+      drawn("text", { class: "length", x: (x0 + x1) / 2, y: (z0 + z1) / 2, "font-size": 13 * this.#perPixel }, words),
     ];
   }
 }

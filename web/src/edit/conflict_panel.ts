@@ -2,6 +2,7 @@
 import type { Repair } from "../contract";
 import type { Refusal } from "./editor";
 import { repairWords } from "./words";
+import { button, made } from "../made";
 import { putAway } from "../panel/focus";
 import { say } from "../words/language";
 import { tellSentence } from "../words/telling";
@@ -20,30 +21,14 @@ export class ConflictPanel {
   }
 
   #contents(refusal: Refusal): HTMLElement[] {
-    const said = refusal.conflicts.map(({ message }) => {
-      const words = document.createElement("p");
-      words.textContent = tellSentence(message, refusal.sent);
-      return words;
-    });
-    const heading = document.createElement("strong");
-    heading.textContent = refusal.live ? say("No place found yet: let go to look harder") : say("That cannot be, so all stays as it was");
-    return [heading, ...said, ...(refusal.live ? [] : [this.#repairs(refusal)])];
+    const said = refusal.conflicts.map(({ message }) => made("p", {}, tellSentence(message, refusal.sent)));
+    const heading = refusal.live ? say("No place found yet: let go to look harder") : say("That cannot be, so all stays as it was");
+    return [made("strong", {}, heading), ...said, ...(refusal.live ? [] : [this.#repairs(refusal)])];
   }
 
   #repairs(refusal: Refusal): HTMLElement {
-    const row = document.createElement("div");
-    row.className = "repairs";
     const offered = new Map(refusal.conflicts.flatMap(({ repairs }) => repairs).map((repair) => [`${repair.id} ${repairWords(repair)}`, repair]));
-    row.append(...[...offered.values()].slice(0, MOST_REPAIRS).map((repair) => this.#button(repairWords(repair), () => this.onTake(refusal, repair))));
-    row.append(this.#button(say("Close"), () => this.show(null)));
-    return row;
-  }
-
-  #button(words: string, act: () => void): HTMLElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = words;
-    button.addEventListener("click", act);
-    return button;
+    const repairs = [...offered.values()].slice(0, MOST_REPAIRS).map((repair) => button(repairWords(repair), () => this.onTake(refusal, repair)));
+    return made("div", { className: "repairs" }, ...repairs, button(say("Close"), () => this.show(null)));
   }
 }

@@ -2,6 +2,7 @@
 import type { Furniture, Room, Scene, Side } from "../contract";
 import { gapsOf, type Gap } from "./gaps";
 import { lengthTyped, lengthWords } from "./lengths";
+import { button, made } from "../made";
 import { replaceKeepingFocus } from "../panel/focus";
 import { say, sayName } from "../words/language";
 
@@ -42,8 +43,7 @@ export class GapPanel {
   }
 
   #row({ side, wall, piece }: Gap): HTMLElement[] {
-    const term = Object.assign(document.createElement("dt"), { textContent: say(side) });
-    const said = document.createElement("dd");
+    const [term, said] = [made("dt", {}, say(side)), made("dd")];
     const toWall = wall !== null && wall < 0 ? say("{length} inside the wall") : say("{length} to the wall");
     if (wall !== null) said.append(...around(toWall, this.#length(side, "wall", wall, say("the wall"))));
     if (wall !== null && piece) said.append(", ");
@@ -53,24 +53,18 @@ export class GapPanel {
   }
 
   #length(side: Side, to: GapTo, millimetres: number, what: string): HTMLElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = lengthWords(Math.abs(millimetres));
-    button.dataset.gap = `${side} ${to}`;
-    button.setAttribute("aria-label", say("{length} {side} to {what}: type another length", { length: lengthWords(millimetres), side: say(side), what }));
-    button.addEventListener("click", () => this.#type(button, side, millimetres));
-    return button;
+    const words = say("{length} {side} to {what}: type another length", { length: lengthWords(millimetres), side: say(side), what });
+    const length = button(lengthWords(Math.abs(millimetres)), () => this.#type(length, side, millimetres), { "data-gap": `${side} ${to}`, "aria-label": words });
+    return length;
   }
 
-  #type(button: HTMLElement, side: Side, millimetres: number): void {
-    const input = document.createElement("input");
-    input.value = lengthWords(millimetres);
-    input.setAttribute("aria-label", button.getAttribute("aria-label") ?? "");
+  #type(length: HTMLElement, side: Side, millimetres: number): void {
+    const input = made("input", { value: lengthWords(millimetres), "aria-label": length.getAttribute("aria-label") ?? "" });
     let isOpen = true;
     const end = (): void => {
       const closes = isOpen && input.isConnected;
       isOpen = false; // to be taken out is to lose the focus
-      if (closes) input.replaceWith(button);
+      if (closes) input.replaceWith(length);
     };
     input.addEventListener("blur", end);
     input.addEventListener("keydown", (event) => {
@@ -81,10 +75,10 @@ export class GapPanel {
       input.setAttribute("aria-invalid", String(wanted === null));
       if (wanted === null) return;
       end();
-      button.focus();
+      length.focus();
       if (wanted !== millimetres) this.onCloser(side, millimetres - wanted);
     });
-    button.replaceWith(input);
+    length.replaceWith(input);
     input.focus();
     input.select();
   }

@@ -2,6 +2,7 @@
 import { Plane, Vector3 } from "three";
 import type { Furniture } from "../contract";
 import type { PlacedBody } from "../house/frame";
+import { made } from "../made";
 import type { Kept } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 import { isSizable, type SizeRange } from "./size_range";
@@ -43,12 +44,7 @@ export class Handles {
 
   constructor(host: HTMLElement, readonly viewport: Viewport, readonly say: HandleWords) {
     for (const [grip, sign] of GRIPS) {
-      const element = document.createElement("div");
-      element.className = "handle";
-      element.dataset.grip = grip;
-      element.setAttribute("aria-hidden", "true");
-      element.textContent = sign;
-      element.hidden = true;
+      const element = made("div", { className: "handle", hidden: true, "data-grip": grip, "aria-hidden": true }, sign);
       element.addEventListener("pointerdown", (event) => this.#press(event, grip, element));
       element.addEventListener("pointermove", (event) => this.#move(event));
       element.addEventListener("pointerup", (event) => this.#release(event));

@@ -1,5 +1,6 @@
 /** Other arrangements of a room, side by side as pictures, to choose from. */
 import type { GenerateAnswer, Scene } from "../contract";
+import { button, made } from "../made";
 import { putAway } from "../panel/focus";
 import { isAbort } from "../service";
 import { alone } from "./scene_edits";
@@ -51,30 +52,22 @@ export class OtherRooms {
   }
 
   #present(title: string, choices: readonly HTMLElement[]): void {
-    const [heading, row, close] = [document.createElement("strong"), document.createElement("div"), document.createElement("button")];
-    heading.textContent = title;
-    row.className = "others-row";
-    row.append(...choices);
-    Object.assign(close, { type: "button", textContent: say("Keep it as it is") });
-    close.addEventListener("click", () => this.hide());
-    this.host.replaceChildren(heading, ...(choices.length > 0 ? [row] : []), close);
+    const row = choices.length > 0 ? [made("div", { className: "others-row" }, ...choices)] : [];
+    this.host.replaceChildren(made("strong", {}, title), ...row, button(say("Keep it as it is"), () => this.hide()));
     this.host.hidden = false;
   }
 
   #choices(answers: readonly GenerateAnswer[], before: Scene, room: string): HTMLElement[] {
     return answers.map((answer, number) => {
-      const [button, picture] = [document.createElement("button"), document.createElement("canvas")];
       const pieces = answer.scene.rooms.find(({ id }) => id === room)?.furniture.length ?? 0;
-      button.type = "button";
-      Object.assign(picture, PICTURE);
-      picture.setAttribute("aria-hidden", "true");
-      button.append(picture, say("{number}: {pieces} pieces", { number: number + 1, pieces }));
-      button.addEventListener("click", () => {
+      const choice = button(say("{number}: {pieces} pieces", { number: number + 1, pieces }), () => {
         this.hide();
         this.say.take(answer, before);
       });
+      const picture = made("canvas", { ...PICTURE, "aria-hidden": true });
+      choice.prepend(picture);
       this.say.portray(alone(answer.scene, room), picture);
-      return button;
+      return choice;
     });
   }
 }

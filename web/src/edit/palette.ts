@@ -1,6 +1,7 @@
 /** All kinds of furniture the service knows, to search and to choose from. */
 import type { Catalog } from "../contract";
 import { words } from "../house/frame";
+import { button, made } from "../made";
 import { putAway } from "../panel/focus";
 import type { Favourites } from "./favourites";
 import { LONG_PRESS } from "./hand";
@@ -71,10 +72,10 @@ const ALONE: PaletteWords = { favourites: { has: () => false, toggle: () => unde
 
 export class Palette {
   onChoose: (kind: FurnitureKind) => void = () => undefined;
-  readonly #search = document.createElement("input");
-  readonly #categories = document.createElement("div");
-  readonly #list = document.createElement("ul");
-  readonly #nothing = document.createElement("p");
+  readonly #search = made("input", { id: "palette_search", type: "search", placeholder: say("sofa, lamp, desk…") });
+  readonly #categories = made("div", { className: "palette-categories", role: "group", "aria-label": say("Categories") });
+  readonly #list = made("ul");
+  readonly #nothing = made("p", { className: "hint" }, LOADING);
   /** Pictures are drawn of what has come into view. */
   readonly #seen: IntersectionObserver | null;
   #entries: Entry[] = [];
@@ -85,31 +86,17 @@ export class Palette {
   #before: Element | null = null;
 
   constructor(readonly host: HTMLElement, readonly others: PaletteWords = ALONE) {
-    const label = document.createElement("label");
-    label.textContent = say("Add a piece");
-    label.htmlFor = "palette_search";
-    this.#search.id = "palette_search";
-    this.#search.type = "search";
-    this.#search.placeholder = say("sofa, lamp, desk…");
+    const label = made("label", { htmlFor: "palette_search" }, say("Add a piece"));
     this.#search.addEventListener("input", () => this.#filter());
     this.#search.addEventListener("keydown", (event) => this.#enter(event));
-    this.#categories.className = "palette-categories";
-    this.#categories.setAttribute("role", "group");
     this.#categories.addEventListener("keydown", (event) => this.#walk(event));
-    this.#categories.setAttribute("aria-label", say("Categories"));
-    this.#nothing.textContent = LOADING;
-    this.#nothing.className = "hint";
     this.#seen = typeof IntersectionObserver === "undefined" ? null : new IntersectionObserver((all) => this.#portray(all), { root: host, rootMargin: "80px" });
     host.replaceChildren(this.#head(label), this.#search, this.#categories, this.#list, this.#nothing);
     host.addEventListener("keydown", (event) => this.#escape(event));
   }
 
   #head(label: HTMLElement): HTMLElement {
-    const [head, close] = [document.createElement("div"), button("✕", say("Close"))];
-    head.className = "palette-head";
-    close.addEventListener("click", () => this.open(false));
-    head.append(label, close);
-    return head;
+    return made("div", { className: "palette-head" }, label, button("✕", () => this.open(false), { "aria-label": say("Close") }));
   }
 
   /** Offers the kinds of a catalog that is on its way, and says so meanwhile. */
@@ -133,13 +120,10 @@ export class Palette {
   }
 
   #chip(category: string): HTMLElement {
-    const chip = button(capital(words(category)));
-    chip.dataset.category = category;
-    chip.addEventListener("click", () => {
+    return button(capital(words(category)), () => {
       this.#category = category;
       this.#filter();
-    });
-    return chip;
+    }, { "data-category": category });
   }
 
   get isOpen(): boolean {
@@ -163,25 +147,19 @@ export class Palette {
   }
 
   #entry(key: string, kind: FurnitureKind, known: readonly string[] = []): Entry {
-    const [item, choose, picture, size] = [document.createElement("li"), button(), document.createElement("canvas"), document.createElement("small")];
-    choose.dataset.kind = key;
-    Object.assign(picture, PICTURE);
-    picture.setAttribute("aria-hidden", "true");
-    size.textContent = `${kind.size.map((metres) => sayNumber(metres * 100, 0)).join("×")} cm`;
-    choose.append(picture, capital(words(key)), " ", size);
+    const picture = made("canvas", { ...PICTURE, "aria-hidden": true });
+    const size = made("small", {}, `${kind.size.map((metres) => sayNumber(metres * 100, 0)).join("×")} cm`);
+    const choose = made("button", { type: "button", "data-kind": key }, picture, capital(words(key)), " ", size);
     this.#listen(choose, kind);
-    item.append(choose, this.#star(key));
+    const item = made("li", {}, choose, this.#star(key));
     return { key, kind, item, picture, known, text: `${words(key)} ${words(kind.name)} ${kind.category}`.toLowerCase() };
   }
 
   #star(key: string): HTMLElement {
-    const star = button("★", say("Favourite: {piece}", { piece: words(key) }));
-    star.className = "star";
-    star.setAttribute("aria-pressed", String(this.others.favourites.has(key)));
-    star.addEventListener("click", () => {
+    const star = button("★", () => {
       this.others.favourites.toggle(key);
       star.setAttribute("aria-pressed", String(this.others.favourites.has(key)));
-    });
+    }, { className: "star", "aria-label": say("Favourite: {piece}", { piece: words(key) }), "aria-pressed": this.others.favourites.has(key) });
     return star;
   }
 
@@ -299,12 +277,4 @@ export class Palette {
     event.preventDefault(); // or it would press the button that the focus goes back to
     this.onChoose(first.kind);
   }
-}
-
-function button(sign = "", label = ""): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.textContent = sign;
-  if (label !== "") made.setAttribute("aria-label", label);
-  return made;
 }

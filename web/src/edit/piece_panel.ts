@@ -4,6 +4,7 @@ import { words } from "../house/frame";
 import { lengthTyped, lengthWords } from "./lengths";
 import type { Alignment } from "./many_edits";
 import { EXTENTS, isSizable, sizeRange, variantsOf } from "./size_range";
+import { button, made } from "../made";
 import { replaceKeepingFocus } from "../panel/focus";
 import { say, sayNumber, type Words } from "../words/language";
 
@@ -20,12 +21,11 @@ const ALIGNMENTS: readonly (readonly [Alignment, Words])[] = [
 const FALLBACK_COLOR = "#8b949e";
 
 export class PiecePanel {
-  readonly #body = document.createElement("div");
-  readonly #title = document.createElement("summary");
+  readonly #body = made("div", { className: "piece-fields" });
+  readonly #title = made("summary");
   #shown = "";
 
   constructor(readonly host: HTMLDetailsElement, readonly say: PieceWords) {
-    this.#body.className = "piece-fields";
     host.replaceChildren(this.#title, this.#body);
   }
 
@@ -40,12 +40,7 @@ export class PiecePanel {
   }
 
   #alignments(): HTMLElement[] {
-    return ALIGNMENTS.map(([how, said]) => {
-      const button = Object.assign(document.createElement("button"), { type: "button", textContent: say(said) });
-      button.dataset.align = how;
-      button.addEventListener("click", () => this.say.align(how));
-      return button;
-    });
+    return ALIGNMENTS.map(([how, said]) => button(say(said), () => this.say.align(how), { "data-align": how }));
   }
 
   #ofPiece(catalog: Catalog | null, piece: Furniture): HTMLElement[] {
@@ -60,11 +55,10 @@ export class PiecePanel {
 
   #size(catalog: Catalog | null, piece: Furniture, extent: (typeof EXTENTS)[number]): HTMLElement {
     const range = catalog ? sizeRange(catalog, piece)[extent] : [piece[extent], piece[extent]] as const;
-    const input = document.createElement("input");
-    input.name = extent;
-    input.value = lengthWords(Math.round(piece[extent] * 1000));
-    input.disabled = !isSizable(range) || piece.locked === true;
-    input.title = isSizable(range) ? say("{from} to {to} m", { from: sayNumber(range[0], 2), to: sayNumber(range[1], 2) }) : say("This kind has one size");
+    const input = made("input", {
+      name: extent, value: lengthWords(Math.round(piece[extent] * 1000)), disabled: !isSizable(range) || piece.locked === true,
+      title: isSizable(range) ? say("{from} to {to} m", { from: sayNumber(range[0], 2), to: sayNumber(range[1], 2) }) : say("This kind has one size"),
+    });
     input.addEventListener("keydown", (event) => { if (event.key === "Escape") input.blur(); });
     input.addEventListener("change", () => {
       const typed = lengthTyped(input.value);
@@ -76,21 +70,16 @@ export class PiecePanel {
   }
 
   #angle(piece: Furniture): HTMLElement {
-    const select = document.createElement("select");
-    select.name = "angle";
-    for (const degrees of new Set([0, 90, 180, 270, piece.rotation ?? 0])) select.append(option(`${degrees}°`, String(degrees)));
+    const degrees = [...new Set([0, 90, 180, 270, piece.rotation ?? 0])].map((one) => made("option", { value: String(one) }, `${one}°`));
+    const select = made("select", { name: "angle", disabled: piece.locked === true }, ...degrees);
     select.value = String(piece.rotation ?? 0);
-    select.disabled = piece.locked === true;
     select.addEventListener("change", () => this.say.turnTo(piece.id, Number(select.value)));
     return labelled("angle", select);
   }
 
   #kind(catalog: Catalog, piece: Furniture, variants: readonly string[]): HTMLElement {
-    const select = document.createElement("select");
-    select.name = "kind";
-    select.append(...variants.map((key) => option(words(key), key)));
+    const select = made("select", { name: "kind", disabled: piece.locked === true }, ...variants.map((key) => made("option", { value: key }, words(key))));
     select.value = piece.kind ?? "";
-    select.disabled = piece.locked === true;
     select.addEventListener("change", () => {
       const [width, depth, height] = catalog.furniture[select.value]?.size ?? [piece.width, piece.depth, piece.height];
       this.say.change(piece.id, { kind: select.value, width, depth, height });
@@ -100,38 +89,21 @@ export class PiecePanel {
 
   #colors(catalog: Catalog | null, body: Body, kind: string | null): HTMLElement {
     const known = kind === null ? undefined : catalog?.furniture[kind];
-    const own = document.createElement("input");
-    own.type = "color";
-    own.name = "color";
-    own.value = /^#[0-9a-f]{6}$/i.test(body.color ?? "") ? (body.color as string) : FALLBACK_COLOR;
-    own.setAttribute("aria-label", say("Any colour"));
+    const colour = /^#[0-9a-f]{6}$/i.test(body.color ?? "") ? (body.color as string) : FALLBACK_COLOR;
+    const own = made("input", { type: "color", name: "color", value: colour, "aria-label": say("Any colour") });
     own.addEventListener("change", () => this.say.paint(body.id, own.value));
-    const row = document.createElement("div");
-    row.className = "swatches";
-    row.setAttribute("role", "group");
-    row.setAttribute("aria-label", say("Colour"));
     const offered = [...new Set([known?.color, ...(known?.variants ?? [])].filter((color) => typeof color === "string"))];
-    row.append(...offered.map((color) => this.#swatch(body, color)), own);
-    return row;
+    return made("div", { className: "swatches", role: "group", "aria-label": say("Colour") }, ...offered.map((color) => this.#swatch(body, color)), own);
   }
 
   #swatch(body: Body, color: string): HTMLElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.style.backgroundColor = color;
-    button.setAttribute("aria-label", say("Colour {colour}", { colour: color }));
-    button.setAttribute("aria-pressed", String(body.color?.toLowerCase() === color.toLowerCase()));
-    button.addEventListener("click", () => this.say.paint(body.id, color));
-    return button;
+    const isWorn = body.color?.toLowerCase() === color.toLowerCase();
+    const swatch = button("", () => this.say.paint(body.id, color), { "aria-label": say("Colour {colour}", { colour: color }), "aria-pressed": isWorn });
+    swatch.style.backgroundColor = color;
+    return swatch;
   }
 }
 
 function labelled(said: Words, field: HTMLElement): HTMLElement {
-  const label = document.createElement("label");
-  label.append(say(said), field);
-  return label;
-}
-
-function option(textContent: string, value: string): HTMLOptionElement {
-  return Object.assign(document.createElement("option"), { textContent, value });
+  return made("label", {}, say(said), field);
 }

@@ -3,6 +3,7 @@ import type { Furniture, Room, Scene } from "../contract";
 import type { Editor } from "./editor";
 import { added, freshId, type FurnitureKind } from "./scene_edits";
 import type { Draft } from "./wishes";
+import { button, made } from "../made";
 import { replaceKeepingFocus } from "../panel/focus";
 import { say } from "../words/language";
 
@@ -65,11 +66,10 @@ export class Places {
     const offer = this.#offer;
     this.host.hidden = !offer || (offer.belongs && offer.pieces.length < 2);
     if (!offer || this.host.hidden) return;
-    const words = document.createElement("span");
-    words.textContent = offer.belongs ? say("Place {at} of {of}", { at: offer.at + 1, of: offer.pieces.length }) : say("No place where it belongs is free: it stands where there is room.");
-    words.setAttribute("role", "status");
-    const ways = offer.belongs ? [button("◀", say("The place before"), () => this.flip(-1)), button("▶", say("Another place"), () => this.flip(1))] : [];
-    replaceKeepingFocus(this.host, [words, ...ways, button("✕", say("Keep it here"), () => this.hide())]);
+    const words = offer.belongs ? say("Place {at} of {of}", { at: offer.at + 1, of: offer.pieces.length }) : say("No place where it belongs is free: it stands where there is room.");
+    const ways = [button("◀", () => this.flip(-1), { "aria-label": say("The place before") }), button("▶", () => this.flip(1), { "aria-label": say("Another place") })];
+    const keep = button("✕", () => this.hide(), { "aria-label": say("Keep it here") });
+    replaceKeepingFocus(this.host, [made("span", { role: "status" }, words), ...(offer.belongs ? ways : []), keep]);
   }
 
   /** Another thing was done: the places are no longer offered. Tells whether any were. */
@@ -90,13 +90,4 @@ export class Places {
 
 function standingIn(scene: Scene, room: string): string[] {
   return scene.rooms.find(({ id }) => id === room)?.furniture.map(({ id }) => id) ?? [];
-}
-
-function button(sign: string, words: string, act: () => void): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.textContent = sign;
-  made.setAttribute("aria-label", words);
-  made.addEventListener("click", act);
-  return made;
 }

@@ -1,5 +1,6 @@
 /** Lines and words drawn over the house: distances, guides, a tape, arrows. They follow the camera and cost no draw call. */
 import { Vector3 } from "three";
+import { drawn, made } from "../made";
 import { onLine, type Kept, type LabelPlace } from "../view/label_layout";
 import type { Viewport } from "../view/viewport";
 
@@ -29,24 +30,10 @@ interface Drawn {
   readonly label: HTMLElement | null;
 }
 
-const SVG = "http://www.w3.org/2000/svg";
-
-function svg<Name extends "svg" | "line">(name: Name, attributes: Readonly<Record<string, string>> = {}): SVGElementTagNameMap[Name] {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
-}
-
 /** The heads of arrows, one a look that has them. */
 function heads(): SVGElement {
-  const all = document.createElementNS(SVG, "defs");
-  const marker = document.createElementNS(SVG, "marker");
-  for (const [key, value] of Object.entries({ id: "ruler_head", viewBox: "0 0 8 8", refX: "7", refY: "4", markerWidth: "7", markerHeight: "7", orient: "auto-start-reverse" })) marker.setAttribute(key, value);
-  const path = document.createElementNS(SVG, "path");
-  path.setAttribute("d", "M0 0 8 4 0 8z");
-  marker.append(path);
-  all.append(marker);
-  return all;
+  const head = { id: "ruler_head", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto-start-reverse" };
+  return drawn("defs", {}, drawn("marker", head, drawn("path", { d: "M0 0 8 4 0 8z" })));
 }
 
 /** Does what a click asks for that was pressed here, too: a tap is a click on what has come under the finger since. */
@@ -57,16 +44,12 @@ function clickedFromPress(element: HTMLElement, act: () => void): void {
 }
 
 export class Rulers {
-  readonly #layer = document.createElement("div");
-  readonly #strokes = svg("svg", { "aria-hidden": "true" });
+  readonly #strokes = drawn("svg", { "aria-hidden": "true" }, heads());
+  readonly #layer = made("div", { className: "rulers", "aria-hidden": true }, this.#strokes);
   #drawn: readonly Drawn[] = [];
   readonly #groups = new Map<string, readonly RulerLine[]>();
 
   constructor(host: HTMLElement, readonly viewport: Viewport) {
-    this.#layer.className = "rulers";
-    this.#layer.setAttribute("aria-hidden", "true");
-    this.#strokes.append(heads());
-    this.#layer.append(this.#strokes);
     host.append(this.#layer);
     viewport.onFrame(() => this.#place());
   }
@@ -82,7 +65,7 @@ export class Rulers {
   }
 
   #draw(line: RulerLine): Drawn {
-    const stroke = svg("line", { class: `ruler-${line.look}` });
+    const stroke = drawn("line", { class: `ruler-${line.look}` });
     this.#strokes.append(stroke);
     if (line.words === undefined) return { line, stroke, label: null };
     const label = document.createElement(line.act ? "button" : "span");

@@ -1,4 +1,5 @@
 /** The row of buttons over the canvas: what can be done to the piece in hand, and to the home. */
+import { button, made } from "../made";
 import { keyWords } from "../panel/key_list";
 import { say, type Words } from "../words/language";
 
@@ -21,19 +22,13 @@ export class Toolbar {
   }
 
   #button(tool: Tool): HTMLButtonElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.dataset.tool = tool.name;
     const words = say(tool.words);
-    button.title = tool.keys ? `${words} (${keyWords(tool.keys.split(" ")[0] ?? "")})` : words;
-    button.setAttribute("aria-label", words);
-    if (tool.keys) button.setAttribute("aria-keyshortcuts", tool.keys);
-    const sign = document.createElement("span");
-    sign.textContent = say(tool.sign);
-    sign.setAttribute("aria-hidden", "true");
-    button.append(sign);
-    button.addEventListener("click", () => tool.act());
-    return button;
+    const control = button("", () => tool.act(), {
+      title: tool.keys ? `${words} (${keyWords(tool.keys.split(" ")[0] ?? "")})` : words,
+      "data-tool": tool.name, "aria-label": words, ...(tool.keys ? { "aria-keyshortcuts": tool.keys } : {}),
+    });
+    control.append(made("span", { "aria-hidden": true }, say(tool.sign)));
+    return control;
   }
 
   enable(name: string, enabled: boolean): void {

@@ -1,6 +1,7 @@
 /** Why the chosen piece stands where it does: what holds it back from where it was wished, in the service's words. */
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { awayWords } from "./why_lines";
+import { button, made } from "../made";
 import { putAway } from "../panel/focus";
 import { capital, say } from "../words/language";
 import { tell, theWords } from "../words/telling";
@@ -49,57 +50,34 @@ export class WhyPanel {
   }
 
   #contents(answer: Explained, named: Named): HTMLElement[] {
-    const heading = document.createElement("strong");
-    heading.textContent = say("Why {piece} stands here", { piece: theWords(answer.id) });
-    const notes = [...wishOf(answer), ...answer.notes.map(named)].map((note) => {
-      const words = document.createElement("p");
-      words.textContent = `${capital(note)}.`;
-      return words;
-    });
-    const list = document.createElement("ul");
-    list.append(...answer.holds.map((hold) => this.#line(hold, capital(named(hold.message)))));
-    const close = button(say("Close"), () => this.close());
-    close.className = "why-close";
-    const ways = this.#ways(answer, named);
-    const cost = document.createElement("p");
-    cost.className = "hint";
-    cost.textContent = COST;
+    const heading = made("strong", {}, say("Why {piece} stands here", { piece: theWords(answer.id) }));
+    const notes = [...wishOf(answer), ...answer.notes.map(named)].map((note) => made("p", {}, `${capital(note)}.`));
+    const list = made("ul", {}, ...answer.holds.map((hold) => this.#line(hold, capital(named(hold.message)))));
+    const close = button(say("Close"), () => this.close(), { className: "why-close" });
+    const cost = made("p", { className: "hint" }, COST);
     const hasNumbers = answer.holds.length > 0 || answer.ways.some((way) => way.cost !== null);
-    const words = document.createElement("div");
-    words.tabIndex = 0; // scrolled by keys, too
-    words.append(heading, ...notes, ...(hasNumbers ? [cost] : []), ...(answer.holds.length > 0 ? [list] : []), ...ways);
-    return [words, close];
+    const parts = [heading, ...notes, ...(hasNumbers ? [cost] : []), ...(answer.holds.length > 0 ? [list] : []), ...this.#ways(answer, named)];
+    return [made("div", { tabIndex: 0 }, ...parts), close]; // scrolled by keys, too
   }
 
   /** How else it could stand, and what that would have cost; each can be taken. */
   #ways({ ways, room }: Explained, named: Named): HTMLElement[] {
     if (ways.length === 0) return [];
-    const [heading, list] = [document.createElement("strong"), document.createElement("ul")];
-    heading.textContent = say("How else it could stand");
-    list.className = "ways";
-    list.append(...ways.map((way) => {
-      const line = document.createElement("li");
+    const lines = ways.map((way) => {
       const said = capital(named(way.message));
-      if (way.cost === null) {
-        line.textContent = said;
-        return line;
-      }
+      if (way.cost === null) return made("li", {}, said);
       const take = button(said, () => this.onTake(way, room));
       for (const event of ["pointerenter", "focus"]) take.addEventListener(event, () => this.onPreview(way, room));
       for (const event of ["pointerleave", "blur"]) take.addEventListener(event, () => this.onPreview(null, room));
-      line.append(take);
-      return line;
-    }));
-    return [heading, list];
+      return made("li", {}, take);
+    });
+    return [made("strong", {}, say("How else it could stand")), made("ul", { className: "ways" }, ...lines)];
   }
 
   /** What holds it; a piece that does can be chosen. */
   #line({ by, what }: Hold, words: string): HTMLElement {
-    const line = document.createElement("li");
     const isPiece = by !== null && (what === "piece" || what === "use_side" || what === "relation");
-    if (isPiece) line.append(button(words, () => this.onChoose(by)));
-    else line.textContent = words;
-    return line;
+    return made("li", {}, isPiece ? button(words, () => this.onChoose(by)) : words);
   }
 }
 
@@ -107,12 +85,4 @@ export class WhyPanel {
 function wishOf(answer: Explained): string[] {
   const length = awayWords(answer);
   return length ? [say("it was wished {length} from here", { length })] : [];
-}
-
-function button(words: string, act: () => void): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.textContent = words;
-  made.addEventListener("click", act);
-  return made;
 }

@@ -1,5 +1,6 @@
 /** The diagnosis: what is wrong with the shown home and what to do, the service's report of it, what to copy, what to repair. */
 import type { FixRequest, Issue } from "../contract";
+import { made } from "../made";
 import { fix, isAbort, report } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
@@ -121,11 +122,7 @@ export class Diagnose {
 
   #say(words: readonly string[]): void {
     this.#said.tabIndex = words.length > 0 ? 0 : -1; // what is long is scrolled, by keys too
-    this.#said.replaceChildren(...words.map((text) => {
-      const line = document.createElement("p");
-      line.textContent = text;
-      return line;
-    }));
+    this.#said.replaceChildren(...words.map((text) => made("p", {}, text)));
   }
 
   /** Copies the report; where the browser refuses, selects it for the person's own keys. */

@@ -1,7 +1,7 @@
 /** The focus stays where it was while what is around it is made anew, and is not lost with what goes away. */
 
 /** What tells one control of a panel from the others. */
-const MARKS = ["name", "data-gap", "data-align", "aria-label"];
+const MARKS = ["name", "data-gap", "data-align", "data-home", "aria-label"];
 
 /** Gives a host other children; what had the focus among the old has it among the new, where there is such a one. */
 export function replaceKeepingFocus(host: HTMLElement, children: readonly (Node | string)[]): void {

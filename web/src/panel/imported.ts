@@ -1,5 +1,6 @@
 /** What became of a file that was read: what is to be checked, was guessed, left out and changed, each in the service's words. */
 import type { FurnishAnswer, ImportAnswer, Scene } from "../contract";
+import { button, made } from "../made";
 import { ServiceProblem, type GivenFile } from "../service";
 import { inWords } from "./programme";
 import { roomNames } from "./room";
@@ -115,20 +116,9 @@ export class ImportReport {
     for (const head of this.host.querySelectorAll("h2")) head.textContent = words;
     this.list.ariaLabel = words;
     this.host.hidden = this.#ways.length + parts.length === 0;
-    const others = this.#ways.map(([does, asked]) => {
-      const other = Object.assign(document.createElement("button"), { type: "button", textContent: does });
-      other.addEventListener("click", () => this.#open(asked));
-      return other;
-    });
-    this.list.replaceChildren(...others, ...parts.flatMap(({ title, lines }) => {
-      const [head, list] = [document.createElement("h3"), document.createElement("ul")];
-      head.textContent = `${title} (${lines.length})`;
-      list.append(...lines.map((line) => {
-        const item = document.createElement("li");
-        item.textContent = line;
-        return item;
-      }));
-      return [head, list];
-    }));
+    const others = this.#ways.map(([does, asked]) => button(does, () => this.#open(asked)));
+    this.list.replaceChildren(...others, ...parts.flatMap(({ title, lines }) => [
+      made("h3", {}, `${title} (${lines.length})`), made("ul", {}, ...lines.map((line) => made("li", {}, line))),
+    ]));
   }
 }

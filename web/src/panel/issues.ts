@@ -1,21 +1,26 @@
 /** The service's issues, by rule, and what to do about them; choosing one shows the body it names, and its room. */
 import type { Issue, Scene } from "../contract";
+import { button, made } from "../made";
 import { say } from "../words/language";
 import { tell, tellSentence } from "../words/telling";
 import { brokenOf } from "./status";
 
-/** Issues of one rule, in the service's order. */
-export interface IssueGroup {
-  readonly rule: string;
-  readonly issues: readonly Issue[];
+/** What to do where nothing but warnings are found. */
+export const WARNINGS_ALONE = say("Warnings: the home works, less well. Choose one to go to it; move or delete the piece, take the step back, or take one of the room's other arrangements.");
+
+/** Issues by what they have in common, those groups first that hold an error, else in the service's order; errors first in each. */
+export function grouped(issues: readonly Issue[], of: (issue: Issue) => string): ReadonlyMap<string, readonly Issue[]> {
+  const isError = ({ severity }: Issue): number => Number(severity === "error");
+  const groups = new Map<string, Issue[]>();
+  for (const issue of [...issues].sort((a, b) => isError(b) - isError(a))) groups.set(of(issue), [...(groups.get(of(issue)) ?? []), issue]);
+  return groups;
 }
 
-/** Groups issues by rule, errors before warnings, else in the service's order. */
-export function groupsOf(issues: readonly Issue[]): IssueGroup[] {
-  const groups = new Map<string, Issue[]>();
-  for (const issue of issues) groups.set(issue.rule, [...(groups.get(issue.rule) ?? []), issue]);
-  const isError = (group: IssueGroup): boolean => group.issues.some(({ severity }) => severity === "error");
-  return [...groups].map(([rule, members]) => ({ rule, issues: members })).sort((a, b) => Number(isError(b)) - Number(isError(a)));
+/** Issues in their own words, each to be chosen if it says where it is. */
+export function issueList(issues: readonly Issue[], scene: Scene, choose: (issue: Issue) => void): HTMLElement {
+  return made("ul", {}, ...issues.map((issue) => made("li", {}, button(tellSentence(issue.message, scene), () => choose(issue), {
+    className: `issue issue-${issue.severity === "error" ? "error" : "warning"}`, disabled: issue.ids.length === 0 && !issue.room,
+  }))));
 }
 
 export class Issues {
@@ -36,33 +41,12 @@ export class Issues {
     const issues = brokenOf(found, scene);
     const isWrong = issues.some(({ severity }) => severity === "error");
     this.section.hidden = issues.length === 0;
-    if (this.#words) this.#words.textContent = isWrong ? say("Choose one to go to it. Diagnose repairs all errors as one step.") : say("Warnings: the home works, less well. Choose one to go to it; move or delete the piece, take the step back, or take one of the room's other arrangements.");
+    if (this.#words) this.#words.textContent = isWrong ? say("Choose one to go to it. Diagnose repairs all errors as one step.") : WARNINGS_ALONE;
     this.#diagnose?.toggleAttribute("hidden", !isWrong);
-    this.list.replaceChildren(...groupsOf(issues).map((group) => this.#group(group, scene)));
-  }
-
-  #group({ rule, issues }: IssueGroup, scene: Scene): HTMLElement {
-    const item = document.createElement("li");
-    const title = document.createElement("p");
-    title.className = "issue-rule";
-    const count = document.createElement("span");
-    count.textContent = String(issues.length);
-    title.append(tell(rule.replaceAll("_", " ")), " ", count);
-    const list = document.createElement("ul");
-    list.append(...issues.map((issue) => this.#item(issue, scene)));
-    item.append(title, list);
-    return item;
-  }
-
-  #item(issue: Issue, scene: Scene): HTMLElement {
-    const item = document.createElement("li");
-    const button = document.createElement("button");
-    button.type = "button";
-    button.className = `issue issue-${issue.severity === "error" ? "error" : "warning"}`;
-    button.textContent = tellSentence(issue.message, scene);
-    button.addEventListener("click", () => this.#choose(issue));
-    item.append(button);
-    return item;
+    this.list.replaceChildren(...[...grouped(issues, ({ rule }) => rule)].map(([rule, of]) => made("li", {},
+      made("p", { className: "issue-rule" }, tell(rule.replaceAll("_", " ")), " ", made("span", {}, String(of.length))),
+      issueList(of, scene, (issue) => this.#choose(issue)),
+    )));
   }
 
   #choose({ ids: [first], room }: Issue): void {

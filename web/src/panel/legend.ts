@@ -2,6 +2,7 @@
 import type { Scene } from "../contract";
 import { ENTRANCE_COLOR } from "../house/door_shapes";
 import { MARK_COLORS } from "../house/house";
+import { made } from "../made";
 import { inWords } from "./programme";
 import { say, type Words } from "../words/language";
 
@@ -18,13 +19,10 @@ const MARKS: readonly (readonly [string, Drawn, Words])[] = [
 
 /** A colour and what it means. */
 export function legendItem(drawn: string, words: string, fill: string, line: string): HTMLLIElement {
-  const entry = document.createElement("li");
-  const swatch = document.createElement("span");
-  swatch.className = `swatch swatch-${drawn}`;
+  const swatch = made("span", { className: `swatch swatch-${drawn}` });
   swatch.style.backgroundColor = fill;
   swatch.style.borderColor = line;
-  entry.append(swatch, words);
-  return entry;
+  return made("li", {}, swatch, words);
 }
 
 export interface RoomColors {

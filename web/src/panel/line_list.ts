@@ -1,5 +1,7 @@
 /** Lines of text of which some speak of a body: those are buttons, one stop for the Tab key, with arrows between them. */
 
+import { made } from "../made";
+
 export interface Line {
   readonly text: string;
   readonly id: string | null;
@@ -20,14 +22,6 @@ export function sharedEnds(before: readonly Line[], after: readonly Line[]): { s
   return { start, end };
 }
 
-/** What lines that speak of a body are copies of: copying is quicker than making. */
-function button(): HTMLButtonElement {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.tabIndex = -1;
-  return made;
-}
-
 export class LineList {
   /** Called with the id of the body whose line was chosen; `adds`: with Shift, to what is chosen already. */
   onChoose: (id: string, adds: boolean) => void = () => undefined;
@@ -35,8 +29,9 @@ export class LineList {
   #elements: HTMLElement[] = [];
   #buttons: HTMLButtonElement[] = [];
   #reachable: HTMLButtonElement | undefined;
-  readonly #plain = document.createElement("div");
-  readonly #button = button();
+  /** What lines are copies of: copying is quicker than making. */
+  readonly #plain = made("div");
+  readonly #button = made("button", { type: "button", tabIndex: -1 });
 
   constructor(readonly host: HTMLElement) {
     host.addEventListener("click", (event) => this.#choose(event.target, event.shiftKey));

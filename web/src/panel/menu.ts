@@ -1,5 +1,6 @@
 /** One menu over the house for what leaves it and comes to it: files, exports, pictures, plans, links, homes that are kept. */
 
+import { button, made } from "../made";
 import { fold } from "./preferences";
 import { say, type Words } from "../words/language";
 
@@ -59,30 +60,24 @@ function show(id: string): void {
 }
 
 export class Menu {
-  readonly #host = document.createElement("div");
+  readonly #host = made("div", { id: "menu", className: "menu", popover: "auto", role: "group", "aria-label": say("Menu") });
   /** The page's own buttons that entries press. */
   readonly #pressing = new Map<HTMLButtonElement, HTMLButtonElement>();
 
   /** `tools` holds the button that opens it; what is `said` of links is said in it, too. */
   constructor(tools: Element, said: Element) {
-    const button = tools.querySelector<HTMLButtonElement>("[data-tool=menu]") as HTMLButtonElement;
-    this.#host.id = "menu";
-    this.#host.className = "menu";
-    this.#host.popover = "auto";
-    this.#host.setAttribute("role", "group");
-    this.#host.setAttribute("aria-label", say("Menu"));
-    const told = document.createElement("p");
-    told.setAttribute("role", "status");
+    const opener = tools.querySelector<HTMLButtonElement>("[data-tool=menu]") as HTMLButtonElement;
+    const told = made("p", { role: "status" });
     this.#host.append(...ENTRIES.map(([title, entries]) => this.#section(title, entries)), told);
     tools.after(this.#host);
     new MutationObserver(() => { told.textContent = said.textContent; }).observe(said, { childList: true, characterData: true });
-    button.setAttribute("aria-haspopup", "true");
-    button.setAttribute("aria-expanded", "false");
-    button.popoverTargetElement = this.#host;
-    this.#host.addEventListener("beforetoggle", () => this.#standUnder(button));
+    opener.setAttribute("aria-haspopup", "true");
+    opener.setAttribute("aria-expanded", "false");
+    opener.popoverTargetElement = this.#host;
+    this.#host.addEventListener("beforetoggle", () => this.#standUnder(opener));
     this.#host.addEventListener("toggle", () => {
       const isOpen = this.#host.matches(":popover-open");
-      button.setAttribute("aria-expanded", String(isOpen));
+      opener.setAttribute("aria-expanded", String(isOpen));
       if (!isOpen) return;
       told.textContent = "";
       for (const [entry, target] of this.#pressing) entry.disabled = target.disabled;
@@ -92,8 +87,8 @@ export class Menu {
   }
 
   /** Stands under its button, within the window; its greatest height leaves the button in view. */
-  #standUnder(button: HTMLElement): void {
-    const { left, bottom } = button.getBoundingClientRect();
+  #standUnder(opener: HTMLElement): void {
+    const { left, bottom } = opener.getBoundingClientRect();
     const width = Math.min(WIDTH, window.innerWidth - 2 * MARGIN);
     const { style } = this.#host;
     style.left = `${Math.max(MARGIN, Math.min(left, window.innerWidth - width - MARGIN))}px`;
@@ -102,25 +97,18 @@ export class Menu {
   }
 
   #section(title: Words, entries: readonly Entry[]): HTMLElement {
-    const section = document.createElement("section");
-    const heading = section.appendChild(document.createElement("h2"));
-    heading.textContent = say(title);
-    section.append(...entries.map((entry) => this.#entry(entry)));
-    return section;
+    return made("section", {}, made("h2", {}, say(title)), ...entries.map((entry) => this.#entry(entry)));
   }
 
   #entry({ words, presses, shows, stays }: Entry): HTMLButtonElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = say(words);
     const target = presses === undefined ? null : document.getElementById(presses);
-    if (target instanceof HTMLButtonElement) this.#pressing.set(button, target);
-    button.addEventListener("click", () => {
+    const entry = button(say(words), () => {
       if (!stays) this.#host.hidePopover();
       if (shows !== undefined) show(shows);
       target?.click();
     });
-    return button;
+    if (target instanceof HTMLButtonElement) this.#pressing.set(entry, target);
+    return entry;
   }
 
   /** Keys act on the menu alone while it has the focus; arrows go from entry to entry. */

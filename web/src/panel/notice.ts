@@ -1,4 +1,5 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
+import { button } from "../made";
 import { ServiceProblem } from "../service";
 import { say } from "../words/language";
 import { refusalWords } from "./field_words";
@@ -45,11 +46,7 @@ export class Notice {
     const { title, lines } = ofForm ? { title: wrongFields(ofForm.length), lines: ofForm } : refusalWords(reason);
     this.#title.textContent = title;
     this.#detail.textContent = [...lines, ...(outcome === null ? [] : [outcome])].join("\n");
-    this.#ways.replaceChildren(...ways.map(([words, act]) => {
-      const way = Object.assign(document.createElement("button"), { type: "button", textContent: words });
-      way.addEventListener("click", act);
-      return way;
-    }));
+    this.#ways.replaceChildren(...ways.map(([words, act]) => button(words, act)));
     this.#key.hidden = status !== 401;
     const passes = fields.length === 0 || status === 503 || status === 429;
     this.#again.hidden = !again || !passes || status === 401 || status === 413;

@@ -1,6 +1,7 @@
 /** What home is asked for: a plain plan, a named programme, an area, or rooms counted one by one. */
 import { numberOrText, outlineFrom, outlineText } from "../address";
 import type { Catalog, Counts, HouseRequest } from "../contract";
+import { made } from "../made";
 import { asNumber } from "./number_text";
 import { say, sayName } from "../words/language";
 import { tellPlainly } from "../words/telling";
@@ -115,18 +116,10 @@ export class Programme {
     const known = [...this.#counts.querySelectorAll("input")].find((input) => input.name === `program.${word}`);
     if (known) return known;
     const id = `count_${this.#counts.querySelectorAll("input").length}`;
-    const field = document.createElement("div");
-    field.className = "field";
-    const label = document.createElement("label");
-    label.htmlFor = id;
-    label.textContent = inWords(word);
-    if (word === "garage") label.append(Object.assign(document.createElement("span"), { className: "unit", textContent: ` ${say("cars")}` }));
-    const input = Object.assign(document.createElement("input"), { id, name: `program.${word}`, type: "number", inputMode: "numeric", placeholder: "–" });
-    input.setAttribute("aria-describedby", `${id}_problem`);
-    const problem = Object.assign(document.createElement("p"), { id: `${id}_problem`, className: "problem" });
-    problem.setAttribute("aria-live", "polite");
-    field.append(label, input, problem);
-    this.#counts.append(field);
+    const label = made("label", { htmlFor: id }, inWords(word), ...(word === "garage" ? [made("span", { className: "unit" }, ` ${say("cars")}`)] : []));
+    const input = made("input", { id, name: `program.${word}`, type: "number", inputMode: "numeric", placeholder: "–", "aria-describedby": `${id}_problem` });
+    const problem = made("p", { id: `${id}_problem`, className: "problem", "aria-live": "polite" });
+    this.#counts.append(made("div", { className: "field" }, label, input, problem));
     return input;
   }
 

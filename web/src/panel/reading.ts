@@ -1,5 +1,6 @@
 /** The readable YAML: lines that select their body, a search among them, and a flag for the selected one. */
 import type { ViewAnswer } from "../contract";
+import { made } from "../made";
 import { timed } from "../timing";
 import { writeHighlighted } from "./highlight";
 import { LineList } from "./line_list";
@@ -20,11 +21,7 @@ function lineAt(lines: readonly HTMLElement[], height: number): number {
 }
 
 function problematic(): HTMLElement {
-  const [word, mark] = [document.createElement("span"), document.createElement("mark")];
-  word.className = "problematic";
-  mark.textContent = "PROBLEMATIC";
-  word.append("  ", mark);
-  return word;
+  return made("span", { className: "problematic" }, "  ", made("mark", {}, "PROBLEMATIC"));
 }
 
 export class Reading {

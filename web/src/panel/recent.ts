@@ -1,6 +1,8 @@
 /** The homes that the browser keeps: each with its picture, opened as it was left; and forgotten, where that is wished. */
 import type { Head } from "../memory/store";
+import { button, made } from "../made";
 import { say } from "../words/language";
+import { replaceKeepingFocus } from "./focus";
 
 const MOST_SHOWN = 24;
 const MINUTE = 60_000;
@@ -91,30 +93,19 @@ export class Recent {
     const current = this.source.current();
     const shown = listed(heads, current);
     const pictures = await Promise.all(shown.map(({ id }) => this.source.picture(id)));
-    const focused = document.activeElement?.closest<HTMLElement>("#recent_list [data-home]")?.dataset.home;
     this.#heads = heads;
     this.#clear.disabled = heads.length < 2;
-    this.#list.replaceChildren(...shown.map((head, i) => this.#item(head, pictures[i] ?? null, head.id === current)));
-    if (focused !== undefined) this.#list.querySelector<HTMLElement>(`[data-home="${CSS.escape(focused)}"]`)?.focus();
+    replaceKeepingFocus(this.#list, shown.map((head, i) => this.#item(head, pictures[i] ?? null, head.id === current)));
   }
 
   #item(head: Head, picture: string | null, isCurrent: boolean): HTMLElement {
-    const item = document.createElement("li");
-    const open = Object.assign(document.createElement("button"), { type: "button", className: "recent-home" });
-    open.dataset.home = head.id;
-    if (isCurrent) open.setAttribute("aria-current", "true");
-    const image = Object.assign(document.createElement("img"), { alt: "", width: 72, height: 45 });
-    if (picture) image.src = picture;
-    const words = document.createElement("span");
-    const title = Object.assign(document.createElement("b"), { textContent: head.title });
-    const more = Object.assign(document.createElement("small"), { textContent: `${head.size}, ${changesWords(head)}, ${agoWords(this.now() - head.touched)}` });
-    words.append(title, more);
-    open.append(image, words);
-    open.addEventListener("click", () => this.onOpen(head.id));
-    const forget = Object.assign(document.createElement("button"), { type: "button", className: "recent-forget", textContent: "✕", disabled: isCurrent });
-    forget.setAttribute("aria-label", say("Forget {home}", { home: head.title }));
-    forget.addEventListener("click", () => this.onForget(new Set([head.id])));
-    item.append(open, forget);
-    return item;
+    const open = button("", () => this.onOpen(head.id), { className: "recent-home", "data-home": head.id, ...(isCurrent ? { "aria-current": true } : {}) });
+    const image = made("img", { alt: "", width: 72, height: 45, ...(picture ? { src: picture } : {}) });
+    const more = made("small", {}, `${head.size}, ${changesWords(head)}, ${agoWords(this.now() - head.touched)}`);
+    open.append(image, made("span", {}, made("b", {}, head.title), more));
+    const forget = button("✕", () => this.onForget(new Set([head.id])), {
+      className: "recent-forget", disabled: isCurrent, "aria-label": say("Forget {home}", { home: head.title }),
+    });
+    return made("li", {}, open, forget);
   }
 }

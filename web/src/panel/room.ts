@@ -4,6 +4,7 @@ import type { Opening, Room, Scene } from "../contract";
 import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
+import { made } from "../made";
 import { inWords } from "./programme";
 import { say, sayArea, sayName, sayNumber } from "../words/language";
 
@@ -86,14 +87,6 @@ export class RoomPanel {
     this.#reroll.disabled = !room;
     if (this.#others) this.#others.disabled = !room;
     this.#facts.hidden = !room;
-    this.#facts.replaceChildren(...(room && scene ? factsOf(room, scene).flatMap(([word, what]) => this.#fact(word, what)) : []));
-  }
-
-  #fact(word: string, what: string): HTMLElement[] {
-    const term = document.createElement("dt");
-    const description = document.createElement("dd");
-    term.textContent = word;
-    description.textContent = what;
-    return [term, description];
+    this.#facts.replaceChildren(...(room && scene ? factsOf(room, scene).flatMap(([word, what]) => [made("dt", {}, word), made("dd", {}, what)]) : []));
   }
 }

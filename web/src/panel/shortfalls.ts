@@ -1,5 +1,6 @@
 /** What fell short of what was asked or wished, in plain words: of the plan, of rooms that are not proven, of pieces that were left out. */
 import type { LeftOut, Scene } from "../contract";
+import { button, made } from "../made";
 import { roomNames } from "./room";
 import { capital, say, sayName } from "../words/language";
 import { tell } from "../words/telling";
@@ -117,22 +118,12 @@ export class ShortfallPanel {
   }
 
   #item({ words, whys, room }: Shortfall): HTMLElement {
-    const item = document.createElement("li");
-    if (room === null) {
-      item.textContent = words;
-      return item;
-    }
-    const button = Object.assign(document.createElement("button"), { type: "button", className: "shortfall", textContent: words });
-    button.addEventListener("click", () => this.onChooseRoom(room));
-    item.append(button);
-    if (whys.length > 0) item.append(this.#whys(whys));
-    return item;
+    if (room === null) return made("li", {}, words);
+    const choose = button(words, () => this.onChooseRoom(room), { className: "shortfall" });
+    return made("li", {}, choose, ...(whys.length > 0 ? [this.#whys(whys)] : []));
   }
 
   #whys(whys: readonly string[]): HTMLElement {
-    const details = document.createElement("details");
-    details.append(Object.assign(document.createElement("summary"), { textContent: say("Why") }));
-    details.append(...whys.map((why) => Object.assign(document.createElement("p"), { className: "hint", textContent: why })));
-    return details;
+    return made("details", {}, made("summary", {}, say("Why")), ...whys.map((why) => made("p", { className: "hint" }, why)));
   }
 }

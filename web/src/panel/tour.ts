@@ -1,5 +1,6 @@
 /** A tour of four steps over the house: shown by itself on a first visit that asks for no home of its own, started again by a button; it ends when somebody begins without it. */
 import type { Showing } from "../state/home";
+import { button, made } from "../made";
 import { say, type Words } from "../words/language";
 import { putAway } from "./focus";
 import { remember, remembered } from "./preferences";
@@ -25,11 +26,11 @@ function isFirstVisit(address: Pick<Location, "search" | "hash">): boolean {
 }
 
 export class Tour {
-  readonly #title = document.createElement("h2");
-  readonly #words = document.createElement("p");
-  readonly #back = this.#button("Back", () => this.#show(this.#at - 1));
-  readonly #next = this.#button("Next", () => this.#show(this.#at + 1));
-  readonly #skip = this.#button("Skip the tour", () => this.#end());
+  readonly #title = made("h2", { tabIndex: -1 });
+  readonly #words = made("p");
+  readonly #back = button(say("Back"), () => this.#show(this.#at - 1));
+  readonly #next = button(say("Next"), () => this.#show(this.#at + 1));
+  readonly #skip = button(say("Skip the tour"), () => this.#end());
   #at = 0;
 
   /** `host` shows it, `again` starts it; `onShown` is given what to call whenever a home is shown. */
@@ -43,14 +44,7 @@ export class Tour {
     document.addEventListener("click", ({ target }) => {
       if (target instanceof Element && !target.closest("#tour, [data-toured], canvas")) this.#end();
     }, true);
-    const told = document.createElement("div");
-    told.setAttribute("aria-live", "polite");
-    told.append(this.#title, this.#words);
-    this.#title.tabIndex = -1;
-    const buttons = document.createElement("div");
-    buttons.className = "buttons";
-    buttons.append(this.#skip, this.#back, this.#next);
-    host.append(told, buttons);
+    host.append(made("div", { "aria-live": "polite" }, this.#title, this.#words), made("div", { className: "buttons" }, this.#skip, this.#back, this.#next));
     host.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;
       event.stopPropagation();
@@ -60,14 +54,6 @@ export class Tour {
       this.start();
       this.#title.focus();
     });
-  }
-
-  #button(words: Words, act: () => void): HTMLButtonElement {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = say(words);
-    button.addEventListener("click", act);
-    return button;
   }
 
   /** Shows the first step; whatever has the focus keeps it. */

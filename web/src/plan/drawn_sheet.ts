@@ -1,6 +1,7 @@
 /** The service's drawing of a storey, as SVG in a root of its own: asked for again with each state of the home, moved along with an edit. */
 import type { Scene } from "../contract";
 import type { PlacedBody } from "../house/frame";
+import { drawn, made } from "../made";
 import { isAbort } from "../service";
 import { LEAST, readableAt } from "./readable";
 
@@ -8,7 +9,6 @@ import { LEAST, readableAt } from "./readable";
 export type DrawPlan = (scene: Scene, scale: number, signal: AbortSignal) => Promise<string>;
 
 const MM = 1000;
-const SVG = "http://www.w3.org/2000/svg";
 const RULES = ":host{position:absolute;inset:0}svg{display:block;width:100%;height:100%;pointer-events:none}use[data-id]{pointer-events:auto;cursor:pointer}"
   + ".unsized :is(.lengths,.size,.bar),.inner .lengths,.foot,.frame{display:none}.bar,.lengths.cut{visibility:hidden}svg>rect{fill:none}"
   + ".unsized text{fill:#333}.unsized .name{font-weight:normal}"
@@ -22,7 +22,7 @@ export function transformOf({ x, z, turn }: Pick<PlacedBody, "x" | "z" | "turn">
 
 export abstract class DrawnSheet {
   readonly root: ShadowRoot;
-  readonly host = document.createElement("div");
+  readonly host = made("div", { className: "plan-sheet", hidden: true, "aria-hidden": true });
   /** Told when another drawing is there. */
   onDrawn: () => void = () => undefined;
   #drawn: SVGSVGElement | null = null;
@@ -35,9 +35,6 @@ export abstract class DrawnSheet {
   #scale = 0;
 
   constructor(readonly draw: DrawPlan, readonly failed: (reason: unknown, again: () => void) => void) {
-    this.host.className = "plan-sheet";
-    this.host.setAttribute("aria-hidden", "true");
-    this.host.hidden = true;
     this.root = this.host.attachShadow({ mode: "open" });
   }
 
@@ -112,9 +109,7 @@ export abstract class DrawnSheet {
 
   #framed(body: SVGGraphicsElement): SVGElement {
     const { x, y, width, height } = body.getBBox();
-    const frame = document.createElementNS(SVG, "rect");
-    const said = { class: "chosen", "data-of": body.dataset.id ?? "", transform: body.getAttribute("transform") ?? "", x, y, width, height };
-    for (const [name, value] of Object.entries(said)) frame.setAttribute(name, String(value));
+    const frame = drawn("rect", { class: "chosen", "data-of": body.dataset.id ?? "", transform: body.getAttribute("transform") ?? "", x, y, width, height });
     this.#drawn?.append(frame);
     return frame;
   }

@@ -3,6 +3,7 @@ import type { Scene } from "../contract";
 import { clearFloorOf } from "../house/clear_floor";
 import { drawable } from "../house/drawable";
 import { runsOf } from "../house/wall_runs";
+import { button, made } from "../made";
 import { readSaved, savedPicture, type SavedHead, type SavedHome } from "./saved_calls";
 import { say, sayArea, sayName } from "../words/language";
 
@@ -27,12 +28,11 @@ function count(scene: Scene, what: "furniture" | "decorations"): number {
 }
 
 export class Comparison {
-  readonly #dialog = Object.assign(document.createElement("dialog"), { className: "saved-comparison" });
+  readonly #dialog = made("dialog", { className: "saved-comparison", "aria-label": say("Two homes side by side") });
   #first: SavedHead | null = null;
   #urls: string[] = [];
 
   constructor() {
-    this.#dialog.setAttribute("aria-label", say("Two homes side by side"));
     this.#dialog.addEventListener("close", () => { for (const url of this.#urls.splice(0)) URL.revokeObjectURL(url); });
     document.body.append(this.#dialog);
   }
@@ -46,27 +46,22 @@ export class Comparison {
     const { signal } = new AbortController();
     const [one, other] = await Promise.all([readSaved(this.#first.id, signal), readSaved(head.id, signal)]);
     this.#first = null;
-    const table = document.createElement("table");
+    const table = made("table");
     const facts = [factsOf(one), factsOf(other)] as const;
     table.append(row("", one.head.name, other.head.name), await this.#pictured(one, other));
     for (const name of Object.keys(facts[0])) table.append(row(name, facts[0][name] ?? "", facts[1][name] ?? ""));
-    const close = Object.assign(document.createElement("button"), { type: "button", textContent: say("Close") });
-    close.addEventListener("click", () => this.#dialog.close());
-    this.#dialog.replaceChildren(table, close);
+    this.#dialog.replaceChildren(table, button(say("Close"), () => this.#dialog.close()));
     this.#dialog.showModal();
   }
 
   async #pictured(one: SavedHome, other: SavedHome): Promise<HTMLElement> {
     this.#urls = await Promise.all([one, other].map(({ head }) => savedPicture(head.id)));
-    const made = row(say("Picture"), "", "");
-    this.#urls.forEach((src, i) => made.children[i + 1]?.append(Object.assign(document.createElement("img"), { src, alt: "", width: 288 })));
-    return made;
+    const pictures = row(say("Picture"), "", "");
+    this.#urls.forEach((src, i) => pictures.children[i + 1]?.append(made("img", { src, alt: "", width: 288 })));
+    return pictures;
   }
 }
 
 function row(name: string, ...cells: readonly string[]): HTMLElement {
-  const made = document.createElement("tr");
-  made.append(name ? Object.assign(document.createElement("th"), { textContent: name, scope: "row" }) : document.createElement("td"));
-  made.append(...cells.map((textContent) => Object.assign(document.createElement("td"), { textContent })));
-  return made;
+  return made("tr", {}, name ? made("th", { scope: "row" }, name) : made("td"), ...cells.map((words) => made("td", {}, words)));
 }

@@ -1,6 +1,7 @@
 /** The homes that the service keeps: saved, found, opened, renamed, tagged, removed, and two of them side by side. All names are texts. */
 import type { Beside } from "../asking";
 import { titleOf } from "../memory/kept_homes";
+import { button, made } from "../made";
 import { copy } from "../panel/link";
 import { isAbort, ServiceProblem } from "../service";
 import type { Shown } from "../state/home";
@@ -20,24 +21,16 @@ const OF_OTHERS: Readonly<Record<number, string>> = {
   412: say("Somebody has changed this home since you opened it: open it again, or save yours as another."),
 };
 
-function button(words: string, act: () => void): HTMLButtonElement {
-  const made = Object.assign(document.createElement("button"), { type: "button", textContent: words });
-  made.addEventListener("click", act);
-  return made;
-}
-
 /** A button that asks once more, until it loses the focus, before it acts. */
 function sureButton(words: string, sure: string, of: string, act: () => void): HTMLButtonElement {
-  const say = (told: string): void => { made.textContent = told; made.setAttribute("aria-label", `${told} ${of}`); };
-  const made = button(words, () => { if (made.textContent === sure) act(); else say(sure); });
-  made.addEventListener("blur", () => { say(words); });
-  return made;
+  const say = (told: string): void => { asks.textContent = told; asks.setAttribute("aria-label", `${told} ${of}`); };
+  const asks = button(words, () => { if (asks.textContent === sure) act(); else say(sure); });
+  asks.addEventListener("blur", () => { say(words); });
+  return asks;
 }
 
 function field(label: string): HTMLInputElement {
-  const made = Object.assign(document.createElement("input"), { type: "text", placeholder: label, maxLength: 200 });
-  made.setAttribute("aria-label", label);
-  return made;
+  return made("input", { type: "text", placeholder: label, maxLength: 200, "aria-label": label });
 }
 
 /** Tags as they are typed, with commas between. */
@@ -54,8 +47,8 @@ export class SavedPanel {
   readonly #tags = field(say("Tags, with commas"));
   readonly #search = field(say("Search saved homes"));
   readonly #update = button(say("Save changes"), () => this.#try(say("Saving the home"), () => this.#saveChanges()));
-  readonly #said = Object.assign(document.createElement("p"), { className: "hint", role: "status" });
-  readonly #list = Object.assign(document.createElement("ul"), { className: "saved-list" });
+  readonly #said = made("p", { className: "hint", role: "status" });
+  readonly #list = made("ul", { className: "saved-list" });
   readonly #more = button(say("More"), () => this.#look(true));
   readonly #comparison = new Comparison();
   #heads: SavedHead[] = [];
@@ -71,10 +64,7 @@ export class SavedPanel {
     const save = button(say("Save this home"), () => this.#try(say("Saving the home"), () => this.#save()));
     for (const one of [this.#name, this.#tags]) one.addEventListener("keydown", ({ key }) => { if (key === "Enter") (this.#opened?.name === this.#name.value.trim() ? this.#update : save).click(); });
     for (const one of [save, this.#update, this.#more]) one.classList.add("wide");
-    const buttons = document.createElement("div");
-    buttons.className = "buttons";
-    buttons.append(save, this.#update);
-    host.append(this.#name, this.#tags, buttons, this.#said, this.#search, this.#list, this.#more);
+    host.append(this.#name, this.#tags, made("div", { className: "buttons" }, save, this.#update), this.#said, this.#search, this.#list, this.#more);
     this.#update.hidden = this.#more.hidden = true;
     host.addEventListener("toggle", () => { if (host.open) this.#look(false); });
     this.#search.addEventListener("input", () => this.#look(false));
@@ -156,16 +146,11 @@ export class SavedPanel {
   }
 
   #item(head: SavedHead): HTMLElement {
-    const item = document.createElement("li");
-    item.dataset.saved = head.id;
-    const image = Object.assign(document.createElement("img"), { alt: "", width: 72, height: 45 });
+    const image = made("img", { alt: "", width: 72, height: 45 });
     void savedPicture(head.id).then((url) => { this.#pictures.push(url); image.src = url; }, () => undefined);
-    const words = document.createElement("span");
-    const title = Object.assign(document.createElement("b"), { textContent: head.name });
     const more = [say("{count} rooms", { count: head.rooms }), say("version {version}", { version: head.version }), ...head.tags].join(", ");
-    words.append(title, Object.assign(document.createElement("small"), { textContent: more }));
-    const acts = document.createElement("div");
-    acts.append(
+    const words = made("span", {}, made("b", {}, head.name), made("small", {}, more));
+    const acts = made("div", {},
       button(say("Open"), () => this.onOpen(head.id)),
       button(say("Copy link"), () => void this.#copyLink(head)),
       button(say("Rename"), () => this.#edit(item, head, "name")),
@@ -174,7 +159,7 @@ export class SavedPanel {
       sureButton(say("Remove"), say("Really remove?"), head.name, () => this.#try(say("Removing {home}", { home: head.name }), () => this.#remove(head))),
     );
     for (const one of acts.querySelectorAll("button")) one.setAttribute("aria-label", `${one.textContent} ${head.name}`);
-    item.append(image, words, acts);
+    const item = made("li", { "data-saved": head.id }, image, words, acts);
     return item;
   }
 

@@ -4,10 +4,10 @@ import { words } from "../house/frame";
 import type { House } from "../house/house";
 import { cornersOf } from "../house/plan";
 import { roomHolding } from "../house/room_at";
+import { drawn, made } from "../made";
 import type { Pose } from "./walk";
 import { say } from "../words/language";
 
-const SVG = "http://www.w3.org/2000/svg";
 /** Around the house [m]. */
 const MARGIN = 0.6;
 const GROUND = 0;
@@ -17,30 +17,21 @@ const SIZE = 0.035;
 const UNSAID = "#8b949e";
 const WAYS = ["north", "north-west", "west", "south-west", "south", "south-east", "east", "north-east"] as const;
 
-function drawn(name: string, look: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
-  const element = document.createElementNS(SVG, name);
-  element.classList.add(look);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  return element;
-}
-
 function floorOf(room: Room): SVGElement {
   const points = cornersOf(room).map(([x, z]) => `${room.x + x},${room.z + z}`).join(" ");
-  return drawn("polygon", "map-room", { points, fill: room.accent ?? UNSAID });
+  return drawn("polygon", { class: "map-room", points, fill: room.accent ?? UNSAID });
 }
 
 export class Minimap {
   /** Called with the place of the plan that was clicked [m]. */
   onPlace: (x: number, z: number) => void = () => undefined;
-  readonly #svg = document.createElementNS(SVG, "svg");
-  readonly #words = document.createElement("p");
-  readonly #arrow = drawn("polygon", "map-walker", { points: ARROW });
+  readonly #svg = drawn("svg", { role: "img" });
+  readonly #words = made("p", { role: "status" });
+  readonly #arrow = drawn("polygon", { class: "map-walker", points: ARROW });
   #rooms: readonly Room[] = [];
   #scale = 1;
 
   constructor(readonly host: HTMLElement) {
-    this.#svg.setAttribute("role", "img");
-    this.#words.setAttribute("role", "status");
     host.append(this.#svg, this.#words);
     this.#svg.addEventListener("click", ({ clientX, clientY }) => {
       const at = new DOMPoint(clientX, clientY).matrixTransform(this.#svg.getScreenCTM()?.inverse());
@@ -55,12 +46,12 @@ export class Minimap {
     const box = [min.x - MARGIN, min.z - MARGIN, max.x - min.x + 2 * MARGIN, max.z - min.z + 2 * MARGIN];
     this.#scale = SIZE * Math.max(max.x - min.x, max.z - min.z);
     this.#svg.setAttribute("viewBox", box.join(" "));
-    const pieces = house.bodies.filter(({ kind }) => kind === "furniture").map(({ x, z, width, depth, turn }) => drawn("rect", "map-piece", {
-      x: -width / 2, y: -depth / 2, width, height: depth, transform: `translate(${x} ${z}) rotate(${(-turn * 180) / Math.PI})`,
+    const pieces = house.bodies.filter(({ kind }) => kind === "furniture").map(({ x, z, width, depth, turn }) => drawn("rect", {
+      class: "map-piece", x: -width / 2, y: -depth / 2, width, height: depth, transform: `translate(${x} ${z}) rotate(${(-turn * 180) / Math.PI})`,
     }));
-    const ways = house.plan.openings.filter(({ kind, level }) => kind !== "window" && level === GROUND).map(({ axis, line, from, to }) => drawn("line", "map-door", (
-      axis === "x" ? { x1: from, x2: to, y1: line, y2: line } : { x1: line, x2: line, y1: from, y2: to }
-    )));
+    const ways = house.plan.openings.filter(({ kind, level }) => kind !== "window" && level === GROUND).map(({ axis, line, from, to }) => drawn("line", {
+      class: "map-door", ...(axis === "x" ? { x1: from, x2: to, y1: line, y2: line } : { x1: line, x2: line, y1: from, y2: to }),
+    }));
     this.#svg.replaceChildren(...this.#rooms.map(floorOf), ...pieces, ...ways, this.#arrow);
   }
 

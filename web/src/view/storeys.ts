@@ -1,5 +1,6 @@
 /** Which storey of a home of several is looked at: it and those beneath it are drawn, and its plan. */
 import type { Scene } from "../contract";
+import { made } from "../made";
 import { say } from "../words/language";
 
 /** The levels that have rooms, the lowest first. */
@@ -34,11 +35,8 @@ export class Storeys {
     const [levels, before] = [levelsOf(scene), this.chosen];
     if (levels.join() !== this.#levels.join()) {
       this.#levels = levels;
-      this.choice.replaceChildren(...levels.map((level, i) => {
-        const option = document.createElement("option");
-        [option.value, option.textContent] = [String(level), say("Storey {number} of {count}", { number: i + 1, count: levels.length })];
-        return option;
-      }));
+      const words = (i: number): string => say("Storey {number} of {count}", { number: i + 1, count: levels.length });
+      this.choice.replaceChildren(...levels.map((level, i) => made("option", { value: String(level) }, words(i))));
       this.choice.value = String(levels.includes(before) ? before : (levels[0] ?? 0));
     }
     this.choice.hidden = levels.length < 2;
