@@ -31,7 +31,8 @@ import { showShown } from "./panel/status";
 import { PlanFiles } from "./plan/plan_files";
 import { catalog, furnish, generate, isAbort, readFile, report, reroll, ServiceProblem, view, type GivenFile } from "./service";
 import { listenToSkips } from "./panel/skips";
-import { listenToPreferences, turnOver } from "./panel/preferences";
+import { listenToPreferences } from "./panel/preferences";
+import { listenToShortcuts } from "./panel/shortcuts";
 import { isTyped } from "./panel/typing";
 import { Tour } from "./panel/tour";
 import { readSaved, type SavedHead } from "./saved/saved_calls";
@@ -59,7 +60,6 @@ class Page {
   readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), this.#asking.beside, () => this.#findLink());
   readonly #stage = new Stage(element("stage"));
   readonly #diagnose = new Diagnose(this.#home, (change) => this.#workbench.editor.inTurn(change));
-  readonly #keys = new Keys();
   readonly #others = new OtherRooms(element("others"), {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
     portray: (scene, into) => this.#stage.portrayRoom(scene, into),
@@ -131,6 +131,7 @@ class Page {
       failed: this.#failed,
     });
     new Menu(element("tools"), element("said"));
+    new Keys();
     new Tour(element("tour"), element("tour_again"), (greet) => this.#home.on("shown", greet));
     this.#drawing = new Drawing(element("drawing"), [element("stage"), element("beside"), element("reading")], [element("progress"), element("notice")], this.#asking.beside, this.#failed);
     this.#asking.onBegin = () => this.#drawing.close();
@@ -144,7 +145,7 @@ class Page {
     element("reset").addEventListener("click", () => this.#submit(FIRST));
     window.addEventListener("popstate", () => this.#openAddress());
     window.addEventListener("beforeunload", (event) => { if (this.#workbench.editor.busy) event.preventDefault(); }); // it would be lost
-    document.addEventListener("keydown", (event) => this.#key(event));
+    document.addEventListener("keydown", (event) => this.#escape(event));
   }
 
   /** Opens the house that the address holds. */
@@ -153,6 +154,7 @@ class Page {
     listenToPreferences();
     foldForNarrow();
     listenToSkips();
+    listenToShortcuts();
     this.#openAddress();
     void this.#stage.rehearse();
   }
@@ -208,24 +210,9 @@ class Page {
     void this.#ask(request, "push");
   }
 
-  #key(event: KeyboardEvent): void {
+  #escape(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.repeat || isTyped(event)) return;
-    const acts: Readonly<Record<string, () => void>> = {
-      r: () => this.#random(),
-      d: () => this.#diagnose.open(),
-      f: () => this.#reading.flagSelected(),
-      1: () => this.#stage.look("walk"),
-      2: () => this.#stage.look("top"),
-      3: () => this.#stage.look("corner"),
-      4: () => this.#stage.look("plan"),
-      5: () => this.#stage.beside?.toggle(),
-      l: () => this.#stage.toggleNames(event.shiftKey),
-      "[": () => turnOver("controls"),
-      "]": () => turnOver("reading"),
-      "?": () => this.#keys.open(),
-      Escape: () => { if (!this.#others.hide()) this.#home.select(null); },
-    };
-    acts[event.key.length === 1 ? event.key.toLowerCase() : event.key]?.();
+    if (event.key === "Escape" && !this.#others.hide()) this.#home.select(null);
   }
 
   /** Asks for a house, and shows it with the changes that a link carried; what its address says beside is told. */

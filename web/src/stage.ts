@@ -235,11 +235,6 @@ export class Stage {
     if (paper && !this.#isPlan && this.#scene) this.#viewport.picturing.printOn(paper);
   }
 
-  /** Names all pieces, or again only those pointed at and chosen. */
-  toggleNames(withDecorations: boolean): void {
-    this.#looking.toggleNames(withDecorations);
-  }
-
   /** Brings a body into the middle of the canvas. */
   centre(id: string): void {
     const body = this.#house?.bodies.find((one) => one.id === id);

@@ -4,6 +4,7 @@ import { Live } from "../edit/live";
 import { Toolbar, type Tool } from "../edit/toolbar";
 import { doorlessIn } from "../panel/imported";
 import { inWords } from "../panel/programme";
+import { pressing } from "../panel/shortcuts";
 import { button, made } from "../made";
 import { boxOf, type Box, type Point } from "./corners";
 import { EMPTY, openingMoved, roomMoved, withoutOpening, withoutRoom, type Draft, type DraftRoom } from "./draft";
@@ -23,7 +24,6 @@ import { tellSentence } from "../words/telling";
 /** A room that is not drawn with the pointer [mm]. */
 const NEW_ROOM = { width: 4000, depth: 3000 } as const;
 const UNSAID_COLOR = "#cfd6de";
-const REPEATED: ReadonlySet<string> = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight"]);
 const MISSING = "missing_required";
 const UNREACHABLE = "unreachable";
 
@@ -315,27 +315,19 @@ export class Board {
     const target = event.target instanceof Element ? event.target : null;
     const isTyping = target?.matches("input, select, textarea") === true;
     if (isTyping || event.altKey || event.key === "?") return;
-    const act = event.ctrlKey || event.metaKey ? this.#travel(event) : this.#act(event);
+    const act = pressing(event, this.host) ?? (event.ctrlKey || event.metaKey ? null : this.#act(event));
     event.stopPropagation();
-    if (!act || (event.repeat && !REPEATED.has(event.key))) return;
+    if (!act) return;
     event.preventDefault();
     act();
   }
 
-  #travel(event: KeyboardEvent): (() => void) | null {
-    const key = event.key.toLowerCase();
-    if (key === "y" || (key === "z" && event.shiftKey)) return () => this.#plan.redo();
-    return key === "z" ? () => this.#plan.undo() : null;
-  }
-
   #act(event: KeyboardEvent): (() => void) | null {
     const keys: Readonly<Record<string, () => void>> = {
-      v: () => this.#use("choose"), b: () => this.#use("room"), u: () => this.#use("add"), x: () => this.#use("cut"), d: () => this.#use("door"),
-      w: () => this.#use("window"), p: () => this.#use("passage"), g: () => this.#use("garage_door"), n: () => this.#addRoom(), f: () => this.#fit(),
       Delete: () => this.#remove(), Backspace: () => this.#remove(), Escape: () => this.#escape(),
       ArrowUp: () => this.#arrow(0, -1, event), ArrowDown: () => this.#arrow(0, 1, event), ArrowLeft: () => this.#arrow(-1, 0, event), ArrowRight: () => this.#arrow(1, 0, event),
     };
-    return keys[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+    return keys[event.key] ?? null;
   }
 
   #escape(): void {

@@ -22,6 +22,7 @@ import { Slide, spotOf } from "./slide";
 import { ThingDrag } from "./thing_drag";
 import { Toolbar, type Tool } from "./toolbar";
 import { WhyPanel } from "./why_panel";
+import { isTyped } from "../panel/typing";
 import { element } from "../element";
 import { say } from "../words/language";
 
@@ -30,8 +31,8 @@ const STEP = 0.05;
 const SMALL_STEP = 0.01;
 const NEVER = new AbortController().signal;
 const QUARTER = Math.PI / 2;
-/** The keys that act again while they are held. */
-const REPEATED: ReadonlySet<string> = new Set(["arrowup", "arrowleft", "arrowdown", "arrowright", "q", "e", "z", "y"]);
+/** Where arrows go from line to line, or change what is typed or chosen. */
+const ARROWED = ".yaml, input:not([type=checkbox]), select, textarea";
 
 export interface WorkbenchWords {
   busy(busy: boolean): void;
@@ -262,7 +263,7 @@ export class Workbench {
       { name: "left", words: "Turn left", sign: "⟲", keys: "Q", act: () => acts.turn(90) },
       { name: "right", words: "Turn right", sign: "⟳", keys: "E", act: () => acts.turn(-90) },
       { name: "lock", words: "Lock", sign: "Lock", keys: "K", act: onPiece((id) => this.editor.toggleLock(id)) },
-      { name: "delete", words: "Delete", sign: "Delete", keys: "Delete", act: () => acts.remove() },
+      { name: "delete", words: "Delete", sign: "Delete", keys: "Delete Backspace", act: () => acts.remove() },
       { name: "duplicate", words: "Duplicate beside", sign: "Duplicate", keys: "Control+D", act: () => acts.duplicate() },
       { name: "several", words: "Choose several", sign: "Several", act: () => this.#chooseSeveral(!this.stage.adds) },
       { name: "copy", words: "Copy, to be pasted", sign: "Copy", keys: "Control+C", act: () => this.#copy() },
@@ -350,49 +351,28 @@ export class Workbench {
   }
 
   #key(event: KeyboardEvent): void {
-    const target = event.target instanceof Element ? event.target : null;
-    if (event.defaultPrevented || event.altKey || target?.closest("input:not([type=checkbox]), select, textarea, dialog[open]")) return;
-    const act = event.ctrlKey || event.metaKey ? this.#travelKey(event) : (this.#arrowKey(event, target) ?? this.#pieceKey(event));
+    if (event.defaultPrevented || isTyped(event)) return;
+    const act = event.key === "Escape" ? (event.repeat ? null : this.#escape()) : this.#arrowKey(event, event.target instanceof Element ? event.target : null);
     if (!act) return;
     event.preventDefault();
-    if (!event.repeat || REPEATED.has(event.key.toLowerCase())) act();
+    act();
   }
 
-  #travelKey(event: KeyboardEvent): (() => void) | null {
-    const key = event.key.toLowerCase();
-    const isText = !(getSelection()?.isCollapsed ?? true);
-    if (key === "d" && this.home.selected !== null) return () => this.#acts.duplicate();
-    if (key === "c" && this.home.selected !== null && !isText) return () => this.#copy();
-    if (key === "v") return () => this.#acts.paste(this.#roomMeant());
-    if (key === "y" || (key === "z" && event.shiftKey)) return () => this.editor.redo();
-    return key === "z" ? () => this.editor.undo() : null;
-  }
-
-  #pieceKey(event: KeyboardEvent): (() => void) | null {
-    if (event.key === "Escape" && this.editor.dragged !== null) return () => { this.#hand.cancel(); this.editor.cancel(); };
-    if (event.key === "Escape" && this.#thing.dragged !== null) return () => this.#hand.cancel();
-    if (event.key === "Escape" && this.#numbers.cancel()) return () => undefined;
-    if (event.key === "Escape" && this.#adding.hide()) return () => undefined;
-    if (event.key === "Escape" && this.#numbers.tape.isOut) return () => this.#measureWithTape(false);
-    if (event.key === "Escape" && this.#refused) return () => this.#refuse(null);
-    if (event.key === "Escape" && !this.#why.host.hidden) return () => this.#why.close();
-    if (event.key.toLowerCase() === "a") return () => this.#openPalette();
-    if (event.key.toLowerCase() === "m") return () => this.#measureWithTape();
-    if (event.key.toLowerCase() === "o") return () => this.#floorSwitch.click();
-    const id = this.home.selected;
-    if (id === null) return null;
-    const acts: Readonly<Record<string, () => void>> = {
-      q: () => this.#acts.turn(90), e: () => this.#acts.turn(-90), k: () => this.editor.toggleLock(id), h: () => this.#explain(),
-      Delete: () => this.#acts.remove(), Backspace: () => this.#acts.remove(),
-    };
-    return acts[event.key.length === 1 ? event.key.toLowerCase() : event.key] ?? null;
+  /** What Escape ends: the first that is under way. */
+  #escape(): (() => void) | null {
+    if (this.editor.dragged !== null) return () => { this.#hand.cancel(); this.editor.cancel(); };
+    if (this.#thing.dragged !== null) return () => this.#hand.cancel();
+    if (this.#numbers.cancel() || this.#adding.hide()) return () => undefined;
+    if (this.#numbers.tape.isOut) return () => this.#measureWithTape(false);
+    if (this.#refused) return () => this.#refuse(null);
+    return this.#why.host.hidden ? null : () => this.#why.close();
   }
 
   /** An arrow moves the piece in hand the way it points on the screen; in the text arrows go from line to line. */
   #arrowKey(event: KeyboardEvent, target: Element | null): (() => void) | null {
     const ways: Readonly<Record<string, number>> = { ArrowUp: 0, ArrowLeft: 1, ArrowDown: 2, ArrowRight: 3 };
     const [way, id] = [ways[event.key], this.home.selected];
-    if (way === undefined || id === null || target?.closest(".yaml")) return null;
+    if (way === undefined || id === null || target?.closest(ARROWED)) return null;
     const quarters = way + Math.round(this.stage.viewport.heading / QUARTER);
     const step = event.shiftKey ? SMALL_STEP : STEP;
     return () => this.#acts.nudge(-Math.round(Math.sin(quarters * QUARTER)) * step, -Math.round(Math.cos(quarters * QUARTER)) * step);

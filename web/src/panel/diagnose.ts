@@ -38,8 +38,6 @@ export class Diagnose {
     this.#remove.addEventListener("click", () => void this.#mend("remove"));
     // Told late: by then the dialog may have been opened again.
     this.#dialog.addEventListener("close", () => { if (!this.#dialog.open) this.#withdraw(); });
-    // Keys pressed in the dialog are no shortcuts of the page behind it.
-    this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
     home.on("shown", (how) => { if (how !== "live") void this.#diagnose(); });
     home.on("flagged", () => void this.#diagnose());
   }

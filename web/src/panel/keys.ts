@@ -15,13 +15,7 @@ export class Keys {
 
   constructor() {
     element("keys_list").replaceChildren(...KEY_LIST.map(([heading, lines]) => made("section", {}, made("h3", {}, say(heading)), made("dl", {}, ...lines.map(lineOf)))));
-    element("keys").addEventListener("click", () => this.open());
+    element("keys").addEventListener("click", () => this.#dialog.showModal());
     element("keys_close").addEventListener("click", () => this.#dialog.close());
-    // Keys pressed in the dialog are no shortcuts of the page behind it.
-    this.#dialog.addEventListener("keydown", (event) => { if (this.#dialog.open) event.stopPropagation(); });
-  }
-
-  open(): void {
-    if (!this.#dialog.open) this.#dialog.showModal();
   }
 }

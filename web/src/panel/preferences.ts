@@ -39,11 +39,6 @@ export function fold(panel: Panel, isFolded: boolean): void {
   tell(panel, isFolded);
 }
 
-/** Folds a panel that is shown, shows one that is folded. */
-export function turnOver(panel: Panel): void {
-  fold(panel, !document.body.classList.contains(`${panel}-folded`));
-}
-
 function paint(colours: string): void {
   if (COLOURS.includes(colours)) document.documentElement.dataset.colours = colours;
   else delete document.documentElement.dataset.colours;
@@ -54,7 +49,7 @@ export function listenToPreferences(): void {
   const byDefault = { controls: "shown", reading: window.matchMedia(LAPTOP).matches ? "folded" : "shown" };
   for (const panel of PANELS) {
     tell(panel, (remembered(panel) ?? byDefault[panel]) === "folded");
-    document.getElementById(`fold_${panel}`)?.addEventListener("click", () => turnOver(panel));
+    document.getElementById(`fold_${panel}`)?.addEventListener("click", () => fold(panel, !document.body.classList.contains(`${panel}-folded`)));
   }
   for (const id of LATER) {
     const group = document.getElementById(id) as HTMLDetailsElement;

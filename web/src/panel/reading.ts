@@ -48,7 +48,7 @@ export class Reading {
       this.#write();
       this.#colourSoon();
     }).observe(host);
-    this.#flag.addEventListener("click", () => this.flagSelected());
+    this.#flag.addEventListener("click", () => { if (this.#selected !== null) this.onFlag(this.#selected); });
     this.#find.addEventListener("input", () => this.#search());
     this.#find.addEventListener("keydown", (event) => this.#findKey(event));
     element("reading_toggle").addEventListener("click", () => this.#fold());
@@ -133,11 +133,6 @@ export class Reading {
     line.toggleAttribute("data-flagged", flagged);
     if (!flagged) line.querySelector(".problematic")?.remove();
     else line.append(problematic());
-  }
-
-  /** Flags the selected body, or takes its flag away. */
-  flagSelected(): void {
-    if (this.#selected !== null) this.onFlag(this.#selected);
   }
 
   #sayFlag(): void {

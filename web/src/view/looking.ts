@@ -199,13 +199,6 @@ export class Looking {
     element("cut_words").textContent = `${sayNumber(Number(this.#cut.value), 1)} m`;
   }
 
-  /** Names the furniture, or with decorations all, or neither again. */
-  toggleNames(withDecorations = false): void {
-    const names = withDecorations ? this.#things : this.#names;
-    names.checked = !names.checked;
-    this.#nameAll();
-  }
-
   #nameAll(): void {
     this.labels.nameAll(this.#names.checked, this.#things.checked);
   }
