@@ -190,9 +190,13 @@ def test_what_cannot_stand_is_left_out_only_when_asked(visit: Visit) -> None:
         gone = {**kept, "removed": [removed], "issues": [], "conflicts": []}
         route.fulfill(json=kept if sent_by(route.request)["on_conflict"] == "report" else gone)
 
-    intercept(visit.page, "**/fix", lambda route: route.fulfill(json=of_the_plan))
+    intercept(visit.page, "**/fix", lambda route: route.fulfill(status=503, body=""))
     opened(visit)
     visit.page.get_by_role("button", name="Fix", exact=True).click()
+    expect(visit.page.locator("#diagnose_said")).to_contain_text("The service is busy")
+    visit.page.unroute("**/fix")
+    intercept(visit.page, "**/fix", lambda route: route.fulfill(json=of_the_plan))
+    visit.page.locator("#diagnose_said").get_by_role("button", name="Try again").click()
     change = visit.page.locator("#diagnose_plan")
     expect(change).to_be_visible()
     expect(visit.page.get_by_role("button", name="Fix, leaving out what cannot stand")).to_be_hidden()

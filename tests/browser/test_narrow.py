@@ -214,5 +214,8 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     visit.page.set_viewport_size({"width": 568, "height": 320})
     expect(visit.page.locator("#shortfall_line:not(.is-asked)")).to_be_visible()
     assert visit.page.evaluate("document.documentElement.scrollWidth") == 568
+    visit.page.locator("#yaml button").first.dispatch_event("click")
+    for tool in ("undo", "delete"):
+        expect(visit.page.locator(f"#tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
     assert before
     visit.page.set_viewport_size(before)

@@ -1,6 +1,6 @@
 /** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
-import { isAbort, onceAnswered, ServiceProblem, useKey } from "./service";
+import { isAbort, LOST, onceAnswered, ServiceProblem, useKey } from "./service";
 import { Notice, type Again } from "./panel/notice";
 
 /** Does something beside the question, `of` what is given once at a time. */
@@ -63,8 +63,8 @@ export class Asking {
       if (this.notice.again === again) this.notice.hide();
       ask();
     };
-    this.notice.show(reason, again);
     const forget = reason instanceof ServiceProblem && reason.isFinal ? (): void => undefined : onceAnswered(again);
+    this.notice.show(reason, again, null, reason === LOST ? undefined : forget); // a service that is there would refuse it again
   };
 
   /** Does something beside that, such as a file; what is under way already is not begun again, which is said. */

@@ -2,12 +2,12 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { Asking } from "../src/asking";
 import { Progress } from "../src/panel/progress";
-import { exportFormats, problemFrom } from "../src/service";
+import { exportFormats, LOST, problemFrom } from "../src/service";
 
 /** The page's places, and something that ends when it is told to. */
 function page() {
   document.body.innerHTML = '<main></main><div id="bar"><span></span></div>'
-    + '<div id="notice"><b class="notice-title"></b><i class="notice-detail"></i><form class="notice-key"><input></form><button class="notice-again"></button></div>';
+    + '<div id="notice"><b class="notice-title"></b><i class="notice-detail"></i><form class="notice-key"><input></form><button class="notice-again"></button><button class="notice-close"></button></div>';
   const [stage, bar, notice] = ["main", "#bar", "#notice"].map((one) => document.querySelector<HTMLElement>(one) as HTMLElement) as [HTMLElement, HTMLElement, HTMLElement];
   const progress = new Progress(bar, stage);
   const seen = (): readonly (string | null)[] => [stage.getAttribute("aria-busy"), bar.getAttribute("aria-label"), bar.hidden ? null : bar.textContent];
@@ -120,6 +120,17 @@ describe("what is under way", () => {
       await vi.advanceTimersByTimeAsync(1);
       expect([asked - before, notice.hidden]).toEqual(mayCome ? [1, false] : [0, true]);
     }
+  });
+
+  it.each([[503, 0], [0, 1]])("does not come back to what was refused by %i and closed, unless nobody was there to refuse it", async (status, again) => {
+    const { asking, notice } = page();
+    let asked = 0;
+    vi.stubGlobal("fetch", async () => new Response('{"formats":[]}'));
+    asking.missed(status === 0 ? LOST : problemFrom(status, null), () => { asked += 1; });
+    notice.querySelector<HTMLElement>(".notice-close")?.click();
+    await exportFormats(new AbortController().signal);
+    await vi.advanceTimersByTimeAsync(1);
+    expect([asked, notice.hidden]).toEqual([again, true]);
   });
 
   it("tells itself of edits, whatever is told twice", () => {

@@ -68,6 +68,7 @@ describe("words of a field", () => {
     expect(fieldWords({ field: "width", problem: "is 1", allowed: "2 to 1000" })).toBe("is 1; allowed: 2 to 1000");
     expect(fieldWords({ field: "width", problem: "must be 2 to 1000", allowed: "2 to 1000" })).toBe("must be 2 to 1000");
     expect(fieldWords({ field: "width", problem: "is wrong", allowed: "" })).toBe("is wrong");
+    expect(fieldWords({ field: "program", problem: "no preset is called 'x'", allowed: "family, one_bed" }), "as the form's choices say it").toMatch(/; allowed: family, one bedroom$/);
   });
 
   it.each([

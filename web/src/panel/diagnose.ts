@@ -1,7 +1,7 @@
 /** The diagnosis: what is wrong with the shown home and what to do, the service's report of it, what to copy, what to repair. */
 import type { FixRequest, Issue } from "../contract";
-import { made } from "../made";
-import { fix, isAbort, report } from "../service";
+import { button, made } from "../made";
+import { fix, isAbort, report, ServiceProblem } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
 import { showFindings } from "./found";
@@ -67,7 +67,10 @@ export class Diagnose {
       this.#offerFix(issues);
       this.#dialog.setAttribute("aria-busy", "false");
     } catch (reason) {
-      this.#explain(reason);
+      this.#explain(reason, () => {
+        this.#say([]);
+        void this.#diagnose();
+      });
     }
   }
 
@@ -95,7 +98,7 @@ export class Diagnose {
         this.#plan.hidden = conflicts.every(({ ids }) => ids.length > 0);
       });
     } catch (reason) {
-      this.#explain(reason);
+      this.#explain(reason, () => void this.#mend(onConflict));
       this.#fix.disabled = false;
     }
   }
@@ -111,11 +114,13 @@ export class Diagnose {
     this.#repair.abort();
   }
 
-  #explain(reason: unknown): void {
+  /** Says what was refused; `again` asks once more, where that may be answered. */
+  #explain(reason: unknown, again: () => void): void {
     if (isAbort(reason)) return;
     this.#dialog.setAttribute("aria-busy", "false");
     const { title, lines } = refusalWords(reason);
     this.#say([title, ...lines]);
+    if (!(reason instanceof ServiceProblem && reason.isFinal)) this.#said.append(button(say("Try again"), again));
   }
 
   #say(words: readonly string[]): void {

@@ -1,10 +1,13 @@
 /** What the service says of wrong fields, in the form's words: by the field's label, and what to enter. */
 import type { FieldProblem } from "../contract";
 import { ServiceProblem } from "../service";
-import { capital, say } from "../words/language";
+import { capital, say, sayName } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
 const NUMBER = /^(a (?:whole )?number(?: [^:]*)?)(?::|$)/;
+
+/** Names of the catalogs in a row: of programmes, styles, rooms. */
+const NAMES = /^[a-z]\w*(?:, [a-z]\w*)+$/;
 
 /** What the service says of a file that is none of its formats. */
 const UNKNOWN_FILE = /^(is in none of the formats|the text is not UTF-8)/;
@@ -30,13 +33,13 @@ function calledIn(form: HTMLFormElement, field: Field): { readonly name: string;
 export function fieldWords({ problem, allowed }: FieldProblem, unit = ""): string {
   const number = NUMBER.exec(allowed)?.[1];
   if (number !== undefined) return say("Enter {number}", { number: `${tellPlainly(number)}${unit ? ` ${unit}` : ""}` });
-  return problemWords({ problem, allowed });
+  return problemWords({ problem, allowed }, NAMES.test(allowed) ? allowed.split(", ").map(sayName).join(", ") : tellPlainly(allowed));
 }
 
 /** What is wrong with a field of what was sent, such as a file, which nobody enters here. */
-function problemWords({ problem, allowed }: Pick<FieldProblem, "problem" | "allowed">): string {
+function problemWords({ problem, allowed }: Pick<FieldProblem, "problem" | "allowed">, told = tellPlainly(allowed)): string {
   const said = tellPlainly(problem);
-  return !allowed || problem.includes(allowed) ? said : say("{problem}; allowed: {allowed}", { problem: said, allowed: tellPlainly(allowed) });
+  return !allowed || problem.includes(allowed) ? said : say("{problem}; allowed: {allowed}", { problem: said, allowed: told });
 }
 
 /** The field of the form that a problem is about. */

@@ -26,6 +26,8 @@ export class Notice {
   inWords: (problem: ServiceProblem) => readonly string[] | null = () => null;
   #counting = 0;
   #retry: Again | null = null;
+  /** What is given up once a person closes it. */
+  #forget: () => void = () => undefined;
 
   constructor(readonly host: HTMLElement, readonly useKey: (key: string) => void) {
     this.#title = host.querySelector<HTMLElement>(".notice-title") as HTMLElement;
@@ -35,12 +37,15 @@ export class Notice {
     this.#detail.after(this.#ways);
     this.#again.addEventListener("click", () => this.#retry?.());
     this.#key.addEventListener("submit", (event) => this.#submitKey(event));
-    host.querySelector(".notice-close")?.addEventListener("click", () => this.hide());
+    host.querySelector(".notice-close")?.addEventListener("click", () => {
+      this.hide();
+      this.#forget();
+    });
   }
 
-  /** Says what went wrong, and what is the case now; without `again` a person does it again by hand. */
-  show(reason: unknown, again: Again | null = null, outcome: string | null = null): void {
-    this.#retry = again;
+  /** Says what went wrong, and what is the case now; without `again` a person does it again by hand. `forget`: it is closed, and no more wished for. */
+  show(reason: unknown, again: Again | null = null, outcome: string | null = null, forget = (): void => undefined): void {
+    [this.#retry, this.#forget] = [again, forget];
     const { fields = [], status = null, retryAfter = null, ways = [] }: Partial<ServiceProblem> = reason instanceof ServiceProblem ? reason : {};
     const ofForm = reason instanceof ServiceProblem ? this.inWords(reason) : null;
     const { title, lines } = ofForm ? { title: wrongFields(ofForm.length), lines: ofForm } : refusalWords(reason);
