@@ -1,6 +1,7 @@
 import { Raycaster, Vector3 } from "three";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { Hand, LONG_PRESS, type Point } from "../src/edit/hand";
+import { Hand, type Point } from "../src/edit/hand";
+import { LONG_PRESS } from "../src/view/pointer";
 
 /** A canvas seen from straight above, a hundred pixels a metre, and what a hand on it says. */
 function table(locked = false, isChosen = false) {

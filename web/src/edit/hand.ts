@@ -1,5 +1,6 @@
 /** A pointer that takes hold of a piece of furniture and drags it on its floor. */
 import { Plane, Vector3, type Raycaster } from "three";
+import { isStill, LONG_PRESS } from "../view/pointer";
 
 export interface Point {
   readonly x: number;
@@ -28,18 +29,13 @@ export interface HandWords {
   cancel(): void;
 }
 
-/** Further than this [CSS pixels] a press is a drag, as for clicks; fingers are less still. */
-const STILL = 5;
-const FINGER_STILL = 12;
 /** Lengths in the house are as large as a finger: one that goes on from there drags what lies beneath. */
 const LENGTHS = ".ruler-words";
-/** A finger that stays this long on a piece that is not chosen takes hold of it; before, it turns the house [ms]. */
-export const LONG_PRESS = 450;
 
 interface Grip {
   readonly id: string;
   readonly pointer: number;
-  readonly from: { readonly x: number; readonly y: number };
+  readonly from: PointerEvent;
   readonly plane: Plane;
   /** From the point held to the piece's centre. */
   readonly offset: Point;
@@ -108,7 +104,7 @@ export class Hand {
     const point = this.#onPlane(event, plane);
     if (!point) return false;
     this.#grip = {
-      id: held.id, pointer: event.pointerId, from: { x: event.clientX, y: event.clientY }, plane,
+      id: held.id, pointer: event.pointerId, from: event, plane,
       offset: { x: held.at.x - point.x, z: held.at.z - point.z }, lifted: false, moved: false,
     };
     this.words.hold(true);
@@ -122,11 +118,10 @@ export class Hand {
 
   #move(event: PointerEvent): void {
     const [grip, waiting] = [this.#grip, this.#waiting?.event];
-    if (waiting && Math.hypot(event.clientX - waiting.clientX, event.clientY - waiting.clientY) > FINGER_STILL) this.#wait(null);
+    if (waiting && !isStill(waiting, event)) this.#wait(null);
     if (!grip || event.pointerId !== grip.pointer) return;
     if (!grip.moved) {
-      const still = event.pointerType === "touch" ? FINGER_STILL : STILL;
-      if (Math.hypot(event.clientX - grip.from.x, event.clientY - grip.from.y) <= still) return;
+      if (isStill(grip.from, event)) return;
       grip.moved = true;
       if (!grip.lifted) this.#lift();
     }

@@ -4,7 +4,7 @@ import { words } from "../house/frame";
 import { button, made } from "../made";
 import { putAway } from "../panel/focus";
 import type { Favourites } from "./favourites";
-import { LONG_PRESS } from "./hand";
+import { LONG_PRESS } from "../view/pointer";
 import type { FurnitureKind } from "./scene_edits";
 import { capital, say, sayNumber } from "../words/language";
 

@@ -10,13 +10,17 @@ export interface PointerWords {
 /** Further than this [CSS pixels] a press is a drag; fingers are less still. */
 const STILL = { touch: 12, other: 5 } as const;
 
-/** A finger that stays longer takes hold of a piece, and clicks nothing [ms]. */
-const TAP = 450;
+/** A finger that stays this long on a piece takes hold of it, and clicks nothing; before, it turns the house [ms]. */
+export const LONG_PRESS = 450;
 
-function isStill(from: PointerEvent, to: PointerEvent): boolean {
-  if (to.pointerType === "touch" && to.timeStamp - from.timeStamp >= TAP) return false;
+/** Whether a pointer is where it was, as far as hands keep still. */
+export function isStill(from: PointerEvent, to: PointerEvent): boolean {
   const reach = Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY);
   return reach <= (to.pointerType === "touch" ? STILL.touch : STILL.other);
+}
+
+function isClick(from: PointerEvent, to: PointerEvent): boolean {
+  return isStill(from, to) && (to.pointerType !== "touch" || to.timeStamp - from.timeStamp < LONG_PRESS);
 }
 
 export function listenToPointer(canvas: HTMLCanvasElement, say: PointerWords): void {
@@ -28,7 +32,7 @@ export function listenToPointer(canvas: HTMLCanvasElement, say: PointerWords): v
     const from = pressed;
     pressed = null;
     if (!from || event.button !== 0) return;
-    if (isStill(from, event)) say.click(event.clientX, event.clientY, event.shiftKey);
+    if (isClick(from, event)) say.click(event.clientX, event.clientY, event.shiftKey);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (pressed) return;
