@@ -33,7 +33,7 @@ PAGE = (
         "JobHead",
         "JobList",
         "FurnishedPlan",
-        "PlaceAnswer",
+        "ExportFormats",
     ),
     *("FurnitureSpec", "Solid", "Material", "WallPaint", "Preset", "Asset"),
 )

@@ -12,6 +12,7 @@ import { carriedIn, carriedTo, linkTo } from "./memory/carrying";
 import { Entries, entry } from "./memory/entries";
 import { Keeping } from "./memory/keeping";
 import type { LeftHome } from "./memory/kept_homes";
+import { Newest } from "./newest";
 import { Controls } from "./panel/controls";
 import { Diagnose } from "./panel/diagnose";
 import { Files } from "./panel/files";
@@ -79,7 +80,7 @@ class Page {
   });
   #wanted: HouseRequest = requestFromQuery(location.search);
   #learnt = false;
-  #written = new AbortController();
+  readonly #written = new Newest();
   #reads: Promise<void> = Promise.resolve();
 
   constructor() {
@@ -334,8 +335,7 @@ class Page {
 
   /** Asks for the readable YAML; a newer scene withdraws an older one's. */
   async #read(scene: Scene): Promise<void> {
-    this.#written.abort();
-    const { signal } = (this.#written = new AbortController());
+    const signal = this.#written.next();
     try {
       this.#reading.show(await view(scene, signal));
       this.#reading.select(this.#home.selected);

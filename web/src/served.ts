@@ -116,6 +116,18 @@ export interface Explained {
   readonly ways: readonly OtherWay[];
 }
 
+/** A format that /export writes: what it is, and whether its library is installed here. */
+export interface ExportFormat {
+  readonly name: string;
+  readonly words: string;
+  readonly available: boolean;
+}
+
+/** The formats that /export writes. */
+export interface ExportFormats {
+  readonly formats: readonly ExportFormat[];
+}
+
 /** A field that is wrong: where, how, and what would be right (empty where there is nothing to say). */
 export interface FieldProblem {
   readonly field: string;

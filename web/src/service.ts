@@ -1,5 +1,6 @@
 /** The page's only way out: calls of the service that served it. */
 import type { Catalog, DragAnswer, Explained, FieldProblem, FixAnswer, FloorAnswer, FixRequest, FurnishAnswer, Furniture, GenerateAnswer, HouseRequest, ImportAnswer, PlaceAnswer, ProblemDocument, Scene, ValidateAnswer, ViewAnswer } from "./contract";
+import type { ExportFormat, ExportFormats } from "./served";
 import { remember, remembered } from "./panel/preferences";
 import { inPageWords, roomsCalled } from "./plan/plan_words";
 import { say } from "./words/language";
@@ -122,16 +123,16 @@ function ask<Answer>(call: string, init: RequestInit): Promise<Answer> {
   return askFor(async (response) => (await response.json()) as Answer, call, init);
 }
 
-function post<Answer>(call: string, body: unknown, signal: AbortSignal): Promise<Answer> {
+function post<Answer>(call: string, body: unknown, signal?: AbortSignal): Promise<Answer> {
   const headers = { "Content-Type": "application/json", Accept: "application/json" };
-  return ask(call, { method: "POST", headers, body: JSON.stringify(body), signal });
+  return ask(call, { method: "POST", headers, body: JSON.stringify(body), signal: signal ?? null });
 }
 
 let known: Catalog | null = null;
 
 /** What the service knows of every kind: how it is drawn, and of which materials; asked for until it was told. */
-export async function catalog(signal: AbortSignal): Promise<Catalog> {
-  return (known ??= await ask<Catalog>("catalog", { headers: { Accept: "application/json" }, signal }));
+export async function catalog(signal?: AbortSignal): Promise<Catalog> {
+  return (known ??= await ask<Catalog>("catalog", { headers: { Accept: "application/json" }, signal: signal ?? null }));
 }
 
 /** A file of the user's own assets. */
@@ -139,22 +140,22 @@ export function assetFile(name: string): Promise<ArrayBuffer> {
   return askFor((response) => response.arrayBuffer(), `asset/${encodeURIComponent(name)}`, { headers: { Accept: "model/gltf-binary" } });
 }
 
-export function generate(request: HouseRequest, signal: AbortSignal): Promise<GenerateAnswer> {
+export function generate(request: HouseRequest, signal?: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", request, signal);
 }
 
 /** Furnishes rooms of a scene anew; without a seed the service draws one. */
-export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal, seed?: number): Promise<GenerateAnswer> {
+export function reroll(scene: Scene, rooms: readonly string[], signal: AbortSignal | undefined, seed?: number): Promise<GenerateAnswer> {
   return post("generate", { scene, reroll: rooms, ...(seed === undefined ? {} : { seed }) }, signal);
 }
 
 /** Furnishes rooms of a plan, all where none are named; what stands in them is kept. */
-export function furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<FurnishAnswer> {
+export function furnish(scene: Scene, rooms: readonly string[], signal?: AbortSignal): Promise<FurnishAnswer> {
   return post("furnish", rooms.length > 0 ? { scene, rooms } : { scene }, signal);
 }
 
 /** Why a piece of furniture stands where it does. */
-export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<Explained> {
+export function explain(scene: Scene, id: string, signal?: AbortSignal): Promise<Explained> {
   return post("explain", { scene, id }, signal);
 }
 
@@ -162,44 +163,29 @@ export function explain(scene: Scene, id: string, signal: AbortSignal): Promise<
 export type Look = Pick<HouseRequest, "style" | "decorate">;
 
 /** A home in another style, or with other decorations; its furniture stays where it stands. */
-export function restyle(scene: Scene, wish: Look, signal: AbortSignal): Promise<GenerateAnswer> {
+export function restyle(scene: Scene, wish: Look, signal?: AbortSignal): Promise<GenerateAnswer> {
   return post("generate", { scene, ...wish }, signal);
 }
 
-export type FileFormat = "json" | "yaml";
-
-/** A format that a scene can be exported to, beside its own. */
-export interface ExportFormat {
-  readonly name: string;
-  readonly words: string;
-  readonly available: boolean;
-}
-
 /** The formats that the service can write here. */
-export async function exportFormats(signal: AbortSignal): Promise<ExportFormat[]> {
-  const { formats } = await ask<{ readonly formats: readonly ExportFormat[] }>("export", { headers: { Accept: "application/json" }, signal });
+export async function exportFormats(signal?: AbortSignal): Promise<readonly ExportFormat[]> {
+  const { formats } = await ask<ExportFormats>("export", { headers: { Accept: "application/json" }, signal: signal ?? null });
   return formats.filter(({ available }) => available);
 }
 
-/** A scene's file in a format, and the name that the service gives it. */
-export async function exportedFile(scene: Scene, format: string, signal: AbortSignal): Promise<{ readonly name: string; readonly content: Blob }> {
-  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };
+/** A scene's file in a format, and the name that the service gives it, if it does; `more` of how it is written. */
+export function exportedFile(scene: Scene, format: string, signal?: AbortSignal, more: object = {}): Promise<{ readonly name: string | null; readonly content: Blob }> {
+  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene, ...more }), signal: signal ?? null };
   return askFor(async (response) => {
-    const named = /filename\*=UTF-8''([^;]+)/.exec(response.headers.get("Content-Disposition") ?? "");
-    return { name: decodeURIComponent(named?.[1] ?? `compose.${format}`), content: await response.blob() };
+    const named = /filename\*=UTF-8''([^;]+)/.exec(response.headers.get("Content-Disposition") ?? "")?.[1];
+    return { name: named === undefined ? null : decodeURIComponent(named), content: await response.blob() };
   }, `export/${format}`, init);
 }
 
 /** The plan of a scene as SVG, at 1 to a scale; at what fits its paper where none is given. */
-export function planOf(scene: Scene, scale: number | null, signal: AbortSignal): Promise<string> {
-  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene, called: roomsCalled(scene), ...(scale === null ? {} : { scale }) }), signal };
-  return askFor(async (response) => inPageWords(await response.text()), "export/svg", init);
-}
-
-/** The whole scene as a file's text. */
-export function exported(scene: Scene, format: FileFormat, signal: AbortSignal): Promise<string> {
-  const init = { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scene }), signal };
-  return askFor((response) => response.text(), `export/${format}`, init);
+export async function planOf(scene: Scene, scale: number | null, signal?: AbortSignal): Promise<string> {
+  const { content } = await exportedFile(scene, "svg", signal, { called: roomsCalled(scene), ...(scale === null ? {} : { scale }) });
+  return inPageWords(await content.text());
 }
 
 /** A file as it was handed over: a scene, or a floor plan of another program. */
@@ -213,17 +199,17 @@ export interface GivenFile {
 }
 
 /** What a file holds, as the service reads it; what is wrong with the file is said with its name. */
-export async function readFile({ name, content, level, unit }: GivenFile, signal: AbortSignal): Promise<ImportAnswer> {
+export async function readFile({ name, content, level, unit }: GivenFile, signal?: AbortSignal): Promise<ImportAnswer> {
   const asked = new URLSearchParams({ ...(level === undefined ? {} : { level: String(level) }), ...(unit === undefined ? {} : { unit }) });
   try {
-    return await ask(asked.size > 0 ? `import?${asked}` : "import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal });
+    return await ask(asked.size > 0 ? `import?${asked}` : "import", { method: "POST", headers: { "Content-Type": "application/octet-stream", Accept: "application/json" }, body: content, signal: signal ?? null });
   } catch (reason) {
     if (!(reason instanceof ServiceProblem) || reason.fields.length === 0) throw reason;
     throw new ServiceProblem(say("{name} cannot be read", { name }), reason.detail, reason);
   }
 }
 
-export function fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer> {
+export function fix(request: FixRequest, signal?: AbortSignal): Promise<FixAnswer> {
   return post("fix", request, signal);
 }
 
@@ -232,14 +218,13 @@ export async function placesFor(scene: Scene, roomId: string, kind: { readonly k
   const room = scene.rooms.find((one) => one.id === roomId);
   const [width, depth, height] = kind.size;
   const pieces = [{ id, name: kind.key, width, depth, height }];
-  const { signal } = new AbortController();
-  const answer = await post<PlaceAnswer>("place", { room, pieces, alternatives, wall_thickness: scene.wall_thickness }, signal);
+  const answer = await post<PlaceAnswer>("place", { room, pieces, alternatives, wall_thickness: scene.wall_thickness });
   const scenes = [answer, ...answer.alternatives].filter(({ unplaced }) => unplaced.length === 0).map((one) => one.scene);
   return scenes.flatMap((one) => one.rooms.flatMap(({ furniture }) => furniture.filter((piece) => piece.id === id)));
 }
 
 /** Prepares the room of a piece that is taken in hand. */
-export function drag(scene: Scene, id: string, signal: AbortSignal): Promise<DragAnswer> {
+export function drag(scene: Scene, id: string, signal?: AbortSignal): Promise<DragAnswer> {
   return post("drag", { scene, id }, signal);
 }
 
@@ -249,16 +234,16 @@ export function coreUrl(): string {
 }
 
 /** The floor of rooms, all where none are named, as the rules see it. */
-export function floor(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<FloorAnswer> {
+export function floor(scene: Scene, rooms: readonly string[], signal?: AbortSignal): Promise<FloorAnswer> {
   return post("floor", rooms.length > 0 ? { scene, rooms } : { scene }, signal);
 }
 
-export function view(scene: Scene, signal: AbortSignal): Promise<ViewAnswer> {
+export function view(scene: Scene, signal?: AbortSignal): Promise<ViewAnswer> {
   return post("view", { scene }, signal);
 }
 
 /** The service's verdict on a scene, with its report, in which these bodies are marked as flagged. */
-export function report(scene: Scene, flagged: readonly string[], signal: AbortSignal): Promise<ValidateAnswer> {
+export function report(scene: Scene, flagged: readonly string[], signal?: AbortSignal): Promise<ValidateAnswer> {
   return post("validate", { scene, flagged }, signal);
 }
 

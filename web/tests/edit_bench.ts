@@ -31,7 +31,7 @@ export function bench(frames: Frames | null = null) {
   const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], again: [] as (() => void)[], settled: 0, lifted: 0, answered: 0 };
   const editor = new Editor(home, (request, signal) => new Promise((resolve, reject) => {
     calls.push({
-      request, signal,
+      request, signal: signal ?? new AbortController().signal,
       answer: async (change = (sent) => sent, conflicts = []) => {
         resolve({ scene: change(request.scene), issues: [], conflicts, moves: [], removed: [], timing_ms: 1 } as unknown as FixAnswer);
         await turn();

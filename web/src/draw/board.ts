@@ -28,7 +28,7 @@ const MISSING = "missing_required";
 const UNREACHABLE = "unreachable";
 
 export interface BoardCalls {
-  catalog(signal: AbortSignal): Promise<Catalog>;
+  catalog(): Promise<Catalog>;
   validate(scene: Scene, signal: AbortSignal): Promise<ValidateAnswer>;
   fix(request: FixRequest, signal: AbortSignal): Promise<FixAnswer>;
   furnish(scene: Scene, rooms: readonly string[], signal: AbortSignal): Promise<GenerateAnswer>;
@@ -152,7 +152,7 @@ export class Board {
   };
 
   async #learn(): Promise<void> {
-    this.#catalog ??= await this.calls.catalog(new AbortController().signal);
+    this.#catalog ??= await this.calls.catalog();
     this.#inspector.types = this.#catalog.rooms ?? {};
     this.#redraw();
   }

@@ -1,6 +1,7 @@
 /** Furnished rooms whose walls are dragged: pieces are kept where they can be, and what a room then lacks is furnished. */
 import type { FixAnswer, FixRequest, GenerateAnswer, Room, Scene } from "../contract";
 import { Live } from "../edit/live";
+import { Newest } from "../newest";
 import { areSame } from "./corners";
 import type { Draft, DraftRoom } from "./draft";
 import { draftCorners, draftOf, sceneOf } from "./scene_draft";
@@ -39,7 +40,7 @@ function roomsAlone({ draft, rooms }: Question): Scene {
 
 export class Reflow {
   readonly #live: Live<Question, FixAnswer>;
-  #round = new AbortController();
+  readonly #round = new Newest();
   /** The plan of the step that was made last, and what comes of that. */
   #asked: { readonly draft: Draft; readonly done: Promise<void> } | null = null;
 
@@ -61,8 +62,7 @@ export class Reflow {
   step(draft: Draft): Promise<void> {
     this.#live.stop();
     if (this.#asked?.draft === draft) return this.#asked.done;
-    this.#round.abort();
-    const { signal } = (this.#round = new AbortController());
+    const signal = this.#round.next();
     const done = this.#arrange(draft, signal).catch((reason: unknown) => {
       if (signal.aborted) return;
       this.#asked = null;

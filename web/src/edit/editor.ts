@@ -9,7 +9,7 @@ import { shifted, transferred } from "./many_edits";
 import { alone, locked, moved, posesOf, repaired, withRoom, without } from "./scene_edits";
 import { within, type Draft, type Drafted, type Held, type Question, type Shift } from "./wishes";
 
-export type Fix = (request: FixRequest, signal: AbortSignal) => Promise<FixAnswer>;
+export type Fix = (request: FixRequest, signal?: AbortSignal) => Promise<FixAnswer>;
 
 /** How often the same wish is asked again while something is still on its way there. */
 const MOST_ROUNDS = 40;
@@ -36,8 +36,6 @@ export interface EditorWords {
   /** Nothing is dragged any more. */
   settled(): void;
 }
-
-const NEVER = new AbortController().signal;
 
 export class Editor {
   readonly #live: Live<Question, FixAnswer>;
@@ -375,9 +373,9 @@ export class Editor {
   async #judge({ scene, moved: ids = [], locked: held, room }: Draft, before: Shown): Promise<FixAnswer> {
     const request: FixRequest = { scene, moved: ids, on_conflict: "report", previous: posesOf(before.scene, room) };
     if (held) {
-      const answer = await this.fix({ ...request, locked: held }, NEVER);
+      const answer = await this.fix({ ...request, locked: held });
       if (conflictsIn(answer, [room], before).length === 0) return answer;
     }
-    return this.fix(request, NEVER);
+    return this.fix(request);
   }
 }

@@ -6,6 +6,7 @@ import { disposeOf } from "../house/dispose";
 import { storeysOf } from "../house/frame";
 import { sharedMaterial } from "../house/shared_materials";
 import { mergeQuads, type ColoredQuad } from "../house/quad_mesh";
+import { Newest } from "../newest";
 import { legendItem } from "../panel/legend";
 import { isAbort } from "../service";
 import type { Stage } from "../stage";
@@ -61,15 +62,14 @@ export function zonesOf(scene: Scene, floors: readonly RoomFloor[], zones = Obje
 export class FloorZones {
   #floors: readonly RoomFloor[] = [];
   #mesh: Mesh | null = null;
-  #pending = new AbortController();
+  readonly #pending = new Newest();
   readonly #legend = element("floor_legend");
 
   constructor(readonly stage: Stage, readonly ask: AskFloor, readonly failed: (reason: unknown) => void) {}
 
   /** Asks for the zones of rooms, all where none are named, and shows them. */
   async show(scene: Scene, rooms: readonly string[]): Promise<void> {
-    this.#pending.abort();
-    const { signal } = (this.#pending = new AbortController());
+    const signal = this.#pending.next();
     try {
       this.#floors = (await this.ask(scene, rooms, signal)).rooms;
       this.draw(scene);
@@ -79,7 +79,7 @@ export class FloorZones {
   }
 
   hide(): void {
-    this.#pending.abort();
+    this.#pending.stop();
     this.#floors = [];
     this.draw(null);
   }

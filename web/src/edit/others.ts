@@ -1,6 +1,7 @@
 /** Other arrangements of a room, side by side as pictures, to choose from. */
 import type { GenerateAnswer, Scene } from "../contract";
 import { button, made } from "../made";
+import { Newest } from "../newest";
 import { putAway } from "../panel/focus";
 import { isAbort } from "../service";
 import { alone } from "./scene_edits";
@@ -19,7 +20,7 @@ export interface OthersWords {
 }
 
 export class OtherRooms {
-  #pending = new AbortController();
+  readonly #pending = new Newest();
   /** The seeds go on where the last ones ended: asked again, others come. */
   #seed = 0;
 
@@ -28,7 +29,7 @@ export class OtherRooms {
   /** Shows how else a room could be furnished. */
   async show(scene: Scene, room: string): Promise<void> {
     this.hide();
-    const { signal } = this.#pending;
+    const signal = this.#pending.next();
     this.#present(say("Furnishing it in other ways…"), []);
     try {
       const answers: GenerateAnswer[] = [];
@@ -44,8 +45,7 @@ export class OtherRooms {
   /** Tells whether any were shown. */
   hide(): boolean {
     const was = !this.host.hidden;
-    this.#pending.abort();
-    this.#pending = new AbortController();
+    this.#pending.stop();
     putAway(this.host);
     this.host.replaceChildren();
     return was;

@@ -2,6 +2,7 @@
 import type { Explained, Hold, OtherWay, Scene } from "../contract";
 import { awayWords } from "./why_lines";
 import { button, made } from "../made";
+import { Newest } from "../newest";
 import { putAway } from "../panel/focus";
 import { capital, say } from "../words/language";
 import { tell, theWords } from "../words/telling";
@@ -22,22 +23,21 @@ export class WhyPanel {
   onTake: (way: OtherWay, room: string) => void = () => undefined;
   /** Called once a person has closed it. */
   onClose: () => void = () => undefined;
-  #pending = new AbortController();
+  readonly #pending = new Newest();
 
   constructor(readonly host: HTMLElement, readonly ask: AskWhy) {}
 
   /** Asks about a piece and shows the answer; throws what the service refuses. */
   async show(scene: Scene, id: string): Promise<void> {
     this.hide();
-    const answer = await this.ask(scene, id, this.#pending.signal);
+    const answer = await this.ask(scene, id, this.#pending.next());
     this.host.replaceChildren(...this.#contents(answer, (message) => tell(message, scene)));
     this.host.hidden = false;
     this.onShow(answer);
   }
 
   hide(): void {
-    this.#pending.abort();
-    this.#pending = new AbortController();
+    this.#pending.stop();
     const was = !this.host.hidden;
     putAway(this.host);
     this.host.replaceChildren();

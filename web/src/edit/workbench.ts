@@ -29,7 +29,6 @@ import { say } from "../words/language";
 /** How far an arrow key moves a piece, and with Shift [m]. */
 const STEP = 0.05;
 const SMALL_STEP = 0.01;
-const NEVER = new AbortController().signal;
 const QUARTER = Math.PI / 2;
 /** Where arrows go from line to line, or change what is typed or chosen. */
 const ARROWED = ".yaml, input:not([type=checkbox]), select, textarea";
@@ -75,7 +74,7 @@ export class Workbench {
       answered: (id, scene) => this.#frameGoal(id, scene),
       settled: () => this.#settled(),
     }, (scene, id) => this.#frames(scene, id));
-    this.#acts = new Acts(home, this.editor, async (scene) => (await restyle(scene, { decorate: true }, NEVER)).scene);
+    this.#acts = new Acts(home, this.editor, async (scene) => (await restyle(scene, { decorate: true })).scene);
     this.#thing = new ThingDrag(home, stage, this.#acts);
     const hosts = { gaps: element("gaps"), piece: element("piece") as HTMLDetailsElement, tape: element("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);
@@ -140,7 +139,7 @@ export class Workbench {
   /** Who answers the frames of a drag in the page; null where the service has to. */
   async #frames(scene: Scene, id: string): Promise<LocalDrag | null> {
     this.#core ??= new CoreThread(coreUrl());
-    return LocalDrag.of(this.#core, await drag(scene, id, NEVER), scene, id);
+    return LocalDrag.of(this.#core, await drag(scene, id), scene, id);
   }
 
   /** Takes a piece in hand, and shows the floor it may go to: as if it were not there. */
@@ -281,7 +280,7 @@ export class Workbench {
   }
 
   #openPalette(): void {
-    this.#adding.toggle(() => catalog(NEVER));
+    this.#adding.toggle(() => catalog());
   }
 
   #measureWithTape(isOut = !this.#numbers.tape.isOut): void {

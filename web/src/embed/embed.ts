@@ -2,6 +2,7 @@
 import { requestFromQuery, unreadIn } from "../address";
 import type { Scene } from "../contract";
 import { carriedTo } from "../memory/carrying";
+import { Newest } from "../newest";
 import { catalog, generate, readFile, ServiceProblem } from "../service";
 import { Stage } from "../stage";
 import { refusalWords } from "../panel/field_words";
@@ -20,7 +21,7 @@ function tell(reason: unknown): void {
 class Frame {
   readonly #stage = new Stage(element("stage"));
   readonly #known = this.#learn();
-  #pending = new AbortController();
+  readonly #pending = new Newest();
 
   constructor() {
     globalThis.compose = this.#stage;
@@ -39,13 +40,12 @@ class Frame {
 
   async #learn(): Promise<void> {
     // Without the catalog bodies are shown as boxes.
-    await catalog(new AbortController().signal).then((known) => this.#stage.learnCatalog(known), () => undefined);
+    await catalog().then((known) => this.#stage.learnCatalog(known), () => undefined);
   }
 
   /** Shows the home that the address asks for. */
   async open(): Promise<void> {
-    this.#pending.abort();
-    const { signal } = (this.#pending = new AbortController());
+    const signal = this.#pending.next();
     const framed = framedIn(location.hash);
     element<HTMLAnchorElement>("whole").href = pageOf(framed);
     this.#stage.host.ariaBusy = "true";

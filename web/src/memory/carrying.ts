@@ -10,7 +10,7 @@ import { markOf, packed, unpacked } from "./packing";
 export const LONGEST_LINK = 8000;
 const KEY = "#changes=";
 
-export type Make = (request: HouseRequest, signal: AbortSignal) => Promise<Pick<GenerateAnswer, "scene">>;
+export type Make = (request: HouseRequest) => Promise<Pick<GenerateAnswer, "scene">>;
 
 /** A link, and how long one that held all would be; `isWhole`: what is shown opens from it, changes and all. */
 export interface Found {
@@ -23,7 +23,7 @@ export interface Found {
 export async function linkTo(shown: Shown, made: HouseRequest, isEdited: boolean, base: string, make: Make): Promise<Found> {
   const plain = new URL(queryFromRequest(made), base).href;
   if (!isEdited) return { link: plain, isWhole: true, length: plain.length };
-  const { scene } = await make(made, new AbortController().signal);
+  const { scene } = await make(made);
   const change = changeBetween(scene, shown.scene);
   const link = change ? `${plain}${KEY}${await packed({ of: markOf(scene), change })}` : plain;
   const isWhole = link.length <= LONGEST_LINK;

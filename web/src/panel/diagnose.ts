@@ -1,6 +1,7 @@
 /** The diagnosis: what is wrong with the shown home and what to do, the service's report of it, what to copy, what to repair. */
 import type { FixRequest, Issue } from "../contract";
 import { button, made } from "../made";
+import { Newest } from "../newest";
 import { fix, isAbort, report, ServiceProblem } from "../service";
 import type { Home } from "../state/home";
 import { fixWords } from "./fix_words";
@@ -24,8 +25,8 @@ export class Diagnose {
   readonly #whole = element<HTMLDetailsElement>("report_whole");
   readonly #list: LineList;
   #text = "";
-  #asked = new AbortController();
-  #repair = new AbortController();
+  readonly #asked = new Newest();
+  readonly #repair = new Newest();
 
   constructor(readonly home: Home, readonly inTurn: (change: () => Promise<void>) => Promise<void>) {
     this.#list = new LineList(element("report"));
@@ -56,8 +57,7 @@ export class Diagnose {
   async #diagnose(): Promise<void> {
     const scene = this.home.scene;
     if (!this.#dialog.open || !scene) return;
-    this.#asked.abort();
-    const { signal } = (this.#asked = new AbortController());
+    const signal = this.#asked.next();
     this.#dialog.setAttribute("aria-busy", "true");
     try {
       const { report: told, issues } = await report(scene, [...this.home.flagged], signal);
@@ -80,8 +80,7 @@ export class Diagnose {
 
   /** Repairs what is shown, as one step that can be undone, in turn with the edits. */
   async #mend(onConflict: NonNullable<FixRequest["on_conflict"]>): Promise<void> {
-    this.#repair.abort();
-    const { signal } = (this.#repair = new AbortController());
+    const signal = this.#repair.next();
     this.#say([say("Fixing…")]);
     this.#fix.disabled = true;
     try {
@@ -110,8 +109,8 @@ export class Diagnose {
   }
 
   #withdraw(): void {
-    this.#asked.abort();
-    this.#repair.abort();
+    this.#asked.stop();
+    this.#repair.stop();
   }
 
   /** Says what was refused; `again` asks once more, where that may be answered. */

@@ -1,7 +1,7 @@
 /** Files: the scene shown is saved whole, a scene or plan dropped or chosen is read by the service. */
 import type { Beside } from "../asking";
 import type { Scene } from "../contract";
-import { exported, exportedFile, exportFormats, type FileFormat, type GivenFile } from "../service";
+import { exportedFile, exportFormats, type GivenFile } from "../service";
 import { capital, say } from "../words/language";
 import { tellPlainly } from "../words/telling";
 
@@ -36,11 +36,11 @@ export class Files {
   constructor(readonly host: HTMLElement, readonly drop: HTMLElement, readonly scene: () => Promise<Scene | null>, readonly beside: Beside) {
     this.#chooser = host.querySelector("#file") as HTMLInputElement;
     for (const format of ["json", "yaml"] as const) {
-      host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#download(format));
+      host.querySelector(`#download_${format}`)?.addEventListener("click", () => void this.#write(format));
     }
     this.#formats = host.querySelector("#export_format") as HTMLSelectElement;
     this.#formats.addEventListener("change", () => this.#describe());
-    host.querySelector("#export")?.addEventListener("click", () => void this.#export());
+    host.querySelector("#export")?.addEventListener("click", () => void this.#write(this.#formats.value));
     void this.#offerFormats();
     host.addEventListener("toggle", () => { if (this.#words.size === 0) void this.#offerFormats(); }); // of a service that was not there when the page came
     host.querySelector("#open_file")?.addEventListener("click", () => this.#chooser.click());
@@ -50,17 +50,18 @@ export class Files {
     window.addEventListener("drop", (event) => this.#dropped(event));
   }
 
-  async #download(format: FileFormat): Promise<void> {
+  async #write(format: string): Promise<void> {
     const scene = await this.scene();
-    if (!scene) return;
+    if (!scene || !format) return;
     void this.beside(say("Writing {file}", { file: fileName(scene, format) }), async () => {
-      save(new Blob([await exported(scene, format, new AbortController().signal)]), fileName(scene, format));
+      const { name, content } = await exportedFile(scene, format);
+      save(content, name ?? fileName(scene, format));
     }, scene);
   }
 
   /** Fills the menu with what the service can write; without an answer there is nothing to choose. */
   async #offerFormats(): Promise<void> {
-    const formats = await exportFormats(new AbortController().signal).catch(() => []);
+    const formats = await exportFormats().catch(() => []);
     this.#words = new Map(formats.map(({ name, words }) => [name, tellPlainly(words)]));
     this.#formats.replaceChildren(...[...this.#words].map(([name, words]) => new Option(`${name}: ${words}`, name)));
     this.#describe();
@@ -70,15 +71,6 @@ export class Files {
   /** Says whole what the chosen format is: the list, once it is shut, cuts that off. */
   #describe(): void {
     this.host.querySelector("#export_words")?.replaceChildren(capital(this.#words.get(this.#formats.value) ?? ""));
-  }
-
-  async #export(): Promise<void> {
-    const [format, scene] = [this.#formats.value, await this.scene()];
-    if (!scene || !format) return;
-    void this.beside(say("Writing {file}", { file: format }), async () => {
-      const { name, content } = await exportedFile(scene, format, new AbortController().signal);
-      save(content, name);
-    }, scene);
   }
 
   #chosen(): void {

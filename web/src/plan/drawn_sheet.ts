@@ -2,6 +2,7 @@
 import type { Scene } from "../contract";
 import type { PlacedBody } from "../house/frame";
 import { drawn, made } from "../made";
+import { Newest } from "../newest";
 import { isAbort } from "../service";
 import { LEAST, readableAt } from "./readable";
 
@@ -28,7 +29,7 @@ export abstract class DrawnSheet {
   #drawn: SVGSVGElement | null = null;
   #bodies: ReadonlyMap<string, SVGElement> = new Map();
   #frames: ReadonlyMap<string, SVGElement> = new Map();
-  #asked = new AbortController();
+  readonly #asked = new Newest();
   #scene: Scene | null = null;
   #isShown = false;
   #text = "";
@@ -48,8 +49,7 @@ export abstract class DrawnSheet {
   show(scene: Scene): void {
     this.#scene = scene;
     if (!this.#isShown) return;
-    this.#asked.abort();
-    const { signal } = (this.#asked = new AbortController());
+    const signal = this.#asked.next();
     this.host.ariaBusy = "true";
     this.#scale = readableAt(this.pixels(scene)).scale;
     this.draw(scene, this.#scale, signal).then((text) => { if (!signal.aborted) this.#take(text); }, (reason: unknown) => {

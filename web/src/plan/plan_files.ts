@@ -39,7 +39,7 @@ export class PlanFiles {
   #with(what: string, act: (text: string) => void | Promise<void>): void {
     const scene = this.scene();
     if (!scene) return;
-    void this.beside(what, async () => act(await planOf(scene, Number(this.#scale.value) || null, new AbortController().signal)), scene);
+    void this.beside(what, async () => act(await planOf(scene, Number(this.#scale.value) || null)), scene);
   }
 
   /** The browser's own key for printing prints the plan: the page itself has no sheet. */

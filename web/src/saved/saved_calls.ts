@@ -30,11 +30,11 @@ export function listSaved(search: string, after: string | null, signal: AbortSig
   return askFor(async (response) => (await response.json()) as HomeList, `homes?${query}`, { headers: { Accept: "application/json" }, signal });
 }
 
-export function readSaved(id: string, signal: AbortSignal): Promise<SavedHome> {
+export function readSaved(id: string, signal?: AbortSignal): Promise<SavedHome> {
   return askFor(async (response) => {
     const { scene, ...head } = (await response.json()) as SavedHead & { readonly scene: Scene };
     return { head, scene, revision: response.headers.get("ETag") ?? "*" };
-  }, path(id), { headers: { Accept: "application/json" }, signal });
+  }, path(id), { headers: { Accept: "application/json" }, signal: signal ?? null });
 }
 
 export function saveNew(texts: SavedTexts): Promise<SavedHead> {

@@ -43,8 +43,7 @@ export class Comparison {
       this.#first = head;
       return;
     }
-    const { signal } = new AbortController();
-    const [one, other] = await Promise.all([readSaved(this.#first.id, signal), readSaved(head.id, signal)]);
+    const [one, other] = await Promise.all([readSaved(this.#first.id), readSaved(head.id)]);
     this.#first = null;
     const table = made("table");
     const facts = [factsOf(one), factsOf(other)] as const;

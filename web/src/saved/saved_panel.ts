@@ -2,6 +2,7 @@
 import type { Beside } from "../asking";
 import { titleOf } from "../memory/kept_homes";
 import { button, made } from "../made";
+import { Newest } from "../newest";
 import { copy } from "../panel/link";
 import { isAbort, ServiceProblem } from "../service";
 import type { Shown } from "../state/home";
@@ -56,7 +57,7 @@ export class SavedPanel {
   #opened: SavedHead | null = null;
   /** How many homes were shown: one that is saved may be no longer shown when the answer comes. */
   #homes = 0;
-  #asked = new AbortController();
+  readonly #asked = new Newest();
   #pictures: string[] = [];
 
   constructor(readonly host: HTMLDetailsElement, readonly source: SavedSource, readonly beside: Beside) {
@@ -134,9 +135,7 @@ export class SavedPanel {
   }
 
   async #show(isMore: boolean): Promise<void> {
-    this.#asked.abort();
-    this.#asked = new AbortController();
-    const found = await listSaved(this.#search.value.trim(), isMore ? this.#after : null, this.#asked.signal);
+    const found = await listSaved(this.#search.value.trim(), isMore ? this.#after : null, this.#asked.next());
     this.#heads = isMore ? [...this.#heads, ...found.homes] : [...found.homes];
     this.#after = found.after;
     this.#more.hidden = found.after === null;

@@ -4,6 +4,7 @@ import type { House } from "../house/house";
 import { lightLamps } from "../house/lamps";
 import { roomHolding } from "../house/room_at";
 import { sidesBefore, sidesOf, type WallCut } from "../house/wall_cut";
+import { Newest } from "../newest";
 import { remember, remembered } from "../panel/preferences";
 import { isAbort } from "../service";
 import type { PresetName, Vector } from "./cameras";
@@ -44,7 +45,7 @@ export class Looking {
   #house: House | null = null;
   /** The scene as it was sent: the floor is asked of it. */
   #scene: Scene | null = null;
-  #pending = new AbortController();
+  readonly #pending = new Newest();
 
   constructor(readonly viewport: Viewport, readonly labels: Labels, readonly askFloor: AskWalk) {
     this.#map = new Minimap(element("minimap"));
@@ -120,8 +121,7 @@ export class Looking {
 
   /** Asks what may be walked on; one stands still until that is known. */
   async #learnFloor(): Promise<void> {
-    this.#pending.abort();
-    const { signal } = (this.#pending = new AbortController());
+    const signal = this.#pending.next();
     const [house, scene] = [this.#house, this.#scene];
     if (!house || !scene) return;
     this.#walk.walkOn("awaited");
@@ -137,7 +137,7 @@ export class Looking {
 
   #leaveFor(preset: PresetName, jump: boolean): void {
     const walked = this.#walk.pose !== null;
-    this.#pending.abort();
+    this.#pending.stop();
     this.#walk.stop();
     this.viewport.look(preset, jump);
     if (walked) this.cutWalls();
