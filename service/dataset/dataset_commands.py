@@ -4,16 +4,18 @@ from argparse import Namespace
 from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from catalogs import Catalogs, load_catalogs
 from service.command_files import read_file
-from service.commands import CLEAN, ERRORS_FOUND
 from service.dataset.dataset_plan import OURS, DatasetPlan, again, check_names, made_home, packed_all, varied
 from service.standard_streams import put, say
 from solver.errors import FieldError
 from solver.exchange import dump_scene, format_of_name, read_request
 from solver.export_formats import EXPORTERS
+
+CLEAN: Final = 0
+ERRORS_FOUND: Final = 1
 
 
 def run_dataset(options: Namespace, catalogs: Catalogs, request: Mapping[str, Any]) -> int:

@@ -215,6 +215,7 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     expect(visit.page.locator("#shortfall_line:not(.is-asked)")).to_be_visible()
     assert visit.page.evaluate("document.documentElement.scrollWidth") == 568
     visit.page.locator("#yaml button").first.dispatch_event("click")
+    visit.page.evaluate("window.scrollTo(0, 0)")
     for tool in ("undo", "delete"):
         expect(visit.page.locator(f"#tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
     assert before

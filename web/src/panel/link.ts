@@ -1,6 +1,7 @@
 /** The link to what is shown, copied; and what it cannot hold. */
 import type { Beside } from "../asking";
 import { frameLine } from "../embed/embed_address";
+import { made } from "../made";
 import { LONGEST_LINK, type Found } from "../memory/carrying";
 import { say } from "../words/language";
 
@@ -11,9 +12,7 @@ const OF_NO_REQUEST = say("No link holds this home: save it under Saved homes an
 
 /** Copies by the old way, which also works where the clipboard is not given to pages. */
 function copyBySelection(text: string): boolean {
-  const field = document.createElement("textarea");
-  field.value = text;
-  field.className = "unseen";
+  const field = made("textarea", { value: text, className: "unseen" });
   document.body.append(field);
   field.select();
   const done = document.execCommand("copy");

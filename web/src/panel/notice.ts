@@ -1,5 +1,5 @@
 /** What the service refuses, or that it is gone, in words over the canvas. */
-import { button } from "../made";
+import { button, made } from "../made";
 import { ServiceProblem } from "../service";
 import { say } from "../words/language";
 import { refusalWords } from "./field_words";
@@ -21,7 +21,7 @@ export class Notice {
   readonly #detail: HTMLElement;
   readonly #again: HTMLButtonElement;
   readonly #key: HTMLFormElement;
-  readonly #ways = document.createElement("div");
+  readonly #ways = made("div");
   /** The page's own words for wrong fields, a line each; null where it has none. */
   inWords: (problem: ServiceProblem) => readonly string[] | null = () => null;
   #counting = 0;

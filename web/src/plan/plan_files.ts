@@ -1,6 +1,7 @@
 /** The plan to take along: as SVG, as a picture, on paper; to scale, in the service's own drawing. */
 import type { Beside } from "../asking";
 import type { Scene } from "../contract";
+import { made } from "../made";
 import { fileName, save } from "../panel/files";
 import { planOf } from "../service";
 import { say } from "../words/language";
@@ -67,7 +68,7 @@ export class PlanFiles {
       const picture = new Image();
       picture.src = address;
       await picture.decode();
-      const canvas = Object.assign(document.createElement("canvas"), { width: Math.round(width * dots), height: Math.round(height * dots) });
+      const canvas = made("canvas", { width: Math.round(width * dots), height: Math.round(height * dots) });
       canvas.getContext("2d")?.drawImage(picture, 0, 0, canvas.width, canvas.height);
       return await new Promise<Blob | null>((done) => { canvas.toBlob(done, "image/png"); });
     } finally {

@@ -1,5 +1,7 @@
 /** The elements of labels: each made once and kept, measured together, touched only when something changes. */
 
+import { made } from "../made";
+
 export interface LabelElement {
   readonly element: HTMLElement;
   /** With all its words [CSS pixels]. */
@@ -14,19 +16,11 @@ const AWAY = "translate(-9999px, 0)";
 
 /** A label in one of the looks that the style sheet knows; the words are text, never markup. */
 export function labelElement(look: string, words: string, more: { dot?: string; second?: string } = {}): LabelElement {
-  const element = document.createElement("div");
-  element.className = look;
+  const second = more.second === undefined ? null : made("span", { className: "second" }, more.second);
+  const dot = made("span", { className: "dot" });
+  dot.style.backgroundColor = more.dot ?? "";
+  const element = made("div", { className: look }, ...(more.dot ? [dot] : []), made("span", { className: "words" }, words), ...(second ? [second] : []));
   element.style.transform = AWAY;
-  if (more.dot) {
-    const dot = element.appendChild(document.createElement("span"));
-    dot.className = "dot";
-    dot.style.backgroundColor = more.dot;
-  }
-  const name = element.appendChild(document.createElement("span"));
-  name.className = "words";
-  name.textContent = words;
-  const second = more.second === undefined ? null : element.appendChild(document.createElement("span"));
-  if (second) [second.className, second.textContent] = ["second", more.second ?? ""];
   return { element, width: 0, height: 0, spare: 0, second };
 }
 
