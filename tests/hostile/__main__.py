@@ -28,7 +28,7 @@ from starlette.responses import Response
 from tqdm import tqdm
 
 from catalogs import load_catalogs
-from service.packed_catalogs import packed, warm
+from service.packed_catalogs import mark_of, packed, warm
 from service.work import Job, do_alone
 from tests.browser.service_process import running
 from tests.hostile.requests import hostile
@@ -67,7 +67,7 @@ def cost(seed: int) -> Cost:
     wanted = sent.family if sent.call == "export" else "json"
     signal.setitimer(signal.ITIMER_PROF, MOST_PATIENCE_S)
     begun = time.process_time()
-    done = do_alone(Job(sent.call, sent.body, "json", wanted, known()))
+    done = do_alone(Job(sent.call, sent.body, "json", wanted, mark_of(known())))
     cpu_s = time.process_time() - begun
     signal.setitimer(signal.ITIMER_PROF, 0)
     status, size = (done.status_code, len(done.body)) if isinstance(done, Response) else (500, 0)

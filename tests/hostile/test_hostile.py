@@ -11,7 +11,7 @@ from starlette.testclient import TestClient
 
 from catalogs import load_catalogs
 from service.effort import Terms
-from service.packed_catalogs import packed
+from service.packed_catalogs import mark_of, packed
 from service.work import Job, do
 from tests.browser.service_process import running
 from tests.hostile.__main__ import Cost, found_before
@@ -30,7 +30,7 @@ MOST_WORK = 600_000
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_hostile_request_works_long_or_is_answered_by_a_fault(family: str) -> None:
-    known, first, tried = packed(load_catalogs()), list(FAMILIES).index(family), 0
+    known, first, tried = mark_of(packed(load_catalogs())), list(FAMILIES).index(family), 0
     for k in seeds(range(1000), 125):
         sent = hostile(first + k * len(FAMILIES))
         assert sent.family == family and len(sent.body) <= MOST_BYTES
@@ -102,4 +102,4 @@ def test_what_must_not_be_answered_is_seen(answer: bytes) -> None:
 def test_a_piece_that_two_conflicts_name_is_left_out_once() -> None:
     """What ends one conflict took a member of another away, whose repairs were then looked for: KeyError."""
     sent = hostile(881374)
-    assert isinstance(do(Job(sent.call, sent.body, "json", "json", packed(load_catalogs()))), Response)
+    assert isinstance(do(Job(sent.call, sent.body, "json", "json", mark_of(packed(load_catalogs())))), Response)

@@ -16,7 +16,7 @@ from catalogs import load_catalogs
 from service.calls import CALLS
 from service.effort import Terms
 from service.openapi import examples
-from service.packed_catalogs import packed
+from service.packed_catalogs import mark_of, packed
 from service.work import Job, do
 from solver.exchange import dump_text
 
@@ -53,7 +53,7 @@ def spoilt(seed: int, format: str) -> tuple[str, bytes]:
 
 def faults(seeds: Iterable[int], format: str) -> Iterator[str]:
     """Yields what is answered by a fault of ours."""
-    known = packed(load_catalogs())
+    known = mark_of(packed(load_catalogs()))
     for seed in seeds:
         call, text = spoilt(seed, format)
         done = do(Job(call, text, format, random_answer(seed), known, TERMS))

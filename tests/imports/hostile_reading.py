@@ -17,9 +17,9 @@ from importlib import import_module
 from typing import Any, Final, NoReturn
 
 from catalogs import load_catalogs
-from service.packed_catalogs import packed, warm
+from service.packed_catalogs import mark_of, packed, warm
 from service.wire import BODY_LIMIT, FILE
-from service.work import Failure, Job, UnknownCatalogs, do
+from service.work import Failure, Job, do
 from tests.imports.hostile_buildings import dxf_of, dxf_outline, ifc_of
 from tests.imports.hostile_plans import MAKERS
 from tests.imports.plans import box, collection
@@ -68,8 +68,9 @@ class Reading:
 
 def readings(names: Iterable[str] = FILES) -> Iterator[Reading]:
     """Reads files one after the other."""
-    known = packed(load_catalogs())
-    warm(known)
+    content = packed(load_catalogs())
+    warm(content)
+    known = mark_of(content)
     room = dxf_outline([(0, 0), (4, 0), (4, 3), (0, 3)])
     for plain in (json.dumps(collection(box("Kitchen", 0, 0, 4, 3))).encode(), dxf_of(room), ifc_of("#1=IFCCARTESIANPOINT((0.,0.,0.));")):
         _answer(plain, known)  # what is loaded once is loaded
@@ -84,12 +85,12 @@ def readings(names: Iterable[str] = FILES) -> Iterator[Reading]:
 _KILOBYTES: Final = 1 if sys.platform == "darwin" else 1 << 10
 
 
-def _answer(content: bytes, known: bytes) -> bytes:
+def _answer(content: bytes, known: str) -> bytes:
     """Returns what the service answers to a file: its status and its first error; and the bytes that the process held before."""
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * _KILOBYTES
     done = do(Job("import", content, FILE, "json", known))
-    if isinstance(done, Failure | UnknownCatalogs):
-        said = {"status": 500, "error": {"trace": done.trace if isinstance(done, Failure) else ""}}
+    if isinstance(done, Failure):
+        said = {"status": 500, "error": {"trace": done.trace}}
     else:
         said = {"status": done.status_code, "error": next(iter(json.loads(bytes(done.body)).get("errors", [])), {})}
     return json.dumps({"before": before, **said}).encode()
