@@ -25,6 +25,7 @@ class DrawnRoom:
     """A room's outline; `label` is what the file calls it, `type` what it is where the file says that in our words or its own.
 
     `outdoor` None: the file does not say. `floor` is the colour of its floor, where the file names one. `holes` are outlines in it.
+    `outer` is how thick its outer walls are, by the sides of its outline, where the file says that; None where they are as the others.
     """
 
     points: tuple[Spot, ...]
@@ -36,6 +37,7 @@ class DrawnRoom:
     id: str = ""
     floor: str | None = None
     holes: tuple[tuple[Spot, ...], ...] = ()
+    outer: tuple[float | None, ...] = ()
     found: bool = False
     """It is not drawn: thick walls enclose it."""
 

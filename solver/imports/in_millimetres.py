@@ -84,7 +84,12 @@ def in_millimetres(plan: DrawnPlan, metres: float, notes: PlanNotes) -> DrawnPla
     return replace(
         plan,
         rooms=tuple(
-            replace(room, points=tuple(map(at, room.points)), holes=tuple(tuple(map(at, hole)) for hole in room.holes))
+            replace(
+                room,
+                points=tuple(map(at, room.points)),
+                holes=tuple(tuple(map(at, hole)) for hole in room.holes),
+                outer=tuple(one and one * scale for one in room.outer),
+            )
             for room in plan.rooms
         ),
         openings=tuple(_opening(one, at, metres) for one in plan.openings),

@@ -8,9 +8,10 @@ import numpy as np
 
 from solver.geometry import gaps_between
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes
-from solver.imports.joining import THICKEST_JOINED, Joined, PlacedDrawing
+from solver.imports.joining import Joined, PlacedDrawing
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 from solver.imports.shape_openings import between, to_lines
+from solver.imports.wall_depths import FacingEdges
 
 WALL_REACH: Final = 200
 """How far from a room's edge its wall may be drawn, mm, or as half of what the file's walls are thick, if that is more."""
@@ -34,19 +35,13 @@ def passages(
     Two rooms that are `apart` have none, such as gardens that each have a door: files draw no railings, and what is there would be moved.
     """
     walls = plan.walls or [DrawnWall(a, b, 0.0) for a, b in plan.faces]
-    edges = [edge for room in rooms for edge in room] if walls else []
+    facing, edges = FacingEdges(rooms), [edge for room in rooms for edge in room if edge.out > 0] if walls else []
     reach, made = max(WALL_REACH, (plan.wall_thickness or 0.0) / 2 + SHALLOW), list[Joined]()
-    for edge in (one for one in edges if one.out > 0):
-        for other in edges:
-            if (other.axis, other.out) != (edge.axis, -edge.out) or other.room == edge.room:
-                continue
-            if edge.room in apart and other.room in apart:
-                continue
-            if not 0 <= other.at - edge.at <= THICKEST_JOINED:
+    for edge in edges:
+        for other, common in sorted(facing.across(edge)):
+            if common < NARROWEST or (edge.room in apart and other.room in apart):
                 continue
             span = (max(edge.low, other.low), min(edge.high, other.high))
-            if span[1] - span[0] < NARROWEST:
-                continue
             taken = [_of_wall(wall, edge, reach) for wall in walls] + [
                 (one.low, one.high) for one in found if edge in one.edges or other in one.edges
             ]

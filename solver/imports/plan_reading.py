@@ -30,7 +30,7 @@ from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoo
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import check_size, unit_named, unit_of
 from solver.imports.untold_openings import told_apart, with_glass
-from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
+from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses, thicknesses_said
 from solver.imports.walls_alone import with_rooms_between
 from solver.scene import Level, Room, Scene, Size
 
@@ -177,7 +177,8 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
     if not made:
         raise FieldError("rooms", "enclose no floor between their walls", "outlines around at least 0.5 m2")
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
-    own = outer_thicknesses(depths, edges, thickness)
+    found = outer_thicknesses(depths, edges, thickness)
+    own = [thicknesses_said(room.drawn, sides, thickness) or one for room, sides, one in zip(made, edges, found, strict=True)]
     return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness
 
 

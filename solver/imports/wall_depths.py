@@ -7,10 +7,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from solver.geometry import to_m
-from solver.imports.drawn import DrawnWall, Spot
+from solver.geometry import edges_round, to_m
+from solver.imports.drawn import DrawnRoom, DrawnWall, Spot
 from solver.imports.joining import THICKEST_JOINED
 from solver.imports.rectilinear import PlanEdge, weighted_median
+from solver.imports.straighten import NEAR
 from solver.imports.wall_faces import line_between
 
 STRAIGHT: Final = 0.02
@@ -135,6 +136,20 @@ def outer_thicknesses(depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], u
         )
         found.append(said if any(one is not None for one in said) else None)
     return found
+
+
+def thicknesses_said(room: DrawnRoom, edges: Sequence[PlanEdge], usual: int) -> tuple[float | None, ...] | None:
+    """Returns how thick a room says that its outer walls are where they are not as the usual, m, by its edges; None where all are."""
+    sides = [((a, b), said) for (a, b), said in zip(edges_round(room.points), room.outer, strict=False) if said and round(said) != usual]
+    found = tuple(next((to_m(min(THICKEST, round(said))) for side, said in sides if _became(side, edge)), None) for edge in edges)
+    return found if sides else None
+
+
+def _became(side: tuple[Spot, Spot], edge: PlanEdge) -> bool:
+    """Tells whether a side of a drawn outline lies in an edge that was made of it, straightened."""
+    along, across = (0, 1) if edge.axis == "x" else (1, 0)
+    middle = [(side[0][axis] + side[1][axis]) / 2 for axis in (0, 1)]
+    return abs(middle[across] - edge.at) <= NEAR and edge.low <= middle[along] <= edge.high
 
 
 def _own(depths: WallDepths, edge: PlanEdge, usual: int) -> float | None:

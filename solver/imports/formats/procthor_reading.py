@@ -9,7 +9,6 @@ from itertools import islice
 from typing import Any, Final, NamedTuple
 
 from solver.errors import FieldError
-from solver.imports.along_walls import outer_walls
 from solver.imports.drawn import (
     MOST_POINTS,
     MOST_ROOMS,
@@ -18,7 +17,6 @@ from solver.imports.drawn import (
     DrawnPiece,
     DrawnPlan,
     DrawnRoom,
-    DrawnWall,
     OpeningKind,
     Spot,
     check_count,
@@ -65,20 +63,9 @@ def read_procthor(document: Json) -> DrawnPlan:
     pieces = tuple(islice(_pieces(document.get("objects", []), "objects", (), storeys), MOST_POINTS + 1))
     said = an_object(document.get("metadata") or {}, "metadata").get("compose")
     thickness = a_number(an_object(said, "metadata.compose"), "wall_thickness", "metadata.compose", None) if said else None
-    solid = () if thickness is None else tuple(_outer_walls(document, rooms, thickness))
     floors = {level: min(one.floor for one in storeys.values() if one.level == level) for level in sorted(set(levels.values()))}
     named = tuple(DrawnLevel(level, elevation=floor) for level, floor in floors.items()) if said else ()
-    return DrawnPlan(rooms, tuple(openings), pieces=pieces, levels=named, wall_thickness=thickness, solid=solid)
-
-
-def _outer_walls(document: Json, rooms: Sequence[DrawnRoom], usual: float) -> Iterator[DrawnWall]:
-    """Yields the outer walls of which our own export says how thick they are."""
-    thicknesses = []
-    for said, room in zip(document["rooms"], rooms, strict=True):
-        where = f"{room.where}.compose.wall_thickness"
-        numbers = a_list(_ours(said, room.where).get("wall_thickness") or [], where)
-        thicknesses.append([None if one is None else a_number({"": one}, "", where) for one in numbers])
-    yield from outer_walls(rooms, thicknesses, usual)
+    return DrawnPlan(rooms, tuple(openings), pieces=pieces, levels=named, wall_thickness=thickness)
 
 
 def _ours(said: Json, where: str) -> Json:
@@ -96,10 +83,12 @@ def _room(said: Json, where: str) -> DrawnRoom:
     check_count(f"{where}.floorPolygon", len(points), MOST_POINTS)
     spots = tuple(_spot(point, f"{where}.floorPolygon[{at}]") for at, point in enumerate(points))
     ours = _ours(said, where)
-    kind = a_text(said, "roomType", where)
+    kind, place = a_text(said, "roomType", where), f"{where}.compose.wall_thickness"
+    outer = (a_number({"": one}, "", place, None) for one in a_list(ours.get("wall_thickness") or [], place))
     return DrawnRoom(
         spots, a_text(ours, "name", where) if ours else kind, where, a_text(ours, "type", where) or kind,
         round(a_number(ours, "level", where, 0.0)), bool(ours.get("outdoor")) if ours else None, a_text(said, "id", where),
+        outer=tuple(outer),
     )  # fmt: skip
 
 

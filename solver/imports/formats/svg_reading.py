@@ -16,7 +16,6 @@ from catalogs.synonyms import DrawnNames, RoomNames, drawn_names_of
 from solver.answers import Unread
 from solver.errors import FieldError, SyntaxFault
 from solver.geometry import bounds_of_points, encloses
-from solver.imports.along_walls import outer_walls
 from solver.imports.bounded_files import xml_of
 from solver.imports.drawn import (
     MOST_POINTS,
@@ -83,8 +82,7 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     stated = [element for element in elements if "data-room" in element.said and element.lines]
     names = None if stated and openings else drawn_names_of(catalogs or load_catalogs())
     plan = _shapes_plan(elements, elements_by_id(root), names, lambda found: _unit_of(said, found), metres)
-    drawn_rooms = [(_room(element, line.points), element) for element in stated for line in element.lines[:1]]
-    rooms = [room for room, _ in drawn_rooms] or list(plan.rooms)
+    rooms = [_room(element, line.points) for element in stated for line in element.lines[:1]] or list(plan.rooms)
     unit = _unit_of(said, openings) if openings or stated else PlanUnit(plan.metres, plan.unit_words)
     openings = openings or list(plan.openings)
     thickness = number_in(said, "data-wall-thickness", "svg", None)
@@ -92,13 +90,12 @@ def read_svg(content: bytes, metres: float | None = None, catalogs: Catalogs | N
     level = int(number_in(said, "data-level", "svg", None) or 0)
     elevation = number_in(said, "data-elevation", "svg", None)
     pieces = tuple(_pieces(elements, unit.metres, elevation or 0.0))
-    solid = tuple(outer_walls([room for room, _ in drawn_rooms], [_outer(element) for _, element in drawn_rooms], thickness or 0.0))
     return DrawnPlan(
         tuple(rooms), tuple(openings), () if stated else plan.walls, pieces,
         plan.levels or (DrawnLevel(level, "", elevation, number_in(said, "data-level-height", "svg", None)),),
         metres=unit.metres, drawn=drawn if stated or "data-drawn" in said else plan.drawn,
         wall_thickness=plan.wall_thickness if thickness is None else thickness, unread=() if stated else plan.unread,
-        unit_words=unit.words, solid=solid or (() if stated else plan.solid), faces=() if stated else plan.faces,
+        unit_words=unit.words, solid=() if stated else plan.solid, faces=() if stated else plan.faces,
     )  # fmt: skip
 
 
@@ -128,10 +125,11 @@ def _of_pixels(openings: Sequence[DrawnOpening]) -> PlanUnit:
     return told if told.metres in METRIC else assumed(openings)
 
 
-def _outer(element: SvgElement) -> list[float | None]:
-    """Returns how thick a room says that its outer walls are, by edge of its outline; None where it says `-`."""
-    words = element.said.get("data-outer-walls", "").split()
-    return [None if word == "-" else number_in({"data-outer-walls": word}, "data-outer-walls", element.where, None) for word in words]
+def _outer(element: SvgElement) -> tuple[float | None, ...]:
+    """Returns how thick a room says that its outer walls are, by side of its outline; None where it says `-`."""
+    key = "data-outer-walls"
+    words = element.said.get(key, "").split()
+    return tuple(None if word == "-" else number_in({key: word}, key, element.where, None) for word in words)
 
 
 def _room(element: SvgElement, points: tuple[Spot, ...]) -> DrawnRoom:
@@ -139,7 +137,7 @@ def _room(element: SvgElement, points: tuple[Spot, ...]) -> DrawnRoom:
     outdoor = one_of(said, "data-outdoor", ("", "true", "false"), element.where)
     return DrawnRoom(
         points, said.get("data-name", ""), element.where, said["data-room"], outdoor=outdoor == "true" if outdoor else None,
-        id=said.get("data-id", ""),
+        id=said.get("data-id", ""), outer=_outer(element),
     )  # fmt: skip
 
 
