@@ -123,6 +123,22 @@ class DrawnPiece:
     usual: bool = False
 
 
+class DrawnText(NamedTuple):
+    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2.
+
+    `storey` is which one it tells, as a title does, from the lowest on; `of_piece`: a piece may be called so, too, as a bed.
+    """
+
+    words: str
+    x: float
+    z: float
+    means: str = ""
+    area: float = 0.0
+    storey: int | None = None
+    of_piece: bool = False
+    level: int = 0
+
+
 class DrawnLevel(NamedTuple):
     """A storey: its number, its name, its floor's elevation and its height in the file's unit; None where the file does not say."""
 
@@ -156,6 +172,8 @@ class DrawnPlan:
     """Pieces of wall that tell how thick walls are, not where there are none."""
     faces: tuple[tuple[Spot, Spot], ...] = ()
     """Lines along the faces of walls: two that look away from each other have a wall between them."""
+    texts: tuple[DrawnText, ...] = ()
+    """What names the rooms that it stands in."""
     layers: tuple[str, ...] = ()
     """The names of a drawing's layers, those with most on them first."""
 

@@ -25,6 +25,7 @@ from solver.imports.line_growing import grown, usual_gap
 from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
 from solver.imports.rectilinear import FloorCorners, edges_of_corners
+from solver.imports.shapes_plan import with_labels
 from solver.imports.straighten import NEAR, straightened, tell_of
 from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoor_told, scene_rooms, tell_type, type_of_drawn, with_floor
 from solver.imports.trimmed_pieces import trimmed
@@ -83,7 +84,7 @@ READERS: Final[Mapping[str, PlanReader]] = {
     "geojson": PlanReader(lambda file: is_features(file.document), _document(read_features)),
     "procthor": PlanReader(lambda file: is_procthor(file.document), _document(read_procthor)),
     "rplan": PlanReader(lambda file: is_rplan(file.document), _document(read_rplan)),
-    "sh3d": PlanReader(lambda file: is_sweet_home(file.content), _drawing(read_sweet_home)),
+    "sh3d": PlanReader(lambda file: is_sweet_home(file.content), lambda file: read_sweet_home(file.content, file.catalogs)),
     "dxf": PlanReader(lambda file: is_dxf(file.content), _drawing(read_dxf)),
     "svg": PlanReader(lambda file: is_svg(file.content), _drawing(read_svg)),
     "ifc": PlanReader(lambda file: is_ifc(file.content), lambda file: read_ifc(file.content)),
@@ -105,9 +106,11 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     """
     notes = PlanNotes()
     metres = unit_named(settings.unit)
-    plan = with_rooms_between(READERS[format].read(replace(file, metres=metres, catalogs=catalogs)), metres)
-    notes.unread += plan.unread
+    plan = READERS[format].read(replace(file, metres=metres, catalogs=catalogs))
     check_plan(plan)
+    plan = with_labels(with_rooms_between(plan, metres))
+    check_plan(plan)
+    notes.unread += plan.unread
     plan = of_one_level(plan, settings.level, notes)
     metres = unit_of(plan, settings.unit, notes)
     if settings.unit is None:

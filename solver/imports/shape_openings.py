@@ -63,21 +63,6 @@ SWUNG: Final = ("door", "opening", "passage", "window")
 """What a leaf's arc is drawn as: some layers hold all openings."""
 
 
-class DrawnText(NamedTuple):
-    """A text without its lines of numbers, where it stands, what it plainly names: a room type, or another use of a room; an area, m2.
-
-    `storey` is which one it tells, as a title does, from the lowest on; `of_piece`: a piece may be called so, too, as a bed.
-    """
-
-    words: str
-    x: float
-    z: float
-    means: str = ""
-    area: float = 0.0
-    storey: int | None = None
-    of_piece: bool = False
-
-
 class DrawnSwing(NamedTuple):
     """The arc that a door's leaf sweeps: its hinge, its two ends, its place in the file, what it is called; None: a quarter circle."""
 

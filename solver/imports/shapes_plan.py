@@ -7,7 +7,7 @@ Outlines that stay open, and other layers, are passed over, and told.
 
 import math
 from bisect import bisect_left
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -19,14 +19,13 @@ import numpy as np
 from catalogs.synonyms import STOREYS, DrawnNames
 from solver.answers import Unread
 from solver.geometry import bounds_of_points
-from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot, check_count
+from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnText, DrawnWall, Spot, check_count
 from solver.imports.in_walls import doors_in_walls, windows_in_walls
 from solver.imports.nameless_shapes import told_by_form, without_pieces
 from solver.imports.shape_openings import (
     DrawnBox,
     DrawnShape,
     DrawnSwing,
-    DrawnText,
     Places,
     between,
     doors_of_swings,
@@ -139,7 +138,7 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     swings = [one for one in swings if one.sort or not is_swung]
     shapes, untold = _told_by_form(shapes, swings, names, metres)
     drawn_rooms, drawn_walls = ([one for one in shapes if one.sort == sort] for sort in ("room", "wall"))
-    rooms = [labelled(DrawnRoom(one.points, one.label, one.where), texts) for one in drawn_rooms if one.closed and len(one.points) > 2]
+    rooms = [DrawnRoom(one.points, one.label, one.where) for one in drawn_rooms if one.closed and len(one.points) > 2]
     outlines = [(one.round(), one.closed) for one in drawn_walls]
     loose = [one for one in drawn_rooms if len(one.points) > 1 and not (one.closed and len(one.points) > 2)]
     are_drawn, by_walls = bool(rooms), not rooms and bool(outlines)
@@ -164,25 +163,23 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found, views = _seen_from_above(found, openings, all_gaps, texts, SidesOfWalls(drawn.lines, thick, unit or 1.0))
         told += views
         openings += with_leaves(passages, gaps, [] if is_swung else [one.round() for one in shapes if one.sort is None and one.points])
-    rooms += [labelled(room, texts) for room in found]
+    rooms += found
     openings += doors_in_walls(gapless, shapes, rooms, unit) if unit else ()
     openings += windows_in_walls(openings, untold, shapes, rooms, unit) if unit else ()
     told += (*_still_open([] if by_walls else loose, rooms, unit), *_no_doors(nameless, openings))
-    told += (*_left_names(rooms, texts), *_untold_layers(shapes, sheet.shapes))
+    told += _untold_layers(shapes, sheet.shapes)
     plan = DrawnPlan(
         tuple(rooms), tuple(openings), tuple(walls), metres=unit, unit_words=length.words, drawn="inner" if thick else "unsaid",
         wall_thickness=thick or _thickness(drawn_walls), unread=(*unread, *told), turned=turn, solid=_solid_walls(drawn_walls),
         layers=tuple(name for name, _ in Counter(one.names for one in shapes if one.names).most_common()),
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
+        texts=tuple(texts),
     )  # fmt: skip
     return with_storeys_apart(
-        plan, [StoreyTitle(one.storey, one.words, one.x, one.z) for one in texts if one.storey is not None and not one.means], unit
+        with_labels(plan),
+        [StoreyTitle(one.storey, one.words, one.x, one.z) for one in texts if one.storey is not None and not one.means],
+        unit,
     )
-
-
-def _left_names(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
-    yield from (one for room in rooms for one in _other_names(room, texts))
-    yield from names_outside(rooms, texts)
 
 
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
@@ -334,7 +331,19 @@ def _short_walls(box: DrawnBox, known: Sequence[float]) -> Iterator[DrawnWall]:
             yield DrawnWall(start, end, thickness)
 
 
-def labelled(room: DrawnRoom, texts: Sequence[DrawnText]) -> DrawnRoom:
+def with_labels(plan: DrawnPlan) -> DrawnPlan:
+    """Returns a plan whose rooms are called by the texts in them; what else these name is told."""
+    texts: defaultdict[int, list[DrawnText]] = defaultdict(list)
+    for one in plan.texts:
+        texts[one.level].append(one)
+    rooms, told = tuple(_labelled(room, texts[room.level]) for room in plan.rooms), list(plan.unread)
+    for level, some in texts.items():
+        own = [room for room in rooms if room.level == level]
+        told += (*(name for room in own for name in _other_names(room, some)), *_names_outside(own, some))
+    return replace(plan, rooms=rooms, unread=tuple(told), texts=())
+
+
+def _labelled(room: DrawnRoom, texts: Sequence[DrawnText]) -> DrawnRoom:
     """Returns a room, one without a label called by the first text in it that plainly names one, else the first that is no number."""
     inside = [] if room.label else sorted(_texts_in(room, texts), key=lambda one: not one.means)
     return replace(room, label=inside[0].words) if inside else room
@@ -355,7 +364,7 @@ def _other_names(room: DrawnRoom, texts: Sequence[DrawnText]) -> Iterator[Unread
         yield Unread(f"text {quoted(words)}", f"names a room, but no wall is drawn between it and {quoted(room.label)}")
 
 
-def names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
+def _names_outside(rooms: Sequence[DrawnRoom], texts: Sequence[DrawnText]) -> Iterator[Unread]:
     """Yields what names a room beside all rooms: walls may leave one open."""
     known = {room.label for room in rooms}
     inside = {(one.x, one.z) for room in rooms for one in _texts_in(room, texts)}

@@ -71,7 +71,7 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
     its unit, where the caller says it.
     """
     walls = [one for one in plan.walls if math.dist(one.start, one.end) > 0 and not (plan.rooms and (one.low or not one.thickness))]
-    if not walls or any(room.found for room in plan.rooms):
+    if not walls:
         return plan
     unit = metres or told_by_doors(plan.openings, plan.metres).metres
     rooms = list(plan.rooms)

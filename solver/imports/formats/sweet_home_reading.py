@@ -5,9 +5,7 @@ Its frame: x east, y south, cm; angles in radians, clockwise seen from above. Ro
 
 import math
 import re
-from collections import defaultdict
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Final, Literal
 from xml.etree.ElementTree import Element
 
@@ -24,15 +22,13 @@ from solver.imports.drawn import (
     DrawnPiece,
     DrawnPlan,
     DrawnRoom,
+    DrawnText,
     DrawnWall,
     OpeningKind,
     check_count,
-    check_plan,
 )
 from solver.imports.plain_values import number_in
-from solver.imports.shape_openings import DrawnText
-from solver.imports.shapes_plan import labelled, names_outside, text_at
-from solver.imports.walls_alone import with_rooms_between
+from solver.imports.shapes_plan import text_at
 from solver.plain import quoted
 
 HOME: Final = "Home.xml"
@@ -54,10 +50,8 @@ def is_sweet_home(content: bytes) -> bool:
     return b"<home" in content[:1000]
 
 
-def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catalogs | None = None) -> DrawnPlan:
-    """Reads a home; `metres` is the length of its unit, where the caller says it.
-
-    The catalogs' names of rooms are looked for among the labels in rooms without a name.
+def read_sweet_home(content: bytes, catalogs: Catalogs | None = None) -> DrawnPlan:
+    """Reads a home; the catalogs' names of rooms are looked for among its labels.
 
     Raises:
         SyntaxFault: it is none.
@@ -73,7 +67,7 @@ def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catal
     openings: list[DrawnOpening] = []
     pieces: list[DrawnPiece] = []
     unread: list[Unread] = []
-    texts, names = defaultdict[int, list[DrawnText]](list), drawn_names_of(catalogs or load_catalogs())
+    texts, names = list[DrawnText](), drawn_names_of(catalogs or load_catalogs())
     check_count("labels", len(root.findall("label")), MOST_POINTS)
     for element, where in numbered(root.iter(), HOME):
         level = ids.get(element.get("level", ""), 0)
@@ -85,17 +79,14 @@ def read_sweet_home(content: bytes, metres: float | None = None, catalogs: Catal
             openings.append(_opening(element, where, level))
         elif element.tag == "label":
             spot, words = (number_in(element, "x", where), number_in(element, "y", where)), element.findtext("text", "")[:LONGEST]
-            texts[level] += [text for text in (text_at(words, spot, names),) if text.means]
+            texts += [text._replace(level=level) for text in (text_at(words, spot, names),) if text.means]
         elif element.tag in PIECES:
             pieces += _piece(element, where, level, unread)
     drawn, thickness = drawn_along(rooms, walls)
     named = tuple(DrawnLevel(number, one.said, one.elevation, one.height) for number, one in enumerate(levels))
-    plan = DrawnPlan(tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread))
-    check_plan(plan)
-    plan = with_rooms_between(plan, metres)
-    made = tuple(labelled(room, texts[room.level]) for room in plan.rooms)
-    left = (one for level in texts for one in names_outside([room for room in made if room.level == level], texts[level]))
-    return replace(plan, rooms=made, unread=(*plan.unread, *left))
+    return DrawnPlan(
+        tuple(rooms), tuple(openings), tuple(walls), tuple(pieces), named, CM, drawn, thickness, tuple(unread), texts=tuple(texts)
+    )
 
 
 class _Storey:
