@@ -5,11 +5,11 @@ has no wall is left out, and said.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from solver.imports.drawn import DrawnOpening, PlanNotes, Spot
+from solver.imports.drawn import DrawnOpening, PlanNotes
 from solver.imports.rectilinear import PlanEdge
 
 REACH: Final = 300
@@ -30,17 +30,6 @@ SILLS: Final = {"door": 0.0, "garage_door": 0.0, "passage": 0.0, "window": 0.9}
 
 
 @dataclass(frozen=True)
-class PlacedDrawing:
-    """An opening as it was drawn, its ends in whole mm, and its room numbers where the file names rooms."""
-
-    drawn: DrawnOpening
-    start: Spot
-    end: Spot
-    towards: Spot | None
-    rooms: tuple[int, ...] = ()
-
-
-@dataclass(frozen=True)
 class Joined:
     """An opening in its wall: `low` to `high` along it, in the edges of one room, or of two; mm."""
 
@@ -52,36 +41,39 @@ class Joined:
     towards: int | None
 
 
-def joined(openings: Sequence[PlacedDrawing], edges: Sequence[Sequence[PlanEdge]], half: int, notes: PlanNotes) -> list[Joined]:
-    """Returns openings in the walls of rooms, whose edges are given; `half` is half the usual wall, mm.
+def joined(
+    openings: Sequence[DrawnOpening], edges: Sequence[Sequence[PlanEdge]], ids: Sequence[str], half: int, notes: PlanNotes
+) -> list[Joined]:
+    """Returns openings in mm in the walls of rooms, whose edges and ids in the file are given; `half` is half the usual wall, mm.
 
     What was shifted, shortened and left out is noted.
     """
     by_axis = {axis: [edge for room in edges for edge in room if edge.axis == axis] for axis in ("x", "z")}
     found = []
     for opening in openings:
-        kind, width = opening.drawn.kind.replace("_", " "), math.dist(opening.start, opening.end)
+        kind, width = opening.kind.replace("_", " "), math.dist(opening.start, opening.end)
         if width < THINNEST:
-            notes.leave(opening.drawn.where, f"a {kind} {width / 1000:.2f} m wide: a part of one, such as its frame")
+            notes.leave(opening.where, f"a {kind} {width / 1000:.2f} m wide: a part of one, such as its frame")
             continue
-        one = _joined(opening, by_axis, half)
+        named = {number for number, id in enumerate(ids) if id and id in opening.rooms}
+        one = _joined(opening, by_axis, named, half)
         if isinstance(one, str):
-            notes.leave(opening.drawn.where, f"a {kind} without a wall: {one}")
+            notes.leave(opening.where, f"a {kind} without a wall: {one}")
             continue
         _tell(opening, one, notes)
         found.append(one)
     return found
 
 
-def _joined(opening: PlacedDrawing, by_axis: Mapping[str, Sequence[PlanEdge]], half: int) -> Joined | str:
-    """Returns an opening in its walls, or why it has none."""
+def _joined(opening: DrawnOpening, by_axis: Mapping[str, Sequence[PlanEdge]], named: Set[int], half: int) -> Joined | str:
+    """Returns an opening in its walls, of the rooms that it names if any, or why it has none."""
     (x0, z0), (x1, z1) = opening.start, opening.end
     axis = "x" if abs(x1 - x0) >= abs(z1 - z0) else "z"
     along = 0 if axis == "x" else 1
     line = (opening.start[1 - along] + opening.end[1 - along]) / 2
     low, high = sorted((round(opening.start[along]), round(opening.end[along])))
-    here = [edge for edge in by_axis[axis] if not opening.rooms or edge.room in opening.rooms]
-    here = [edge for edge in here if _common(edge, low, high) >= min(high - low, NARROWEST[opening.drawn.kind]) / 2]
+    here = [edge for edge in by_axis[axis] if not named or edge.room in named]
+    here = [edge for edge in here if _common(edge, low, high) >= min(high - low, NARROWEST[opening.kind]) / 2]
     if not here:
         return "no room has a wall along it"
     first = min(here, key=lambda edge: (abs(edge.at - line), -_common(edge, low, high), edge.room, edge.side))
@@ -95,24 +87,24 @@ def _joined(opening: PlacedDrawing, by_axis: Mapping[str, Sequence[PlanEdge]], h
     walls = (first,) if other is None else (first, other)
     least, most = max(edge.low for edge in walls), min(edge.high for edge in walls)
     width = min(high - low, most - least)
-    if width < min(NARROWEST[opening.drawn.kind], high - low):
-        if other is None or _common(first, low, high) < NARROWEST[opening.drawn.kind]:
+    if width < min(NARROWEST[opening.kind], high - low):
+        if other is None or _common(first, low, high) < NARROWEST[opening.kind]:
             return f"its wall is {max(width, 0) / 1000:.2f} m long"
         walls, least, most = (first,), first.low, first.high
         width = min(high - low, most - least)
     start = min(max(low, least), most - width)
-    hinge = opening.drawn.hinge
+    hinge = opening.hinge
     if hinge is not None and opening.start[along] > opening.end[along]:
         hinge = "end" if hinge == "start" else "start"
     towards = None if opening.towards is None else (1 if opening.towards[1 - along] > line else -1)
-    return Joined(opening.drawn, start, start + width, tuple(sorted(walls, key=lambda edge: edge.room)), hinge, towards)
+    return Joined(opening, start, start + width, tuple(sorted(walls, key=lambda edge: edge.room)), hinge, towards)
 
 
 def _common(edge: PlanEdge, low: int, high: int) -> int:
     return min(edge.high, high) - max(edge.low, low)
 
 
-def _tell(opening: PlacedDrawing, one: Joined, notes: PlanNotes) -> None:
+def _tell(opening: DrawnOpening, one: Joined, notes: PlanNotes) -> None:
     along = 0 if one.edges[0].axis == "x" else 1
     low, high = sorted((round(opening.start[along]), round(opening.end[along])))
     shift, less = abs((one.low + one.high) - (low + high)) / 2, (high - low) - (one.high - one.low)

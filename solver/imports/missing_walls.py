@@ -8,7 +8,7 @@ import numpy as np
 
 from solver.geometry import gaps_between
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes
-from solver.imports.joining import Joined, PlacedDrawing
+from solver.imports.joining import Joined
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 from solver.imports.shape_openings import between, to_lines
 from solver.imports.wall_depths import FacingEdges
@@ -75,7 +75,7 @@ def _left(span: AlongWall, taken: Iterable[AlongWall]) -> list[AlongWall]:
     return [(low, high - (high - low) % 2) for low, high in gaps_between(span, taken)]
 
 
-def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing], walls: Sequence[DrawnWall]) -> tuple[FloorCorners, int]:
+def without_niches(corners: FloorCorners, openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]) -> tuple[FloorCorners, int]:
     """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm.
 
     The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
@@ -93,7 +93,7 @@ def without_niches(corners: FloorCorners, openings: Sequence[PlacedDrawing], wal
     return corners, deepest
 
 
-def _is_niche(corners: FloorCorners, at: int, openings: Sequence[PlacedDrawing], walls: Sequence[DrawnWall]) -> bool:
+def _is_niche(corners: FloorCorners, at: int, openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]) -> bool:
     """Tells whether the edge from a corner on is the bottom of a niche: its sides lead back to one line, no deeper than a reveal."""
     count = len(corners)
     a, b, c, d = (corners[(at + step) % count] for step in (-1, 0, 1, 2))
@@ -105,14 +105,14 @@ def _is_niche(corners: FloorCorners, at: int, openings: Sequence[PlacedDrawing],
     return depth <= SHALLOW or any(depth <= _reveal(one, walls) for one in openings if _lies_in(one, b, c))
 
 
-def _reveal(opening: PlacedDrawing, walls: Sequence[DrawnWall]) -> float:
+def _reveal(opening: DrawnOpening, walls: Sequence[DrawnWall]) -> float:
     """Returns how deep a niche at an opening may be, mm: up to the middle of its wall, but for what is lost by whole mm."""
     spot = between(opening.start, opening.end)
     deep = (one for one in walls if one.thickness > 2 * NICHE)
     return max((NICHE, *(one.thickness / 2 + 1 for one in deep if to_lines(spot, np.array([(*one.start, *one.end)])) <= one.thickness / 2)))
 
 
-def _lies_in(opening: PlacedDrawing, b: FloorCorner, c: FloorCorner) -> bool:
+def _lies_in(opening: DrawnOpening, b: FloorCorner, c: FloorCorner) -> bool:
     """Tells whether an opening lies at an edge and covers half of it."""
     along, across = (0, 1) if b[1] == c[1] else (1, 0)
     low, high = sorted((b[along], c[along]))

@@ -10,7 +10,7 @@ from solver.errors import FieldError, SyntaxFault
 from solver.foreign_plans import is_features, is_procthor, is_rplan
 from solver.geometry import to_m
 from solver.imports.carried_things import with_carriers
-from solver.imports.drawn import DrawnLevel, DrawnOpening, DrawnPlan, DrawnRoom, PlanNotes, check_plan
+from solver.imports.drawn import DrawnLevel, DrawnPlan, DrawnRoom, PlanNotes, check_plan
 from solver.imports.formats.dxf_reading import is_dxf, read_dxf
 from solver.imports.formats.ifc_reading import is_ifc, read_ifc
 from solver.imports.formats.plan_features import read_features
@@ -20,7 +20,7 @@ from solver.imports.formats.svg_reading import is_svg, read_svg
 from solver.imports.formats.sweet_home_reading import is_sweet_home, read_sweet_home
 from solver.imports.holes import cut_open
 from solver.imports.in_millimetres import in_millimetres, of_one_level
-from solver.imports.joining import PlacedDrawing, joined
+from solver.imports.joining import joined
 from solver.imports.line_growing import grown, usual_gap
 from solver.imports.missing_walls import passages, without_niches
 from solver.imports.pieces_in_rooms import with_pieces
@@ -120,8 +120,8 @@ def imported(file: PlanFile, format: str, settings: ImportSettings, catalogs: Ca
     rooms = _without_niches(plan, rooms, notes)
     rooms, thickness = _along_lines(plan, rooms, notes)
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
-    placed = [_placed(one, rooms) for one in plan.openings]
-    openings = told_apart(joined(placed, edges, thickness // 2, notes), rooms, catalogs, notes)
+    ids = [room.drawn.id for room in rooms]
+    openings = told_apart(joined(plan.openings, edges, ids, thickness // 2, notes), rooms, catalogs, notes)
     openings = with_glass(openings, rooms, notes)
     entered = {edge.room for one in openings if one.drawn.kind != "window" for edge in one.edges}
     gardens = {number for number, room in enumerate(rooms) if room.drawn.outdoor and number in entered}
@@ -158,10 +158,9 @@ def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> li
 
 
 def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> list[NamedRoom]:
-    openings = [_placed(one, ()) for one in plan.openings]
     found = []
     for room in rooms:
-        corners, depth = without_niches(room.corners, openings, plan.walls)
+        corners, depth = without_niches(room.corners, plan.openings, plan.walls)
         if depth:
             words = f"niches up to {depth} mm deep, such as a door's reveal, are taken as parts of the wall"
             notes.change("wall_lines", room.id, depth / 1000, words)
@@ -207,11 +206,6 @@ def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes
     words = f"rooms are grown to the lines of their walls, the thinnest of which are {made.thickness / 1000:.2f} m thick"
     notes.change("wall_lines", "plan", half / 1000, words)
     return [replace(room, corners=corners) for room, corners in zip(rooms, made.corners, strict=True)], made.thickness
-
-
-def _placed(one: DrawnOpening, rooms: Sequence[NamedRoom]) -> PlacedDrawing:
-    named = tuple(number for number, room in enumerate(rooms) if room.drawn.id and room.drawn.id in one.rooms)
-    return PlacedDrawing(one, one.start, one.end, one.towards, named)
 
 
 def _scene(made: Sequence[Room], rooms: Sequence[NamedRoom], levels: Sequence[DrawnLevel], thickness: int) -> Scene:

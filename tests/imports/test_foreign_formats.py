@@ -18,7 +18,6 @@ from solver.answers import PlanImport
 from solver.errors import FieldError
 from solver.exports import describe
 from solver.imports.drawn import DrawnOpening, DrawnWall
-from solver.imports.joining import PlacedDrawing
 from solver.imports.missing_walls import without_niches
 from solver.scene import Flooring, Room
 from tests.imports.plans import box as room_box
@@ -166,7 +165,7 @@ def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, doo
     south, east = 1500 + max(1, min(depth, 900)), 4000 + depth
     corners = [(0, 0), (4000, 0), (4000, 1500), (east, 1500), (east, south), (4000, south), (4000, 4000), (0, 4000)]
     ends = (east, 1500), (east, south)
-    openings = [PlacedDrawing(DrawnOpening("door", *ends, "here"), *ends, None)] if door else []
+    openings = [DrawnOpening("door", *ends, "here")] if door else []
     bare, walls = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)], [DrawnWall((east, 0), (east, 4000), wall)]
     assert without_niches(corners, openings, walls) == ((corners, 0) if is_left else (bare, depth))
 
@@ -176,7 +175,7 @@ def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
     east, west = [(4000, 110), (4050, 110), (4050, 900), (4000, 900)], [(0, 900), (-50, 900), (-50, 110), (0, 110)]
     corners = [(0, 0), (4000, 0), *east, (4000, 3000), (0, 3000), *west]
     ends = [((4050, 110), (4050, 900)), ((-50, 110), (-50, 900)), ((500, 0), (3500, 0))]
-    openings = [PlacedDrawing(DrawnOpening("door", *two, "here"), *two, None) for two in ends]
+    openings = [DrawnOpening("door", *two, "here") for two in ends]
     assert without_niches(corners, openings, []) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
 
 
@@ -203,9 +202,9 @@ def test_of_rooms_some_of_which_are_drawn_the_others_are_found_between_their_wal
     """Neither what low walls enclose, a terrace with a door to it, nor that to which no door leads, a shaft."""
     terrace = (drawn_wall(400, 405, 400, 700, 90), drawn_wall(400, 700, 800, 700, 90), drawn_wall(800, 700, 800, 405, 90))
     shaft = drawn_wall(-5, 405, -5, 600), drawn_wall(-5, 600, 200, 600), drawn_wall(200, 600, 200, 405)
-    labels = label("Salon", 700, 100), label("Terrasse", 600, 550)
+    labels = label("Salon", 700, 100), label("Bureau", 700, 200), label("Terrasse", 600, 550)
     answer = read(sweet_home(*WALLS, drawn_wall(405, 0, 405, 400), *terrace, *shaft, ROOMS[0], *labels, DOOR, FRONT, WINDOW, BED))
-    assert [left["place"] for left in answer.unread] == ["text 'Terrasse'"]
+    assert [left["place"] for left in answer.unread] == ["text 'Bureau'", "text 'Terrasse'"]
     check_sweet_home(replace(answer, unread=()))
 
 

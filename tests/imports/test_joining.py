@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, OpeningKind, PlanNotes
-from solver.imports.joining import Joined, PlacedDrawing, joined
+from solver.imports.joining import Joined, joined
 from solver.imports.missing_walls import passages
 from solver.imports.rectilinear import PlanEdge, edges_of_corners
 from solver.imports.straighten import StraightRoom, tell_of
@@ -26,8 +26,7 @@ def rooms(width: int = 4000, gap: int = 4000) -> list[list[PlanEdge]]:
 def placed(ends: tuple[float, float], line: float, kind: OpeningKind = "door", **more: int) -> tuple[Joined, list[str]] | str:
     """Returns an opening along the south wall of the first, in its walls, with what is told of it; or why it is left out."""
     (start, end), notes = [(at, line) for at in ends], PlanNotes()
-    drawn = PlacedDrawing(DrawnOpening(kind, start, end, "here"), start, end, None)
-    found = joined([drawn], rooms(**more), HALF, notes)
+    found = joined([DrawnOpening(kind, start, end, "here")], rooms(**more), ["", ""], HALF, notes)
     return (found[0], [one.message for one in notes.changes]) if found else notes.unread[0].reason
 
 
