@@ -175,14 +175,11 @@ class WallRows:
         common = np.minimum(high, gap.high) - np.maximum(low, gap.low)
         return bool(((at >= gap.at) & (at <= gap.at + behind) & (3 * common >= gap.high - gap.low)).any())
 
-    def is_face(self, gap: DrawnLine, nearest: int, farthest: int) -> bool:
-        """Tells whether beside an end of a gap, so far from its line, another line runs: the wall has two faces."""
-        at, low, high = self._by_axis[gap.axis]
-        away = np.abs(at - gap.at)
-        beside = (away >= nearest) & (away <= farthest)
-        return bool(
-            (beside & (((low < gap.low) & (high >= gap.low - farthest)) | ((high > gap.high) & (low <= gap.high + farthest)))).any()
-        )
+    def is_face(self, one: DrawnLine, nearest: int, farthest: int) -> bool:
+        """Tells whether another line runs beside one, so far from it: the wall has two faces."""
+        at, low, high = self._by_axis[one.axis]
+        away = np.abs(at - one.at)
+        return bool(((away >= nearest) & (away <= farthest) & (low < one.high) & (high > one.low)).any())
 
     def ahead(self, one: DrawnLine, end: int, within: int | None) -> DrawnLine | None:
         """Returns the nearest wall across the way beyond an end; at most so far ahead and aside, where that is said."""

@@ -84,7 +84,7 @@ def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[RowGap, int]]:
     for one in rows.whole():
         for end in (one.low, one.high):
             if (gap := rows.gap_at(one, end)) and WIDTHS[0] <= gap.line.high - gap.line.low <= WIDTHS[1]:
-                is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end)
+                is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end) and not rows.is_face(one, THINNEST, THICKEST)
     for axis in ("x", "z"):
         yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), rows, is_free)
 
@@ -104,7 +104,7 @@ def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowG
             line = DrawnLine(axis, (at + other.line.at) // 2, max(low, other.line.low), min(high, other.line.high))
             if not rows.is_filled(line._replace(at=at), other.line.at - at):
                 yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
-        elif is_free[gap] and not rows.is_face(gap.line, THINNEST, THICKEST):
+        elif is_free[gap]:
             yield gap, 0
 
 

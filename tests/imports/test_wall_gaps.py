@@ -12,7 +12,7 @@ import pytest
 from solver.answers import PlanImport
 from solver.imports.drawn import DrawnOpening, Spot
 from solver.imports.shape_openings import DrawnSwing, doors_of_swings
-from solver.imports.wall_gaps import WallGap, fitted
+from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.scene import Opening
 from tests.imports.plans import read
 
@@ -213,3 +213,10 @@ def test_lines_of_a_window_through_a_thick_wall_without_a_gap_are_one_window(ord
     drawing = f"<g transform='rotate({turn})'><g id='Walls'>{walls}</g><g id='Windows'>{lines}</g>{door}</g>"
     (room,) = read(f"<svg xmlns='http://www.w3.org/2000/svg' data-unit='mm'>{drawing}</svg>".encode()).scene.rooms
     assert sorted((one.kind, one.width) for one in room.openings) == [("door", 0.9), ("window", 0.6)]
+
+
+@pytest.mark.parametrize(("east", "count"), [(0, 1), (400, 0)])
+def test_a_gap_in_a_wall_of_one_line_is_one_whatever_ends_before_that_line(east: int, count: int) -> None:
+    """What runs beside it, no farther than walls are thick, is the other face of a wall that has none there."""
+    line, across = [[(0, 0), (500, 0)], [(1400, 0), (5000, 0)]], [[(0, -3000), (0, 3000)]]
+    assert [gap.width for gap in gaps_of([*line, *across, [(-4000, 300), (east, 300)]], 0.001)] == [900] * count
