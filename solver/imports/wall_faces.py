@@ -169,12 +169,6 @@ class WallRows:
         far = min(following, crossed.at if crossed else FAR)
         return RowGap(DrawnLine(one.axis, one.at, end, far), in_line=far == following) if far < FAR else None
 
-    def is_filled(self, gap: DrawnLine, behind: int) -> bool:
-        """Tells whether a line runs along a gap, from its line to so far behind it, over a third of it or more."""
-        at, low, high = self._by_axis[gap.axis]
-        common = np.minimum(high, gap.high) - np.maximum(low, gap.low)
-        return bool(((at >= gap.at) & (at <= gap.at + behind) & (3 * common >= gap.high - gap.low)).any())
-
     def is_face(self, one: DrawnLine, nearest: int, farthest: int) -> bool:
         """Tells whether another line runs beside one, so far from it: the wall has two faces."""
         at, low, high = self._by_axis[one.axis]

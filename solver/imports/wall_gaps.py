@@ -86,10 +86,10 @@ def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[RowGap, int]]:
             if (gap := rows.gap_at(one, end)) and WIDTHS[0] <= gap.line.high - gap.line.low <= WIDTHS[1]:
                 is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end) and not rows.is_face(one, THINNEST, THICKEST)
     for axis in ("x", "z"):
-        yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), rows, is_free)
+        yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), is_free)
 
 
-def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowGap, bool]) -> Iterator[tuple[RowGap, int]]:
+def _of_both_faces(gaps: Sequence[RowGap], is_free: Mapping[RowGap, bool]) -> Iterator[tuple[RowGap, int]]:
     ats, lows, highs = np.array([gap.line[1:] for gap in gaps]).reshape(-1, 3).T
     is_left = np.full(len(gaps), fill_value=True)
     for place, gap in enumerate(gaps):
@@ -102,8 +102,7 @@ def _of_both_faces(gaps: Sequence[RowGap], rows: WallRows, is_free: Mapping[RowG
             other = gaps[others[0]]
             is_left[[place, others[0]]] = False
             line = DrawnLine(axis, (at + other.line.at) // 2, max(low, other.line.low), min(high, other.line.high))
-            if not rows.is_filled(line._replace(at=at), other.line.at - at):
-                yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
+            yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
         elif is_free[gap]:
             yield gap, 0
 
