@@ -175,11 +175,12 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         faces=tuple(pair for points, closed in outlines if closed or thick or are_drawn for pair in pairwise(points)),
         texts=tuple(texts),
     )  # fmt: skip
-    return with_storeys_apart(
-        with_labels(plan),
-        [StoreyTitle(one.storey, one.words, one.x, one.z) for one in texts if one.storey is not None and not one.means],
-        unit,
-    )
+    return with_storeys_apart(with_labels(plan), _titles(texts), unit)
+
+
+def _titles(texts: Sequence[DrawnText]) -> list[StoreyTitle]:
+    """Returns the texts that tell a storey, and name no room."""
+    return [StoreyTitle(one.storey, one.words, one.x, one.z) for one in texts if one.storey is not None and not one.means]
 
 
 def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Sequence[Spot]]) -> PlanUnit:
