@@ -116,7 +116,7 @@ class PanelHole(NamedTuple):
 class WallPanel:
     """A straight wall along one axis: from `start` to `end` along it, its middle on `line`, holes cut out.
 
-    `open_start`, `open_end`: whether the end is free, not inside another wall. `seams` are where its finish may change.
+    `seams` are where its finish may change.
     """
 
     axis: Literal["x", "z"]
@@ -129,8 +129,6 @@ class WallPanel:
     level: int
     holes: tuple[PanelHole, ...]
     seams: tuple[float, ...]
-    open_start: bool
-    open_end: bool
 
 
 class WallBox(NamedTuple):

@@ -37,21 +37,13 @@ class WallPlan:
 
     @cached_property
     def stretches(self) -> "list[_Stretch]":
-        """The runs, with how they end and what is in them."""
+        """The runs, with where they end and what is in them."""
         return _stretches(self)
-
-
-class _End(NamedTuple):
-    """How a run ends: how far beyond its line's end, and whether it runs into a wall there."""
-
-    reach: float
-    in_wall: bool
 
 
 class _Stretch(NamedTuple):
     run: WallRun
     along: Span
-    ends: tuple[_End, _End]
     openings: list[PlacedOpening]
     storey: Level
 
@@ -67,15 +59,14 @@ def _stretches(plan: WallPlan) -> list[_Stretch]:
     made = []
     for run in plan.runs:
         crossing = walls[run.line[0], "z" if run.line[1] == "x" else "x"]
-        ends = _end(run, run.start, -1, crossing), _end(run, run.end, 1, crossing)
         here = [opening for opening in openings[run.line] if opening.end > run.start and opening.start < run.end]
-        along = run.start - ends[0].reach, run.end + ends[1].reach
-        made.append(_Stretch(run, along, ends, here, plan.storey(run.line[0])))
+        along = run.start - _reach(run, run.start, -1, crossing), run.end + _reach(run, run.end, 1, crossing)
+        made.append(_Stretch(run, along, here, plan.storey(run.line[0])))
     return made
 
 
-def _end(run: WallRun, end: float, onward: Literal[1, -1], crossing: Sequence[WallRun]) -> _End:
-    """Says how a run ends, which goes `onward` there.
+def _reach(run: WallRun, end: float, onward: Literal[1, -1], crossing: Sequence[WallRun]) -> float:
+    """Returns how far a run, which goes `onward` there, reaches beyond its line's end, m.
 
     Walls end at the line of the wall they meet, inside it; at a corner the one along x fills the square. Railings stop at
     the wall's face.
@@ -88,14 +79,14 @@ def _end(run: WallRun, end: float, onward: Literal[1, -1], crossing: Sequence[Wa
         if abs(other.line[2] - end) <= other.shift + NEGLIGIBLE and other.start <= line + near and line - near <= other.end
     ]  # fmt: skip
     if not walls:
-        return _End(0.0, False)
+        return 0.0
     middles = [((other.line[2] - end) * onward, other.thickness / 2) for other in walls]
     if run.kind == "railing":
-        return _End(min(middle - half for middle, half in middles), True)
+        return min(middle - half for middle, half in middles)
     goes_on = len(walls) > 1 or any(other.start + near < line < other.end - near for other in walls)
     if axis == "x" and not goes_on:
-        return _End(sum(middles[0]), False)
-    return _End(min(max(middle for middle, _ in middles), *(middle + half for middle, half in middles)), True)
+        return sum(middles[0])
+    return min(max(middle for middle, _ in middles), *(middle + half for middle, half in middles))
 
 
 def panels_of(plan: WallPlan) -> list[WallPanel]:
@@ -118,8 +109,6 @@ def _panel(stretch: _Stretch, corners: Mapping[PlanAxis, Sequence[float]]) -> Wa
         level=level,
         holes=tuple(PanelHole(one.id, one.start, one.end, one.sill, one.head) for one in stretch.openings),
         seams=tuple(at for at in corners[axis] if start < at < end),
-        open_start=not stretch.ends[0].in_wall,
-        open_end=not stretch.ends[1].in_wall,
     )
 
 
