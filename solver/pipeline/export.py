@@ -10,7 +10,7 @@ from solver.errors import SceneError
 from solver.exchange import as_read, dump_scene
 from solver.export_formats import EXPORTERS, SCENE_FILE, Freedom
 from solver.exports import ExportSettings, Files, describe, written_as
-from solver.named_assets import with_assets, with_kinds
+from solver.named_assets import with_assets
 from solver.scene import Scene
 from solver.scene_bodies import check_scene
 from solver.validator import floors, validate
@@ -89,7 +89,7 @@ def export_each(  # noqa: PLR0913 - what export() is asked for, and what it has 
         RequestError: there is no such format, or what it needs is not installed.
     """
     errors = [issue for issue in issues if issue.severity == "error"]
-    shown = with_assets(with_kinds(scene, catalogs), catalogs)
+    shown = with_assets(scene, catalogs)
     bodies = sum(len(room.furniture) + len(room.decorations) for room in scene.rooms) + len(scene.dynamic)
     demand(bodies * sum(EXPORTERS[name].body_work for name in formats if name in EXPORTERS))
     model = describe(shown, catalogs, free, _told(errors))
