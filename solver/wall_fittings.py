@@ -125,11 +125,7 @@ def cut_at_holes(ends: Span, holes: Iterable[tuple[Span, Span]], seams: Iterable
     Holes say where they begin and end along the wall, and from which height to which, m; it is cut at `seams` besides.
     """
     start, end = ends
-    every = list(holes)
-    if not seams and (stretches := _apart(start, end, every)):
-        yield from stretches
-        return
-    opening = sorted(every, key=lambda hole: hole[0][0], reverse=True)
+    opening = sorted(holes, key=lambda hole: hole[0][0], reverse=True)
     stops = sorted({start, end, *seams, *(at for along, _ in opening for at in along if start < at < end)})
     closing: list[tuple[float, Span]] = []
     taken = Counter[Span]()
@@ -144,14 +140,3 @@ def cut_at_holes(ends: Span, holes: Iterable[tuple[Span, Span]], seams: Iterable
             if not taken[up]:
                 del taken[up]
         yield (low, high), sorted(taken)
-
-
-def _apart(start: float, end: float, holes: Iterable[tuple[Span, Span]]) -> list[tuple[Span, list[Span]]]:
-    """Returns the stretches of a wall whose holes lie apart within it, as nearly all do; none where there are others, or no holes."""
-    reached, found = start, list[tuple[Span, list[Span]]]()
-    for (low, high), up in sorted(holes):
-        if not reached < low < high < end:
-            return []
-        found += [((reached, low), []), ((low, high), [up])]
-        reached = high
-    return [*found, ((reached, end), [])] if found else []
