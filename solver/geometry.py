@@ -62,6 +62,18 @@ def rotate(across: Number, along: Number, rotation: int) -> tuple[Number, Number
     return dz * across + dx * along, dz * along - dx * across
 
 
+def turned_by(x: float, z: float, turn: float) -> tuple[float, float]:
+    """Returns a vector from the frame of something that is turned, degrees about +y, in the frame around that."""
+    cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    return x * cosine + z * sine, z * cosine - x * sine
+
+
+def turned_back(x: float, z: float, turn: float) -> tuple[float, float]:
+    """Returns a vector in the frame of something that is turned, degrees about +y, from the frame around that."""
+    cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    return x * cosine - z * sine, x * sine + z * cosine
+
+
 def extents(width: float, depth: float, rotation: float) -> tuple[float, float]:
     """Returns the extents along x and z of a footprint's bounding rectangle at any rotation; exact at right angles."""
     if rotation % 90 == 0:

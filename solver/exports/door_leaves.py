@@ -9,7 +9,8 @@ from typing import Final, NamedTuple
 from solver.body_parts import BodyPart
 from solver.exports.model import DoorLeaf, Paint, PlacedOpening
 from solver.exports.paints import Paints, shade
-from solver.exports.wall_panels import RAILING_HEIGHT, WallPlan
+from solver.exports.wall_panels import RAILING_HEIGHT, WallPlan, frame_parts
+from solver.geometry import turned_back
 from solver.scene import Room
 from solver.wall_fittings import (
     GROUND_GAP,
@@ -25,6 +26,8 @@ from solver.wall_fittings import (
     within_frame,
 )
 
+Place = tuple[float, float]
+Painted = tuple[BodyPart, Paint]
 LEAF_DENSITY: Final = 12.0
 """What a leaf weighs, kg/m2: a hollow core of chipboard (EN 1530 class 2 doors weigh 10 to 20)."""
 
@@ -86,6 +89,28 @@ def _leaf(hung: _Hung, plan: WallPlan, rooms: Mapping[str, Room], paints: Paints
     )
 
 
+def shut_parts(opening: PlacedOpening, leaves: Sequence[DoorLeaf], turn: float) -> list[Painted]:
+    """Returns an opening as one thing: its frame's boards, a window's pane and its leaves, shut.
+
+    They are in a frame of that turn, degrees, about the middle of the opening's foot.
+    """
+    size = opening.end - opening.start, opening.head - opening.sill, opening.thickness
+    found = frame_parts(opening.kind, size)
+    for leaf in leaves:
+        x, z = hinge_in(opening, leaf, turn)
+        way = 1 if round(leaf.closed - turn) % 360 == 0 else -1
+        for part, paint in zip(leaf.parts, leaf.paints, strict=True):
+            along, up, across = part.at
+            found.append((part._replace(at=(x + way * (along + leaf.width / 2), up + GROUND_GAP, z + way * across)), paint))
+    return found
+
+
+def hinge_in(opening: PlacedOpening, leaf: DoorLeaf, turn: float) -> Place:
+    """Returns where a leaf's hinge is in that frame, m: along it, and towards its front."""
+    x, z = opening.middle
+    return turned_back(leaf.hinge[0] - x, leaf.hinge[2] - z, turn)
+
+
 def _degrees(x: float, z: float) -> float:
     """Returns the turn about +y that brings +x to a direction of the plan."""
     return math.degrees(math.atan2(-z, x))
@@ -128,7 +153,6 @@ _LOWEST = 1.4
 """In what is less wide or high rails, mouldings and handles do not fit beside each other; nor in a gate less than 0.3 m high."""
 
 Reach = tuple[float, float]
-Painted = tuple[BodyPart, Paint]
 
 
 @dataclass(frozen=True)

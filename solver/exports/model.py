@@ -14,6 +14,7 @@ from typing import Literal, NamedTuple
 from catalogs.assets.asset_entry import Asset
 from catalogs.fronts import BodyFront
 from solver.body_parts import BodyPart
+from solver.geometry import extents, turned_back
 from solver.scene import Scene
 
 Sort = Literal["furniture", "decoration", "dynamic"]
@@ -92,14 +93,12 @@ class ModelBody(NamedTuple):
     @property
     def footprint(self) -> tuple[float, float, float, float]:
         """The rectangle along the axes round its turned footprint: west, north, east, south, m."""
-        sine, cosine = abs(math.sin(math.radians(self.turn))), abs(math.cos(math.radians(self.turn)))
-        half_x, half_z = (cosine * self.width + sine * self.depth) / 2, (sine * self.width + cosine * self.depth) / 2
+        half_x, half_z = (extent / 2 for extent in extents(self.width, self.depth, self.turn))
         return self.x - half_x, self.z - half_z, self.x + half_x, self.z + half_z
 
     def local(self, x: float, z: float) -> tuple[float, float]:
         """Returns a point of the house from the middle of its footprint, in its own frame, m: to its right, to its front."""
-        turn, dx, dz = math.radians(self.turn), x - self.x, z - self.z
-        return dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
+        return turned_back(x - self.x, z - self.z, self.turn)
 
 
 class PanelHole(NamedTuple):

@@ -6,7 +6,6 @@ degrees about +y, 0 facing south. Things can stand on surfaces, on boards inside
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from math import cos, radians, sin
 from typing import Any, Final, NamedTuple
 
 from catalogs import Catalogs
@@ -16,6 +15,7 @@ from solver.body_rows import BODY_WALLS, DecorationRows, FurnitureRows, Look, co
 from solver.exports.kind_facts import KindFacts, book_of, decoration_facts, furniture_facts, living_facts
 from solver.exports.model import PlacedOpening
 from solver.exports.wall_bands import RoomFinder, WallBands, openings_of
+from solver.geometry import turned_by
 from solver.scene import EXTERIOR, Decoration, Dynamic, Furniture, Room, Scene
 from solver.scene_bodies import storey_levels
 
@@ -122,10 +122,9 @@ def _facts_of_look(book: KindBook, look: Look) -> tuple[tuple[str, str, str | No
 def _receptacles(piece: Row, book: KindBook) -> Iterator[Row]:
     """Yields what a piece carries things on, numbered from 1, where it is in the house."""
     seed, name, room, sort, _, key, _, x, y, z, turn, *size = piece[:14]
-    across, along = cos(radians(turn)), sin(radians(turn))
     for number, one in enumerate(receptacles_of(book, sort, key, tuple(size)), 1):
-        east, south = x + one.x * across + one.z * along, z - one.x * along + one.z * across
-        place = round(east, 6), round(y + one.height, 6), round(south, 6), turn
+        east, south = turned_by(one.x, one.z, turn)
+        place = round(x + east, 6), round(y + one.height, 6), round(z + south, 6), turn
         yield seed, f"{name}#{number}", name, room, one.surface, one.front, *place, one.width, one.depth, one.clearance
 
 

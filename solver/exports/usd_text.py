@@ -12,6 +12,7 @@ from solver.exports.colliders import Collider, Triple, box_around, z_up
 from solver.exports.model import Paint
 from solver.exports.paints import channels, linear
 from solver.exports.solid_meshes import SolidSurface, surface_of
+from solver.geometry import turned_by
 
 if TYPE_CHECKING:
     from solver.exports.asset_surfaces import AssetSurface
@@ -59,8 +60,8 @@ def placed(at: Sequence[float], turn: float) -> str:
 
 def moved_by(at: Triple, turn: float, by: Triple) -> Triple:
     """Returns a point that is given in the frame of something at a place, turned about z, degrees."""
-    cosine, sine = cos(radians(turn)), sin(radians(turn))
-    return at[0] + by[0] * cosine - by[1] * sine, at[1] + by[0] * sine + by[1] * cosine, at[2] + by[2]
+    east, south = turned_by(by[0], -by[1], turn)
+    return at[0] + east, at[1] - south, at[2] + by[2]
 
 
 @lru_cache(maxsize=4096)

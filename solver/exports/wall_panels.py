@@ -176,7 +176,7 @@ def _barred(opening: PlacedOpening, bar: Bar, elevation: float) -> Fitting:
     return fitting(bar.surface, box_on_line(opening.axis, bar.along, across, shifted(bar.up, elevation)))
 
 
-def frame_parts(kind: str, size: Point) -> tuple[tuple[BodyPart, ...], tuple[Paint, ...]]:
+def frame_parts(kind: str, size: Point) -> list[tuple[BodyPart, Paint]]:
     """Returns an opening's frame, and a window's pane, in the middle of its foot; `size` is its width and height, and its wall's thickness.
 
     For programmes that know a door or window as one thing, no wider than its hole.
@@ -186,11 +186,11 @@ def frame_parts(kind: str, size: Point) -> tuple[tuple[BodyPart, ...], tuple[Pai
     boards = [((side, height, depth), (where * (width - side) / 2, height / 2, 0.0)) for where in (-1, 1)]
     rails = (0.0, height - side) if kind == "window" else (height - side,)
     boards += [((width - 2 * side, side, depth), (0.0, low + side / 2, 0.0)) for low in rails]
-    paints = [SURFACES["frame"]] * len(boards)
+    parts = [(BodyPart("box", size, at, "y", 1.0, "body"), SURFACES["frame"]) for size, at in boards]
     if kind == "window":
-        boards.append(((width - 2 * side, height - 2 * side, min(GLASS_THICKNESS, depth / 2)), (0.0, height / 2, 0.0)))
-        paints.append(SURFACES["glass"])
-    return tuple(BodyPart("box", size, at, "y", 1.0, "body") for size, at in boards), tuple(paints)
+        pane = (width - 2 * side, height - 2 * side, min(GLASS_THICKNESS, depth / 2))
+        parts.append((BodyPart("box", pane, (0.0, height / 2, 0.0), "y", 1.0, "body"), SURFACES["glass"]))
+    return parts
 
 
 def _railing(stretch: _Stretch) -> Iterator[Fitting]:

@@ -4,18 +4,17 @@ Its frame: x east, y north, z up, m. Bodies hang in their spaces; what they are 
 Identities are hashes of the house and the ids, the header's date is fixed: the same scene makes the same bytes.
 """
 
-import math
 from collections import defaultdict
 from collections.abc import Sequence
 from typing import Final
 
 from solver.body_parts import BodyPart
+from solver.exports.door_leaves import shut_parts
 from solver.exports.ifc_pieces import IfcPieces, printable
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, ModelBody, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import PLAIN_WALL, SURFACES
 from solver.exports.plan_rooms import clear_corners, name_of, said_of_room, words_of
 from solver.exports.step_file import Entity, StepFile
-from solver.exports.wall_panels import frame_parts
 from solver.exports.writers import ExportSettings, Files
 from solver.geometry import doubled_area
 
@@ -155,7 +154,7 @@ class _Building:
             return
         one, storey = self.make_one, self.storeys[opening.level]
         frame = _OpeningFrame(opening)
-        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaves, opening.thickness, storey.Elevation)]
+        items = [one.painted(one.solid(part), paint) for part, paint in frame.filled(leaves)]
         at = one.placed(storey.ObjectPlacement, frame.origin, frame.turn)
         said = {
             "Name": printable(opening.id), "ObjectPlacement": at, "Representation": one.shape(items),
@@ -238,25 +237,10 @@ class _OpeningFrame:
         hinge = opening.start if opening.hinge == "start" else opening.end
         self.hinge_is_first = hinge == first
 
-    def local(self, x: float, z: float) -> tuple[float, float]:
-        """Returns a point of the scene in this frame's plane, m."""
-        angle = math.radians(self.turn)
-        dx, dy = x - self.origin[0], -z - self.origin[1]
-        return dx * math.cos(angle) + dy * math.sin(angle), -dx * math.sin(angle) + dy * math.cos(angle)
-
-    def filled(self, leaves: Sequence[DoorLeaf], thickness: float, elevation: float) -> list[tuple[BodyPart, Paint]]:
+    def filled(self, leaves: Sequence[DoorLeaf]) -> list[tuple[BodyPart, Paint]]:
         """Returns the frame's boards, a window's pane and closed leaves, in this frame."""
-        parts, paints = frame_parts(self.opening.kind, (self.width, self.opening.head - self.opening.sill, thickness))
-        found = [(one._replace(at=(one.at[0] + self.width / 2, *one.at[1:])), paint) for one, paint in zip(parts, paints, strict=True)]
-        for leaf in leaves:
-            foot = leaf.hinge[1] - elevation - self.opening.sill
-            x, y = self.local(leaf.hinge[0], leaf.hinge[2])
-            sign = 1 if round(leaf.closed - self.turn) % 360 == 0 else -1
-            for part, paint in zip(leaf.parts, leaf.paints, strict=True):
-                a, b, c = part.at
-                at = (x + sign * (a + leaf.width / 2), foot + b, -y + sign * c)
-                found.append((part._replace(at=at), paint))
-        return found
+        parts = shut_parts(self.opening, leaves, self.turn)
+        return [(part._replace(at=(part.at[0] + self.width / 2, *part.at[1:])), paint) for part, paint in parts]
 
 
 def _block(box: Cuboid, elevation: float) -> tuple[tuple[float, float, float], tuple[float, float, float]]:

@@ -7,18 +7,17 @@ property `name`, and `label` what it is shown as.
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Final
 
 from solver.body_parts import BodyPart
+from solver.exports.door_leaves import hinge_in, shut_parts
 from solver.exports.model import Cuboid, DoorLeaf, FloorPlate, HouseModel, Paint, PlacedOpening, WallPanel
 from solver.exports.paints import SURFACES, by_paint, channels, srgb
 from solver.exports.plan_rooms import name_of, said_of_room, words_of
 from solver.exports.solid_meshes import surface_of
-from solver.exports.wall_panels import frame_parts
 from solver.exports.writers import ExportSettings, Files, zipped
 from solver.exports.xml_text import xml_text
-from solver.wall_fittings import THRESHOLD
 
 VERSION: Final = 7000
 _OPENING_NAMES: Final = {"door": "Door", "garage_door": "Garage door", "passage": "Passage", "window": "Window"}
@@ -139,42 +138,27 @@ def _opening(opening: PlacedOpening, leaves: Sequence[DoorLeaf], shelf: _Models,
     """Returns a door, window or passage: its frame, its leaves or pane, and the sashes that the plan draws."""
     (x, z), turn = opening.middle, 0.0 if opening.axis == "x" else 90.0
     width, height, thickness = opening.end - opening.start, opening.head - opening.sill, opening.thickness
-    box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, "")
-    parts, paints = frame_parts(opening.kind, (width, height, thickness))
+    made = shut_parts(opening, leaves, turn)
+    parts, paints = tuple(_within_wall(part, thickness) for part, _ in made), tuple(paint for _, paint in made)
     sash = ""
     for leaf in leaves:
-        hinge = _in_frame(box, leaf.hinge[0], leaf.hinge[2])
-        relative = round(leaf.closed - turn)
-        parts += _closed(leaf, box, hinge, mirrored=relative % 360 == 180)
-        paints += leaf.paints
         if leaf.motion == "swing":
+            hinge, relative = hinge_in(opening, leaf, turn), round(leaf.closed - turn)
             start, end = math.radians(relative), math.radians(relative + leaf.swing)
             where = f"xAxis='{hinge[0] / width + 0.5:.5g}' yAxis='{hinge[1] / thickness + 0.5:.5g}' width='{leaf.width / width:.5g}'"
             sash += f"<sash {where} startAngle='{start:.6g}' endAngle='{end:.6g}'/>"
     name = shelf.of(parts, paints, (width, height, thickness), (opening.kind, parts, paints, width, height))
-    return _piece("doorOrWindow", replace(box, model=name), _OPENING_NAMES.get(opening.kind, "Opening"), {"id": opening.id}, sash)
+    box = _Piece(x, opening.sill, z, turn, width, thickness, height, level, name)
+    return _piece("doorOrWindow", box, _OPENING_NAMES.get(opening.kind, "Opening"), {"id": opening.id}, sash)
 
 
-def _in_frame(box: _Piece, x: float, z: float) -> tuple[float, float]:
-    """Returns a point of the house relative to a piece, m: along its width, and towards its front."""
-    turn = math.radians(box.turn)
-    dx, dz = x - box.x, z - box.z
-    return dx * math.cos(turn) - dz * math.sin(turn), dx * math.sin(turn) + dz * math.cos(turn)
-
-
-def _closed(leaf: DoorLeaf, box: _Piece, hinge: tuple[float, float], mirrored: bool) -> tuple[BodyPart, ...]:
-    """Returns a closed leaf's parts in the frame of its opening, no deeper than the wall."""
-    sign, most = (-1 if mirrored else 1), box.depth / 2
-    made = []
-    for part in leaf.parts:
-        (width, height, depth), (x, y, z) = part.size, part.at
-        middle = hinge[1] + sign * z
-        low, high = max(-most, middle - depth / 2), min(most, middle + depth / 2)
-        if high - low < 1e-4:
-            low, high = (most - 1e-3, most) if middle > 0 else (-most, 1e-3 - most)
-        at = (hinge[0] + sign * (x + leaf.width / 2), y + THRESHOLD + 0.002, (low + high) / 2)
-        made.append(part._replace(size=(width, height, high - low), at=at))
-    return tuple(made)
+def _within_wall(part: BodyPart, thickness: float) -> BodyPart:
+    """Returns a part of an opening, no deeper than the wall: the programme fits a model to its box."""
+    (width, height, depth), (x, y, middle), most = part.size, part.at, thickness / 2
+    low, high = max(-most, middle - depth / 2), min(most, middle + depth / 2)
+    if high - low < 1e-4:
+        low, high = (most - 1e-3, most) if middle > 0 else (-most, 1e-3 - most)
+    return part._replace(size=(width, height, high - low), at=(x, y, (low + high) / 2))
 
 
 def _railings(model: HouseModel, shelf: _Models, level_of: Mapping[int, str]) -> Iterator[str]:
