@@ -160,6 +160,11 @@ def held_things(bodies: Sequence[ModelBody]) -> Mapping[str, HeldThing]:
     return {body.id: held for body, piece in things if (held := _held(body, piece))}
 
 
+def held_fast(bodies: Sequence[ModelBody]) -> Mapping[str, HeldThing]:
+    """Returns, by id, what lies in drawers and does not move by itself: in a simulator it goes with its drawer."""
+    return {name: thing for name, thing in held_things(bodies).items() if thing.body.fixed}
+
+
 def held_in(held: Mapping[str, HeldThing], piece: str, front: str) -> list[HeldThing]:
     """Returns what lies in one front of a piece."""
     return [thing for thing in held.values() if thing.piece == piece and thing.front == front] if held else []

@@ -22,8 +22,8 @@ from solver.exports.moving_parts import (
     UNIT,
     HeldThing,
     MovingPart,
+    held_fast,
     held_in,
-    held_things,
     moving_leaf,
     moving_parts,
     still_part,
@@ -63,7 +63,7 @@ def write(model: HouseModel, _: ExportSettings) -> Files:
     looks, names = MujocoLooks(objects), FreeNames()
     names.take("world")  # MuJoCo calls what all bodies hang on so
     carry = carriers(model.bodies)
-    held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
+    held = held_fast(model.bodies)
     bodies = _Bodies(looks, names, carry, held, [])
     world = [
         *_house(model, looks),

@@ -10,7 +10,7 @@ from typing import Final
 
 from solver.exports.colliders import RPY, Collider, Triple, carriers, inertia_of, shell_solids, z_up
 from solver.exports.model import DoorLeaf, HouseModel, ModelBody, Paint
-from solver.exports.moving_parts import UNIT, HeldThing, LinkPart, MovingPart, held_in, held_things, moving_leaf, moving_parts, still_part
+from solver.exports.moving_parts import UNIT, HeldThing, LinkPart, MovingPart, held_fast, held_in, moving_leaf, moving_parts, still_part
 from solver.exports.object_files import AssetObjects, StretchedMesh, UnitMeshes
 from solver.exports.paints import srgb
 from solver.exports.writers import ExportSettings, Files
@@ -47,7 +47,7 @@ class _World:
         yield from (f"<!-- {xml_comment(words)} -->" for words in model.origin())
         yield f'<world name="{xml_text(model.name)}">{_LIGHT}'
         yield f'<model name="{house}"><static>true</static><link name="link">{"".join(_numbered(self._shell(model)))}</link></model>'
-        held = {name: thing for name, thing in held_things(model.bodies).items() if thing.body.fixed}
+        held = held_fast(model.bodies)
         for body in model.bodies:
             if body.id not in held:
                 yield self._body(body, still_part(body, carry), self._held(body, held, carry))

@@ -12,7 +12,7 @@ from typing import Final
 
 from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
-from solver.exports.moving_parts import held_things, moving_parts, still_part
+from solver.exports.moving_parts import held_fast, moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
 from solver.exports.usd_bodies import AssetLayers, body_guides, body_kind, door_text, front_text, held_text, wall_kind
 from solver.exports.usd_text import LOOKS, cube, group, material_name, material_text, placed, prim, said, stretched, texts
@@ -136,8 +136,7 @@ class _Stage:
         paths, names = prim_paths(model), front_names(model)
         self._held = {
             name: held_text(thing, f"/House/Fronts/{names[thing.piece, thing.front]}", paths[name])
-            for name, thing in held_things(model.bodies).items()
-            if thing.body.fixed
+            for name, thing in held_fast(model.bodies).items()
         }
         for body in model.bodies:
             bodies.setdefault(_SORTS[body.sort], []).append(self._body(body, paths[body.id].rpartition("/")[2]))
