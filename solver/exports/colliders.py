@@ -82,13 +82,17 @@ def z_up(x: float, y: float, z: float) -> Triple:
     return x, 0.0 - z, y
 
 
-def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, ...]:
-    """Returns what a body collides with; `carries` are the ids of all that carry something.
+def is_one_box(body: ModelBody, carries: Collection[str]) -> bool:
+    """Tells whether a body collides as its whole box: a decoration that carries nothing; `carries` are the ids of all that do.
 
-    Furniture, people, and what carries other things collide with their parts, as things lie in shelves and between armrests; a decoration
-    that carries nothing is one box.
+    Furniture, people, and what carries other things collide with their parts, as things lie in shelves and between armrests.
     """
-    if body.sort == "decoration" and body.id not in carries:
+    return body.sort == "decoration" and body.id not in carries
+
+
+def colliders_of(body: ModelBody, carries: Collection[str]) -> tuple[Collider, ...]:
+    """Returns what a body collides with; `carries` are the ids of all that carry something."""
+    if is_one_box(body, carries):
         return (Collider("box", (body.width, body.depth, body.height), (0.0, 0.0, body.height / 2)),)
     return _solids(body.parts)
 

@@ -3,7 +3,7 @@
 Own assets are layers of their own, z up, which bodies refer to: meshes, materials, pictures beside them.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import lru_cache
 from math import radians
 from typing import Final
@@ -11,7 +11,7 @@ from typing import Final
 from catalogs.assets.asset_entry import Asset
 from solver.body_parts import BodyPart
 from solver.exports.asset_surfaces import AssetSurface, fit_of, surfaces_of
-from solver.exports.colliders import Collider, colliders_of, z_up
+from solver.exports.colliders import Collider, colliders_of, is_one_box, z_up
 from solver.exports.model import DoorLeaf, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import HeldThing, MovingPart, moving_leaf, still_part
 from solver.exports.paints import linear
@@ -40,19 +40,19 @@ _QUADS: Final = {
 _UNIT: Final = ((1.0, 1.0, 1.0), (0.0, 0.0, 0.0))
 
 
-def body_kind(body: ModelBody, boxed: bool) -> str:
-    """Returns the parts of a body but its fronts, z up; what they collide as; `boxed`: the whole body as one box, if it collides at all."""
+def body_kind(body: ModelBody, carries: Collection[str]) -> str:
+    """Returns the parts of a body but its fronts, z up, and what they collide as; `carries` are the ids of all that carry something."""
     if body.flat:
         return _parts(body.parts, body.paints, None)
-    if boxed:
-        return _parts(body.parts, body.paints, None) + guide("collider", colliders_of(body, ())[0])
-    still = still_part(body, (body.id,))
+    if is_one_box(body, carries):
+        return _parts(body.parts, body.paints, None) + guide("collider", colliders_of(body, carries)[0])
+    still = still_part(body, carries)
     return _parts(still.parts, still.paints, still.solids)
 
 
-def body_guides(body: ModelBody, boxed: bool) -> str:
+def body_guides(body: ModelBody, carries: Collection[str]) -> str:
     """Returns what a body collides as that is shown as something else."""
-    return "" if body.flat else _guides(colliders_of(body, () if boxed else (body.id,)))
+    return "" if body.flat else _guides(colliders_of(body, carries))
 
 
 def _guides(solids: tuple[Collider, ...]) -> str:

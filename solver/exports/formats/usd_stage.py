@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Final
 
-from solver.exports.colliders import box_between, carriers, floor_boxes, z_up
+from solver.exports.colliders import box_between, carriers, floor_boxes, is_one_box, z_up
 from solver.exports.model import Cuboid, FloorPlate, HouseModel, ModelBody, Paint, WallBox
 from solver.exports.moving_parts import held_fast, moving_parts, still_part
 from solver.exports.paints import PLAIN_CEILING
@@ -166,14 +166,14 @@ class _Stage:
         return name
 
     def _body(self, body: ModelBody, name: str) -> str:
-        boxed = body.sort == "decoration" and body.id not in self._carriers
+        boxed = is_one_box(body, self._carriers)
         if body.asset:
-            return self._made(body, name, self.layers.shape(body) + body_guides(body, boxed))
+            return self._made(body, name, self.layers.shape(body) + body_guides(body, self._carriers))
         key = id(body.parts), id(body.paints), boxed, body.flat
         kind = self._kinds.get(key)
         if kind is None:
             self._paint(body.paints)
-            kind = self._kind(key, body.shape or "block", body_kind(body, boxed))
+            kind = self._kind(key, body.shape or "block", body_kind(body, self._carriers))
         return self._made(body, name, f'def Xform "shape" (\ninstanceable = true\nreferences = </House/Kinds/{kind}>\n)\n{{\n}}\n')
 
     def _made(self, body: ModelBody, name: str, shape: str) -> str:
