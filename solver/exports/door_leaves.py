@@ -26,7 +26,6 @@ from solver.wall_fittings import (
     within_frame,
 )
 
-Place = tuple[float, float]
 Painted = tuple[BodyPart, Paint]
 LEAF_DENSITY: Final = 12.0
 """What a leaf weighs, kg/m2: a hollow core of chipboard (EN 1530 class 2 doors weigh 10 to 20)."""
@@ -105,7 +104,7 @@ def shut_parts(opening: PlacedOpening, leaves: Sequence[DoorLeaf], turn: float) 
     return found
 
 
-def hinge_in(opening: PlacedOpening, leaf: DoorLeaf, turn: float) -> Place:
+def hinge_in(opening: PlacedOpening, leaf: DoorLeaf, turn: float) -> tuple[float, float]:
     """Returns where a leaf's hinge is in that frame, m: along it, and towards its front."""
     x, z = opening.middle
     return turned_back(leaf.hinge[0] - x, leaf.hinge[2] - z, turn)
