@@ -30,7 +30,7 @@ from solver.free_floor import FreeFloor
 from solver.free_places import Block, block_of, decoration_blocks, decorations_as_told, furniture_as_told
 from solver.pipeline.room_spaces import spaces_in
 from solver.request import Request
-from solver.scene import Dynamic, Level, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
 from solver.scene_bodies import counted
 from solver.streams import Stream
 from solver.validator import check, metrics
@@ -91,7 +91,8 @@ def test_the_floor_that_is_left_is_alike(homes: tuple[Scene, Scene]) -> None:
             assert sorted(floor.obstacles(own)) == sorted(same.obstacles(own))
             assert floor.connects([own.rect]) == same.connects([own.rect])
             of = block_of(stream.pick(other.furniture)) if other.furniture else own
-            there = [block_of(one) for one in (*other.furniture, *other.decorations) if one.height > 0.02 and one.id != of.id]
+            bodies: list[Furniture | Decoration] = [*other.furniture, *other.decorations]
+            there = [block_of(one) for one in bodies if one.height > 0.02 and one.id != of.id]
             there += [Block(zone.rect, -inf, inf) for zone in space(other).zones if zone.above_mm < 0]
             is_free = not any(one.rect.overlaps(own.rect) and one.between(own.low, own.high) for one in there)
             assert floor.is_free(own, of) == same.is_free(own, of) == is_free
