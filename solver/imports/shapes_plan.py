@@ -352,6 +352,8 @@ def _labelled(room: DrawnRoom, texts: Sequence[DrawnText]) -> DrawnRoom:
 
 def _texts_in(room: DrawnRoom, texts: Sequence[DrawnText]) -> list[DrawnText]:
     """Returns the texts in a room that are no numbers."""
+    if not room.points:
+        return []
     x0, z0, x1, z1 = bounds_of_points(room.points)
     near = [one for one in texts if one.words and x0 <= one.x <= x1 and z0 <= one.z <= z1]
     return [one for one in near if room.holds(one.x, one.z)]
