@@ -14,8 +14,6 @@ constexpr f64 SINGLE = 0.5;
 constexpr i32 SHARINGS = 16;
 // A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many.
 constexpr i64 BARE_MM2 = 10'000'000;
-// How often the kitchen of a home with two wings begins one of them, beside the dining room: between two wings all would walk through it.
-constexpr f64 IN_WING = 0.75;
 constexpr i32 MOST_SHARED = 4;
 
 }  // namespace
@@ -35,9 +33,9 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
                                  : outline_ == Outline::t ? Span<const Bend>{IN_T, 1}
                                                           : Span<const Bend>{IN_U, 5};
   const Bend bend = stream_.pick(bends);
-  const bool in_wing = wings > 1 && stream_.chance(IN_WING), single = bend != Bend::free || stream_.chance(SINGLE);
+  const bool single = bend != Bend::free || stream_.chance(SINGLE);
   Deal deal;
-  if (single && !in_wing) {
+  if (single && wings == 1) {
     in_deep_row(deal);
   } else {
     chunks(true, {}, deal);
@@ -46,7 +44,7 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
   for (i32 k = 0; k < 2 + 2 * wings; k++) depths[k] = k == 1 ? deep() : depth();
   Chunk strips[2 + MOST_SHARED];
   strips[3] = entry();
-  const i32 with_kitchen = in_wing ? kitchen_to_wing(deal.living, bend, strips) : -1;
+  const i32 with_kitchen = wings > 1 ? kitchen_to_wing(deal.living, bend, strips) : -1;
   share(deal.apart, 2 * wings, strips + 2);
   const bool from_west = with_kitchen < 0 ? !stream_.chance(0.8) : with_kitchen < 4;
   const Chunk behind = from_west ? deal.living : deal.living.reversed();
@@ -64,8 +62,8 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
   for (i32 k = 0; k < 2 + 2 * wings; k++) draft.add_strip(strips[k].all(), depths[k]);
 }
 
-// Moves the kitchen, and what is small beside it, to the near end of a strip that lies at the public rooms; says which, -1 where there is
-// no kitchen or nothing else to live in.
+// Moves the kitchen of a home with two wings, and what is small beside it, to the near end of a strip that lies at the public rooms, beside
+// the dining room: between two wings all would walk through it. Says which strip, -1 where there is no kitchen or nothing else to live in.
 i32 BentDealer::kitchen_to_wing(Chunk& living, Bend bend, Chunk* strips) const {
   Chunk kitchen, beside, rest;
   for (const Column& column : living.all()) {

@@ -143,12 +143,9 @@ bool set_apart(const WidthRange* rows, i64 by, i64* lengths) {
 }  // namespace
 
 void BentDrawer::choose_depths(Draft& draft, Stream& stream) const {
-  for (i32 i = 0; i < CHOICES; i++) {
-    for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
-    if (draft.kind != Kind::rows) choose_public(draft, stream);
-    close_empty(draft);
-    if (draft.kind == Kind::rows || offsets_of(draft, outline_, columns_.walls().hallway).size) return;
-  }
+  for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
+  if (draft.kind != Kind::rows) choose_public(draft, stream);
+  close_empty(draft);
 }
 
 void BentDrawer::choose_pair(Draft& draft, i32 first, Stream& stream) const {

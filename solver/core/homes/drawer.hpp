@@ -6,9 +6,6 @@
 
 namespace homes {
 
-// How often depths are drawn until those of strips side by side go together.
-constexpr i32 CHOICES = 4;
-
 // Two strips of one length: the spans of their columns, and the lengths both may have, mm.
 struct StripPair {
   WidthRange spans[2][MOST_ROOMS];
@@ -40,7 +37,7 @@ class Drawer {
   Misfit draw(const Draft& draft, bool stretch, Sheet& sheet) const;
 
  protected:
-  bool choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const;
+  void choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const;
   i64 drawn_near(const DepthList& depths, Stream& stream) const;
   u64 possible(const Draft& draft, i32 strip) const;
   void spans_of(const Draft& draft, i32 strip, StripPair& pair) const;

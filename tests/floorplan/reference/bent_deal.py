@@ -21,8 +21,6 @@ SHARINGS: Final = 16
 """How often private rooms are shared out among wings; the most even is taken. More makes homes alike."""
 BARE_MM2: Final = 10_000_000
 """A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many."""
-IN_WING: Final = 0.75
-"""How often the kitchen of a home with two wings begins one of them, beside the dining room."""
 
 
 class BentDealer(Dealer):
@@ -45,14 +43,13 @@ class BentDealer(Dealer):
     def _wings(self, wings: int) -> Draft:
         stream = self.stream
         bend = stream.pick(BENDS[self.outline])
-        in_wing = wings > 1 and stream.chance(IN_WING)
         single = bend != FREE or stream.chance(SINGLE)
-        public, private = self._in_deep_row() if single and not in_wing else self._chunks()
+        public, private = self._in_deep_row() if single and wings == 1 else self._chunks()
         depths = [self._depth(), self._deep() if self.garages else self._depth(), *(self._depth() for _ in range(2 * wings))]
         begun: list[Chunk] = [self._entry() if k == 1 else [] for k in range(2 * wings)]
         kitchens = [column for column in public if self._is_kitchen(column)]
         rest = [column for column in public if column not in kitchens and not self._is_small(column)]
-        moved = bool(in_wing and kitchens and rest)
+        moved = bool(wings > 1 and kitchens and rest)
         wing = 0
         if moved:
             side = stream.below(2) if bend == FREE else int(bend == NORTH_OUT)

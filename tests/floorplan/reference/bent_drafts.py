@@ -16,7 +16,6 @@ from solver.streams import Stream
 from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.bends import JOG_MM, Wing, offsets
 from tests.floorplan.reference.drafts import (
-    CHOICES,
     FREE,
     NORTH_OUT,
     Draft,
@@ -44,22 +43,19 @@ class BentDrawer(Drawer):
 
     def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, and wings and public rooms a place beside each other."""
-        for _ in range(CHOICES):
-            for first in range(2 if len(draft.strips) > 2 else 0, len(draft.strips), 2):
-                self._choose_pair(draft, first, 0, stream)
-            if draft.kind != "rows":
-                self._choose_public(draft, stream)
-            self._close(draft, 0)
-            if draft.kind == "rows" or self._offsets(draft):
-                return
+        for first in range(2 if len(draft.strips) > 2 else 0, len(draft.strips), 2):
+            self._choose_pair(draft, first, 0, stream)
+        if draft.kind != "rows":
+            self._choose_public(draft, stream)
+        self._close(draft, 0)
 
-    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
+    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
         for k in (first, first + 1):
             if not draft.strips[k ^ 1]:
                 options = listed(self._possible(draft.strips[k]))
                 draft.depths[k] = min(stream.pick(options), stream.pick(options), key=lambda one: abs(one - self.wished))
-                return True
-        return super()._choose_pair(draft, first, whole, stream)
+                return
+        super()._choose_pair(draft, first, whole, stream)
 
     def _choose_public(self, draft: Draft, stream: Stream) -> None:
         """Chooses the public rooms' depths: free, or what is flush with the hallways and the strips beyond."""
