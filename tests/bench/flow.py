@@ -41,7 +41,6 @@ SETS: Mapping[str, dict[str, Any]] = {
 STAGES = ("floorplan", "furniture", "decorations", "people", "validate", "json", "total")
 LIMIT_HOMES = 20
 """Homes a set whose final problem is solved again, for the limit."""
-READY = "from catalogs import load_catalogs; from service.packed_catalogs import packed, warm"
 GROWTH = ((46, 43), (72, 66), (125, 116), (186, 173), (280, 260))
 """Sizes, m, of the plain houses of growing numbers of rooms: some 100, 200, 500, 1,000 and 2,000."""
 GROWTH_SEEDS, GROWTH_DEPTH = (1, 2, 3), 12

@@ -24,7 +24,6 @@ CENTRED = 0.3
 SIGHT_WIDTH, SIGHT_HEIGHT = 0.6, 0.5
 TALL_OR_SOFT = ("bed", "single_bed", "bunk_bed", "sofa", "tv_stand", "wardrobe", "bookshelf", "refrigerator", "pantry")
 GROUP = ("sofa", "coffee_table", "tv", "tv_stand")
-OPENING_WALLS = {"north": 0, "east": 90, "south": 180, "west": 270}
 AHEAD = {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}
 
 

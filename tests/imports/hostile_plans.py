@@ -24,10 +24,6 @@ def _features(*features: Feature, **members: object) -> bytes:
     return json.dumps({**collection(*features), **members}).encode()
 
 
-def _polyline(kind: str, spots: list[tuple[float, float]]) -> Feature:
-    return {"properties": {"kind": kind}, "geometry": {"type": "LineString", "coordinates": [list(spot) for spot in spots]}}
-
-
 def _circle(count: int, radius: float, x: float = 0.0, y: float = 0.0) -> list[tuple[float, float]]:
     ways = [2 * math.pi * at / count for at in range(count)]
     return [(x + radius * math.cos(way), y + radius * math.sin(way)) for way in ways]

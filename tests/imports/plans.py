@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from io import StringIO
 from typing import Any
 
 from solver.answers import ImportSettings, PlanImport
@@ -36,6 +37,18 @@ def collection(*features: Feature, **more: Any) -> dict[str, Any]:
 def read(document: object, name: str = "", **settings: Any) -> PlanImport:
     content = document if isinstance(document, bytes) else json.dumps(document).encode()
     return import_plan(content, name, ImportSettings(**settings))
+
+
+def text_of(drawing: Any) -> str:
+    """The file of a drawing of ezdxf's."""
+    text = StringIO()
+    drawing.write(text)
+    return text.getvalue()
+
+
+def imported(drawing: Any, **settings: Any) -> PlanImport:
+    """What is read of a drawing of ezdxf's."""
+    return read(text_of(drawing).encode(), "plan.dxf", **settings)
 
 
 def rooms_of(answer: PlanImport) -> dict[str, Room]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as files
@@ -11,7 +10,7 @@ import pytest
 
 from solver.answers import PlanImport
 from solver.errors import FieldError
-from tests.imports.plans import read
+from tests.imports.plans import imported
 
 Box = tuple[float, float, float, float]
 WALLS: tuple[Box, ...] = (
@@ -31,12 +30,6 @@ def plan() -> Any:
     made.header["$INSUNITS"] = 4
     made.modelspace().add_line((4100, 1000), (4100, 1900), dxfattribs={"layer": "DOORS"})
     return made
-
-
-def read_of(made: Any) -> PlanImport:
-    text = StringIO()
-    made.write(text)
-    return read(text.getvalue().encode(), "plan.dxf")
 
 
 def hatches(space: Any, layer: str = "WALLS") -> None:
@@ -84,7 +77,7 @@ DRAWN: dict[str, Callable[[Any], None]] = {
 def test_two_rooms_and_their_door_are_read(name: str) -> None:
     made = plan()
     DRAWN[name](made.modelspace())
-    answer = read_of(made)
+    answer = imported(made)
     assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.05, 3.0)] * 2
     assert answer.scene.wall_thickness == 0.1 and list(answer.unread) == []
     assert [len(room.openings) for room in answer.scene.rooms] == [1, 1]
@@ -95,7 +88,7 @@ def test_walls_of_multiple_lines_are_read() -> None:
     style = {"layer": "WALLS", "scale_factor": 100, "justification": 1}
     made.modelspace().add_mline([(50, 50), (8150, 50), (8150, 3050), (50, 3050)], close=True, dxfattribs=style)
     made.modelspace().add_mline([(4100, 50), (4100, 3050)], dxfattribs=style)
-    rooms = read_of(made).scene.rooms
+    rooms = imported(made).scene.rooms
     assert len(rooms) == 2 and all(room.width == pytest.approx(4.05, abs=0.02) for room in rooms)
 
 
@@ -103,7 +96,7 @@ def test_rooms_whose_lines_are_shared_lie_along_them() -> None:
     made = plan()
     loose(made.modelspace(), "ROOMS", (100, 0, 8100, 3000))
     made.modelspace().add_line((4100, 0), (4100, 3000), dxfattribs={"layer": "ROOMS"})
-    first, second = read_of(made).scene.rooms
+    first, second = imported(made).scene.rooms
     assert (first.width, second.width, second.x) == (4.0, 4.0, 4.0)
     assert first.openings[0].connects_to == second.id
 
@@ -120,7 +113,7 @@ def beside_a_closed_room(closing: str | None) -> PlanImport:
     space.add_text("Hallway", dxfattribs={"layer": "NAMES", "insert": (5000, 4000)})
     if closing:
         space.add_line(OPEN[-1], OPEN[0], dxfattribs={"layer": closing})
-    return read_of(made)
+    return imported(made)
 
 
 @pytest.mark.parametrize("closing", ["ROOMS", "DOORS"])
@@ -145,7 +138,7 @@ def test_an_outline_that_is_drawn_closed_and_once_more_as_lines_is_one_room() ->
     made = plan()
     made.modelspace().add_lwpolyline(corners((100, 0, 4000, 2900)), close=True, dxfattribs={"layer": "ROOMS"})
     loose(made.modelspace(), "ROOMS", (100, 0, 4000, 2900), (4100, 0, 8000, 2900))
-    answer = read_of(made)
+    answer = imported(made)
     assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.0, 3.0)] * 2
     assert list(answer.unread) == []
 
@@ -156,7 +149,7 @@ def test_a_drawing_without_rooms_is_told_the_layers_with_most_on_them() -> None:
         for _ in range(count):
             made.modelspace().add_line((0, 0), (count, 5), dxfattribs={"layer": f"L{count}"})
     with pytest.raises(FieldError) as refused:
-        read_of(made)
+        imported(made)
     named = ", ".join(f"'L{count}'" for count in range(10, 2, -1))
     assert f"are none in this file, whose layers are {named}, ..." in str(refused.value)
 
@@ -167,7 +160,7 @@ def test_loose_lines_of_walls_tell_how_thick_outer_walls_are_around_drawn_rooms(
     for box in inner:
         made.modelspace().add_lwpolyline(corners(box), close=True, dxfattribs={"layer": "ROOMS"})
     loose(made.modelspace(), "WALLS", *inner, (0, 0, 8200, 3200))
-    scene = read_of(made).scene
+    scene = imported(made).scene
     assert scene.wall_thickness == 0.1
     assert [room.wall_thickness for room in scene.rooms] == [(0.2, None, 0.2, 0.2), (0.2, 0.2, 0.2, None)]
 
@@ -184,7 +177,7 @@ def test_an_arc_among_openings_is_the_way_of_a_doors_leaf() -> None:
     made: Any = files.new()
     made.header["$INSUNITS"] = 4
     in_one_layer_of_openings(made.modelspace(), 1.0)
-    first, second = read_of(made).scene.rooms
+    first, second = imported(made).scene.rooms
     assert [(one.kind, one.width, one.connects_to, one.hinge) for one in first.openings] == [("door", 0.9, second.id, "end")]
 
 
@@ -192,6 +185,6 @@ def test_rooms_are_looked_for_in_the_unit_that_doors_tell_where_the_file_says_a_
     made: Any = files.new()
     made.header["$INSUNITS"] = 4
     in_one_layer_of_openings(made.modelspace(), 1 / 25.4)
-    answer = read_of(made)
+    answer = imported(made)
     assert [(guess["what"], guess["taken"]) for guess in answer.guesses if guess["what"] == "unit"] == [("unit", "in")]
     assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.05, 3.0)] * 2

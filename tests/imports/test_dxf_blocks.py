@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as files
 import pytest
 from ezdxf.math import Matrix44
 
-from solver.answers import PlanImport
 from solver.errors import FieldError
-from tests.imports.plans import opening, read, rooms_of
+from tests.imports.plans import imported, opening, read, rooms_of, text_of
 
 
 def drawing() -> Any:
@@ -29,19 +27,13 @@ def drawing() -> Any:
     return made
 
 
-def read_of(made: Any, unit: str | None = None) -> PlanImport:
-    text = StringIO()
-    made.write(text)
-    return read(text.getvalue().encode(), "plan.dxf", unit=unit)
-
-
 @pytest.mark.parametrize("mirrored", [False, True])
 def test_a_block_of_a_door_is_one_door(mirrored: bool) -> None:
     made = drawing()
     turned = {"rotation": 90, "xscale": -1 if mirrored else 1}
     made.modelspace().add_blockref("DOOR_90", (4, 1), dxfattribs=turned)
     made.modelspace().add_blockref("Fenster 120", (1, 0))
-    kitchen, bedroom = rooms_of(read_of(made)).values()
+    kitchen, bedroom = rooms_of(imported(made)).values()
     door = opening(kitchen, "door_0")
     assert (door.wall, door.width, door.connects_to) == ("east", 0.9, bedroom.id)
     middle = 0.55 if mirrored else 1.45
@@ -58,7 +50,7 @@ def test_a_block_within_a_block_is_opened_but_on_layers_that_hold_other_things()
     made.modelspace().add_blockref("unit", (0, 0), dxfattribs={"layer": "A-OTHER"})
     made.modelspace().add_blockref("unit", (4, 0), dxfattribs={"layer": "I-FURN"})
     made.modelspace().add_blockref("tree", (4, 0), dxfattribs={"layer": "A-OTHER"})
-    answer = read_of(made)
+    answer = imported(made)
     kitchen, bedroom = rooms_of(answer).values()
     assert [(one.kind, one.wall, one.width) for one in kitchen.openings] == [("door", "south", 0.9)]
     assert bedroom.openings == ()
@@ -78,7 +70,7 @@ def test_a_whole_house_that_is_one_block_is_read_as_if_it_were_none(scale: float
     outer.add_blockref("xref-plan", (3, 7))
     assert len(made.modelspace()) == 0
     made.modelspace().add_blockref("sheet", (100, 50), dxfattribs={"xscale": 1 / scale, "yscale": 1 / scale, "rotation": 90})
-    answer = read_of(made, "m" if scale == 1 else "0.5")
+    answer = imported(made, unit="m" if scale == 1 else "0.5")
     kitchen, bedroom = rooms_of(answer).values()
     assert (kitchen.type, kitchen.width, kitchen.depth, bedroom.type) == ("kitchen", 3.0, 4.0, "bedroom")
     door = opening(kitchen, "door_0")
@@ -94,7 +86,7 @@ def test_blocks_that_multiply_are_refused() -> None:
             block.add_blockref(f"door {depth - 1}" if depth else "DOOR_90", (at, 0))
     made.modelspace().add_blockref("door 5", (0, 0))
     with pytest.raises(FieldError, match="more than 50,000 entities"):
-        read_of(made)
+        imported(made)
 
 
 def test_what_is_never_looked_at_does_not_keep_a_plan_from_being_read() -> None:
@@ -102,9 +94,7 @@ def test_what_is_never_looked_at_does_not_keep_a_plan_from_being_read() -> None:
     made.blocks.new("chair").add_circle((0, 0), 0.77125)
     for layer, block, x in (("I-FURN", "chair", 2), ("0", "DOOR_90", 1)):
         made.modelspace().add_blockref(block, (x, 0), dxfattribs={"layer": layer})
-    text = StringIO()
-    made.write(text)
-    whole = text.getvalue()
+    whole = text_of(made)
     spoilt = whole.replace("\n0.77125\n", "\nno number\n").replace("LAYOUT\n  5\n", "LAYOUT\n  no code\n")
     assert spoilt.count("no number") == 1 and spoilt.count("no code") == 2
     answer = read(spoilt.encode(), "plan.dxf")
@@ -134,11 +124,9 @@ def test_a_drawing_without_rooms_or_layers_is_told_what_is_left_out_of_it(kind: 
     else:
         made.add_xref_def("plan.dwg", "OTHER")
         made.modelspace().add_blockref("OTHER", (0, 0))
-    text = StringIO()
-    made.write(text)
     told = {"CIRCLE": "1 of CIRCLE, which is not read; 1 of SPLINE", "INSERT": "1 of INSERT", "IMAGE": "pictures and pages .*: 1"}[kind]
     with pytest.raises(FieldError, match=f"are none in this file; left out: {told}"):
-        read(text.getvalue().encode(), "plan.dxf")
+        imported(made)
 
 
 STAMPS = {
@@ -165,7 +153,7 @@ def test_a_stamp_names_its_room_and_its_frame_is_none(stamp: str) -> None:
         else:
             for tag, words, y in (("NUMMER", "0.07", 1.1), ("NAME", name, 1.3), ("FLAECHE", "12,00 m2", 1.5)):
                 insert.add_attrib(tag, words, (x + 1.1, y))
-    answer = read_of(made)
+    answer = imported(made)
     assert [(room.type, room.width, room.depth) for room in answer.scene.rooms] == [("kitchen", 4, 3), ("bedroom", 4, 3)]
 
 
@@ -176,7 +164,7 @@ def test_texts_of_a_mirrored_drawing_stand_where_they_are_drawn() -> None:
     for entity in made.modelspace():
         entity.transform(Matrix44.scale(-1, 1, 1))
     assert {entity.dxf.extrusion.z for entity in made.modelspace().query("TEXT")} == {-1}
-    answer = read_of(made)
+    answer = imported(made)
     assert [(room.type, [one.kind for one in room.openings]) for room in answer.scene.rooms] == [
         ("kitchen", ["door"]),
         ("bedroom", ["door"]),

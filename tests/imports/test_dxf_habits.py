@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from io import BytesIO, StringIO
+from io import BytesIO
 from math import pi
 from typing import Any
 
@@ -11,7 +11,7 @@ import pytest
 
 from solver.answers import PlanImport
 from solver.errors import FieldError
-from tests.imports.plans import opening, read, rooms_of
+from tests.imports.plans import imported, opening, read, rooms_of, text_of
 
 
 def drawing(version: str = "R2010", unit: int = 6, scale: float = 1.0) -> Any:
@@ -26,12 +26,6 @@ def drawing(version: str = "R2010", unit: int = 6, scale: float = 1.0) -> Any:
         space.add_text(name, height=0.2 * scale).set_placement(((x + 1) * scale, 2 * scale))
     space.add_line((4 * scale, scale), (4 * scale, 1.9 * scale), dxfattribs={"layer": "Türen"})
     return made
-
-
-def text_of(made: Any) -> str:
-    text = StringIO()
-    made.write(text)
-    return text.getvalue()
 
 
 def binary(made: Any) -> bytes:
@@ -94,7 +88,7 @@ def test_a_unit_in_which_no_door_is_so_wide_is_told() -> None:
 def test_a_wide_or_narrow_door_does_not_change_the_unit_that_the_file_says(wide: float) -> None:
     made = drawing()
     made.modelspace().query("LINE").first.dxf.end = (4, 1 + wide)
-    answer = read(text_of(made).encode(), "plan.dxf")
+    answer = imported(made)
     assert told_units(answer) == []
     assert {room.width for room in answer.scene.rooms} == {4.0}
 
@@ -108,7 +102,7 @@ def test_curves_of_rooms_are_taken_by_chords() -> None:
     space.add_circle((12, 2), 2, dxfattribs={"layer": "room round"})
     space.add_ellipse((20, 2), (3, 0), 0.5, dxfattribs={"layer": "room oval"})
     space.add_line((1, 0), (1.9, 0), dxfattribs={"layer": "door"})
-    areas = [room.floor_m2 for room in read(text_of(made).encode(), "plan.dxf").scene.rooms]
+    areas = [room.floor_m2 for room in imported(made).scene.rooms]
     for area, exact in zip(areas, (16 + 2 * pi, 4 * pi, 4.5 * pi), strict=True):
         assert 0.88 * exact <= area <= exact
 
@@ -117,7 +111,7 @@ def test_lines_of_a_text_that_are_no_name_are_no_part_of_it() -> None:
     made = drawing()
     made.modelspace().query("TEXT").first.destroy()
     made.modelspace().add_mtext("{\\fArial|b1;Wohn-}\\PKüche\\P12.0 m2").set_location((1, 2))
-    assert "Wohn- Küche" in [room.name for room in read(text_of(made).encode(), "plan.dxf").scene.rooms]
+    assert "Wohn- Küche" in [room.name for room in imported(made).scene.rooms]
 
 
 def test_a_binary_file_of_too_many_parts_is_refused() -> None:

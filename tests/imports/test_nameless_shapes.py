@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from io import StringIO
 from itertools import chain, pairwise
 from typing import Any
 
@@ -17,7 +16,7 @@ from solver.errors import FieldError
 from solver.imports import nameless_shapes
 from solver.imports.shape_openings import DrawnShape, DrawnSwing, without_leaves
 from solver.imports.walls_alone import Between, WallOutlines, rooms_between
-from tests.imports.plans import read
+from tests.imports.plans import imported
 
 NAMES = {"Kitchen": (2000, 2500), "Bedroom": (6500, 2500)}
 FACES = (
@@ -78,12 +77,6 @@ def drawing(layers: dict[str, str], *, closed: bool = False, turn: float = 0.0, 
 
 ONE = dict.fromkeys(("wall", "window", "door", "text", "other"), "0")
 NUMBERS = {"wall": "1", "window": "2", "door": "3", "text": "4", "other": "5"}
-
-
-def imported(made: Any) -> PlanImport:
-    text = StringIO()
-    made.write(text)
-    return read(text.getvalue().encode(), "plan.dxf")
 
 
 def seen(answer: PlanImport) -> list[tuple[str, list[tuple[str, float]]]]:

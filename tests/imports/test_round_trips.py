@@ -15,7 +15,7 @@ from ezdxf.math import Matrix44
 from solver import Request, export, generate
 from solver.answers import PlanImport
 from solver.scene import EXTERIOR, Decoration, Level, Opening, Room, Scene
-from tests.imports.plans import read
+from tests.imports.plans import read, text_of
 
 HOMES = {
     "studio": Request(seed=5, program="studio"),
@@ -339,9 +339,7 @@ def transformed(content: bytes, matrix: Matrix44, units: int) -> bytes:
         if one.dxftype() not in ("DIMENSION", "HATCH"):
             one.transform(matrix)
     drawing.units = units
-    text = StringIO()
-    drawing.write(text)
-    return text.getvalue().encode()
+    return text_of(drawing).encode()
 
 
 @pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as files
@@ -12,7 +11,7 @@ import pytest
 
 from solver import export
 from solver.answers import PlanImport
-from tests.imports.plans import read
+from tests.imports.plans import imported, read
 from tests.imports.test_round_trips import home
 
 ROOMS = {"Flur": (0, 0, 2000, 4000), "Schlafzimmer": (2100, 0, 6000, 4000)}
@@ -39,12 +38,6 @@ def drawing(
     for x, y, radius, start in arcs:
         space.add_arc((x, y), radius, start, start + 90, dxfattribs={"layer": layer})
     return made
-
-
-def imported(made: Any) -> PlanImport:
-    text = StringIO()
-    made.write(text)
-    return read(text.getvalue().encode())
 
 
 def kinds(answer: PlanImport) -> dict[str, list[tuple[str, float, str | None]]]:

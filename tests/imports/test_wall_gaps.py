@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from io import StringIO
 from math import dist, pi, tan
 from typing import Any
 
@@ -14,7 +13,7 @@ from solver.imports.drawn import DrawnOpening, Spot
 from solver.imports.shape_openings import DrawnSwing, doors_of_swings
 from solver.imports.wall_gaps import WallGap, fitted, gaps_of
 from solver.scene import Opening
-from tests.imports.plans import read
+from tests.imports.plans import imported, read
 
 OUTER = ((0, 0, 9000, 6000), (300, 300, 8700, 5700))
 """The faces of the outer walls. Inside a hallway 1.5 m wide lies between two rooms; a wall of 0.1 m on either side of it."""
@@ -35,12 +34,6 @@ def drawing(names: dict[str, tuple[int, int]] | None = None) -> Any:
     for words, spot in (NAMES if names is None else names).items():
         space.add_text(words, height=150).set_placement(spot)
     return made
-
-
-def imported(made: Any) -> PlanImport:
-    text = StringIO()
-    made.write(text)
-    return read(text.getvalue().encode(), "plan.dxf")
 
 
 def doors(answer: PlanImport) -> list[Opening]:

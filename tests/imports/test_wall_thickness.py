@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from io import StringIO
 from typing import Any
 
 import ezdxf.filemanagement as drawings
@@ -18,7 +17,7 @@ from solver.imports.rectilinear import PlanEdge
 from solver.imports.wall_depths import WallDepths
 from solver.scene import Room, Scene
 from tests.exports.test_page_agrees import THICK_WALLS
-from tests.imports.plans import box, collection, line, piece, polygon, read
+from tests.imports.plans import box, collection, line, piece, polygon, read, text_of
 from tests.sweeps import ALL
 
 CLOSE = 0.0101
@@ -194,9 +193,7 @@ def dxf_of(rooms: list[Ring], walls: list[Ring], width: float) -> bytes:
         for points in rings:
             wide = {"const_width": width} if layer == "WALLS" and width else {}
             drawing.modelspace().add_lwpolyline(points, close=True, dxfattribs={"layer": layer, **wide})
-    text = StringIO()
-    drawing.write(text)
-    return text.getvalue().encode()
+    return text_of(drawing).encode()
 
 
 def svg_of(rooms: list[Ring], walls: list[Ring], width: float) -> bytes:

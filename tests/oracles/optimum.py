@@ -20,7 +20,6 @@ from solver.placement.problem import DifferenceRow, Problem
 SECONDS = 15.0
 """Time limit of one room of the bench."""
 NO_LIMIT = -1
-Taken = list[tuple[int, int, int, int]]
 
 
 @dataclass(frozen=True)

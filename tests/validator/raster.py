@@ -19,7 +19,6 @@ from solver.scene import Opening, Room, Scene
 STEP = 0.05
 PAD = 60
 Mask = NDArray[np.bool_]
-INWARD = {"north": (0, 1), "south": (0, -1), "west": (1, 0), "east": (-1, 0)}
 FRONT = {0: (0, 1), 90: (1, 0), 180: (0, -1), 270: (-1, 0)}
 Broken = set[tuple[str, str, tuple[str, ...]]]
 
