@@ -16,7 +16,7 @@ from solver.pieces import Piece, Space
 from solver.pipeline.left_over import judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
-from solver.placement import Budget, charge, is_call_spent, minimal_conflict, work_of_call
+from solver.placement import Budget, charge, feasible, is_call_spent, minimal_conflict, work_of_call
 from solver.placement.lengths import Shortfall, centimetres, least_that, metres, sentence
 from solver.repair import Body, Repair, RoomProblem, all_bodies, applied, holders, pieces_as_sent, squared, without, written_back
 from solver.scene import Furniture, Room
@@ -161,7 +161,8 @@ class _WhyNot:
             if fewer is not None and len(fewer) < len(own):
                 ids, walk = fewer, True
         if ids is None:
-            return _Verdict(label, (label,), at_limit(self._names[label], walk, f" in {room}"))
+            stands = walk and (label not in self.repair.unplaced or bool(feasible(space, group, self.budget)))
+            return _Verdict(label, (label,), at_limit(self._names[label], stands, f" in {room}"))
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)

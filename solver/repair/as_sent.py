@@ -71,7 +71,7 @@ def pieces_as_sent(problem: RoomProblem) -> tuple[Piece, ...]:
 
 
 def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
-    """Returns for every body on the floor that stays as sent the locked ids that make it: its own, or what it carries."""
+    """Returns for every body that stays as sent, on the floor or on others, the locked ids that make it: its own, or what it carries."""
     bodies = floor_bodies(room)
     by_id, parents = {body.id: body for body in bodies}, carriers(room)
     found: dict[str, list[str]] = {body.id: [body.id] for body in bodies if settings.is_locked(body)}
@@ -79,9 +79,9 @@ def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
         if settings.is_locked(by_id[chair]) and not too_deep_mm(by_id[chair], table):
             found.setdefault(table.id, []).append(chair)
     for piece in room.furniture:
-        root = root_of(piece.id, parents)
-        if piece.id in parents and root in by_id and settings.is_locked(piece):
-            found.setdefault(root, []).append(piece.id)
+        if piece.id in parents and root_of(piece.id, parents) in by_id and settings.is_locked(piece):
+            for label in (piece.id, *below(piece.id, parents)):
+                found.setdefault(label, []).append(piece.id)
     return {label: tuple(ids) for label, ids in found.items()}
 
 
@@ -105,14 +105,15 @@ def _pieces_on_others(floor: _Floor, bodies: Mapping[str, Body]) -> list[Piece]:
     parents = carriers(room)
     crowded = {parents[label] for ids in floor.crossing for label in ids if label in parents}
     upon = [piece for piece in room.furniture if root_of(piece.id, parents) in bodies.keys() - {piece.id}]
-    held = {label for piece in upon if settings.is_locked(piece) for label in (piece.id, *below(piece.id, parents))}
     known, pieces = {**bodies, **{piece.id: piece for piece in upon}}, []
     for piece in sorted(upon, key=lambda piece: len(below(piece.id, parents))):
         own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
         carrier = known[parents[piece.id]]
         ways = _ways_upon(own, carrier)
-        slides = piece.id not in held and carrier.id in crowded
-        ways = ways[:1] if piece.id in held else (*ways, _sliding(ways[0], carrier)) if slides else ways
+        if piece.id in floor.held:
+            ways = ways[:1]
+        elif carrier.id in crowded:
+            ways = (*ways, _sliding(ways[0], carrier))
         pieces.append(_piece(piece, ways, settings))
     return pieces
 

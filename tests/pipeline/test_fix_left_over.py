@@ -199,14 +199,45 @@ def test_each_body_of_a_heap_is_tried_once_not_once_for_each_other(monkeypatch: 
     assert told[0].repairs == ({"action": "leave_out", "id": "room_0/box_0"}, {"action": "leave_out", "id": "room_0/box_1"})
 
 
-@pytest.mark.parametrize("locked", [False, True])
-def test_what_is_left_beside_a_conflict_without_repairs_is_offered_none(locked: bool) -> None:
-    """A desk on a fire pit far from the desk's wall: without it a sofa still cannot be come to."""
+def desk_on_a_pit(locked: bool) -> Scene:
+    """A desk on a fire pit far from the desk's wall, and a sofa that cannot be come to in so small a room."""
     pit = replace(body("fire_pit", 1.5, 0.9, (1.2, 0.8, 0.3)), rotation=90)
     desk = replace(body("desk", 1.5, 0.9, (1.2, 0.6, 0.7), on=pit.id, wall="south", locked=locked), y=0.3, rotation=180)
-    sofa = body("sofa", 1.9, 0.3, (2.2, 1.7, 0.8))
-    fixed = fix(room_of(pit, desk, sofa, openings=(FRONT,), width=3.4, depth=2.1))
-    assert [(conflict.ids, conflict.repairs) for conflict in fixed.conflicts] == [((sofa.id,), ()), ((desk.id,), ())]
+    return room_of(pit, desk, body("sofa", 1.9, 0.3, (2.2, 1.7, 0.8)), openings=(FRONT,), width=3.4, depth=2.1)
+
+
+def test_what_is_left_beside_a_conflict_without_repairs_is_offered_none() -> None:
+    """Without the desk the sofa still cannot be come to."""
+    fixed = fix(desk_on_a_pit(locked=False))
+    assert [(conflict.ids, conflict.repairs) for conflict in fixed.conflicts] == [(("room_0/sofa",), ()), (("room_0/desk",), ())]
+
+
+def test_what_is_left_once_all_rooms_were_repaired_is_taken_out() -> None:
+    """The desk keeps its place on the pit: that it is far from its wall no repair of the room sees."""
+    fixed = fix(desk_on_a_pit(locked=False), on_conflict="remove")
+    reasons = {gone["id"]: gone["reason"] for gone in fixed.removed}
+    assert reasons.keys() == {"room_0/desk", "room_0/sofa"} and errors(fixed.scene) == []
+    assert reasons["room_0/desk"] == "room_0/desk stands 90 cm from the south wall of room_0, at most 20 cm is allowed"
+
+
+def test_what_is_locked_on_a_piece_where_it_cannot_stand_is_said_to_be_that() -> None:
+    """Each of two conflicts ends where both bodies are left out."""
+    fixed = fix(desk_on_a_pit(locked=True))
+    assert [conflict.ids for conflict in fixed.conflicts] == [("room_0/desk",), ("room_0/sofa",)]
+    assert fixed.conflicts[0].message.startswith("locked where it cannot stand: room_0/desk stands 90 cm from the south wall")
+    assert [conflict.repairs for conflict in fixed.conflicts] == [({"action": "leave_out", "id": one.ids[0]},) for one in fixed.conflicts]
+
+
+@pytest.mark.parametrize("x", [0.1, -0.1])
+def test_a_lamp_locked_partly_outside_does_not_blame_the_table_under_it(x: float) -> None:
+    """With its middle on the floor of the room, and outside, where it floats beside its table besides."""
+    table = body("side_table", 0.4, 3.0, (0.6, 0.6, 0.5))
+    lamp = replace(body("table_lamp", x, 3.0, (0.4, 0.4, 0.4), on=table.id, locked=True), y=0.5)
+    (told,) = fix(room_of(table, lamp, openings=(FRONT,))).conflicts
+    assert told.ids == (lamp.id,) and told.message.startswith("locked where it cannot stand: ")
+    unlock, leave = told.repairs
+    assert (unlock["action"], unlock["id"], unlock["dx"] > 0) == ("unlock", lamp.id, True)
+    assert leave == {"action": "leave_out", "id": lamp.id}
 
 
 @pytest.mark.parametrize("on_conflict", ["report", "remove"])

@@ -254,3 +254,22 @@ def test_who_is_an_odd_number_of_millimetres_wide_gets_a_way_as_all_others_do(
         fixed = fix(replace(scene, request={"robot_width": round(who, 3)}))
         assert not fixed.conflicts
         assert not errors(fixed.scene)
+
+
+def test_of_a_piece_for_which_no_place_was_found_it_is_not_said_that_it_can_stand() -> None:
+    """Whether the shelf can stand beside the seven others is open when the search ends; so is whether it can be reached."""
+    furniture = (
+        replace(body("bookshelf", 1.412, 2.888, (0.6, 0.28, 1.8), wall="west"), rotation=180),
+        body("bed", 2.362, 1.09, (1.4, 2.0, 0.9), wall="north"),
+        replace(body("tv_stand", 1.677, 2.93, (1.1, 0.38, 0.5), wall="east"), rotation=270),
+        body("toilet", 0.647, 1.743, (0.4, 0.66, 0.8), wall="south"),
+        replace(body("coffee_table", 1.719, 0.097, (1.1, 0.6, 0.42), wall="east"), rotation=105),
+        body("sideboard", 0.135, 2.386, (1.6, 0.44, 0.84), wall="south"),
+        replace(body("storage_shelf", 1.896, 2.307, (1.0, 0.4, 1.8)), rotation=270),
+        replace(body("counter", 0.298, 1.063, (0.6, 0.6, 0.9), wall="north"), rotation=270),
+    )
+    door = Opening("door", "door", "south", 1.2, 0.9, connects_to="EXTERIOR")
+    window = Opening("window", "window", "east", 1.2, 1.0, 1.2, 0.9, "EXTERIOR")
+    fixed = fix(room_of(*furniture, openings=(door, window), width=2.827, depth=3.047), repairs=False)
+    assert fixed.conflicts[0].ids == ("room_0/bookshelf",)
+    assert fixed.conflicts[0].message.startswith("not found: a place for bookshelf 0.60 x 0.28 m in room_0 beside all else")
