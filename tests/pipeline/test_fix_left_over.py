@@ -236,7 +236,8 @@ def test_a_lamp_locked_partly_outside_does_not_blame_the_table_under_it(x: float
     (told,) = fix(room_of(table, lamp, openings=(FRONT,))).conflicts
     assert told.ids == (lamp.id,) and told.message.startswith("locked where it cannot stand: ")
     unlock, leave = told.repairs
-    assert (unlock["action"], unlock["id"]) == ("unlock", lamp.id) and unlock["dx"] > 0
+    assert (unlock["action"], unlock["id"]) == ("unlock", lamp.id)
+    assert "dx" in unlock
     assert leave == {"action": "leave_out", "id": lamp.id}
 
 
