@@ -6,7 +6,7 @@ what a piece may do is all here.
 Cost is one number for everything: quadratic terms are weight x metres squared, preference costs are added to them.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from struct import Struct
 from typing import Final, Literal, NamedTuple
@@ -344,7 +344,8 @@ class Arrangement:
     `cost` counts terms and preferences where the pieces stand at last; `proven` tells that the search for these candidates
     closed below its limit; `best` that no other candidates of the required pieces are cheaper, within the widenings tried:
     both of the placement before slivers were tidied away, which costs at most 0.8 (core/placement/tidy.hpp). `left_out` pairs a label
-    with the reason, for a person. `insisted` is the label of the piece that was asked for as if it were required.
+    with the reason, for a person; `skipped` tells what doing without each of these costs, infinite where it is required. `insisted` is the
+    label of the piece that was asked for as if it were required.
     """
 
     room: str
@@ -356,6 +357,7 @@ class Arrangement:
     notes: tuple[str, ...] = field(default=())
     best: bool = True
     residuals: Residuals | None = None
+    skipped: Mapping[str, float] = field(default_factory=dict)
     insisted: str | None = None
 
     @property

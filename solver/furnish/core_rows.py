@@ -11,7 +11,7 @@ from solver.pieces import DOORWAY, Attach, Candidate, Link, Piece, Space, Stance
 from solver.relations.subject import NO_SIDES, RELATION_WORDS, SIDES, WALLS_ASKED, Kind, opened_rows
 from solver.scene import WALLS, Room
 
-_ROOM: Final = Struct("<Qd5q4i")
+_ROOM: Final = Struct("<Qd5q6i")
 _ANSWER: Final = Struct("<Q4i")
 _COUNT: Final = Struct("<2i")
 _PIECE: Final = Struct("<8id")
@@ -45,12 +45,20 @@ class Answer(NamedTuple):
     links: list[tuple[Any, ...]]
 
 
-def room_rows(room: Room, space: Space, area: float, state: int) -> bytes:
-    """Returns a room as bytes; `area` is that between its wall lines, m2, `state` its stream's."""
+NOBODY: Final = (-1, 0)
+"""In place of a piece that is insisted on."""
+
+
+def room_rows(room: Room, space: Space, area: float, state: int, insisted: tuple[int, int] = NOBODY) -> bytes:
+    """Returns a room as bytes.
+
+    `area` is that between its wall lines, m2, `state` its stream's, `insisted` the piece that is wanted as if it were required: its place
+    in the room's type and the number of the copy.
+    """
     exterior = room.exterior_walls or NO_SIDES
     walls = bool(exterior.north) + 2 * bool(exterior.south) + 4 * bool(exterior.east) + 8 * bool(exterior.west)
     counts = len(space.openings), len(space.zones), len(space.approaches)
-    rows = _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts), opened_rows(space.openings), space.rows[0]
+    rows = _ROOM.pack(state, area, *space.clear, space.gap_mm, walls, *counts, *insisted), opened_rows(space.openings), space.rows[0]
     return b"".join([*rows, *starmap(_RECT.pack, space.approaches)])
 
 

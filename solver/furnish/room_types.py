@@ -12,17 +12,18 @@ from catalogs.checks import OPENINGS
 from catalogs.schema import Catalogs, PieceSpec, RoomType
 from solver.core import ask
 from solver.furnish.compiled_types import CompiledType, compiled_type
-from solver.furnish.core_rows import Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
+from solver.furnish.core_rows import NOBODY, Answer, answer_of, candidate_in, label_of, pieces_of, place_rows, room_rows
 from solver.furnish.zones import floor_before_doors
 from solver.pieces import Piece, Space, WantedRows
 from solver.scene import Room
 from solver.streams import Stream
 
 
-def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> tuple[Piece, ...]:
+def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream, insisted: str | None = None) -> tuple[Piece, ...]:
     """Returns what a room wants, required pieces first, each with its candidates; of a type the catalogs do not know nothing.
 
-    The room's own stream draws optional pieces and which of equal walls is preferred.
+    The room's own stream draws optional pieces and which of equal walls is preferred. The piece whose label is `insisted` is wanted as if
+    it were required (solver/core/furnish/demanded.hpp).
 
     Raises:
         CoreFailed: an error within the core.
@@ -31,17 +32,25 @@ def wanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream) 
     if room_type is None:
         return ()
     known = compiled_type(room_type, catalogs, room.type)
-    answer = _asked(known, room_rows(room, _with_approaches(room, space, catalogs), room.floor_m2, stream.state))
+    floor = _with_approaches(room, space, catalogs)
+    answer = _asked(known, room_rows(room, floor, room.floor_m2, stream.state, _copy_called(insisted, known)))
     stream.state = answer.state
     return pieces_of(answer, known)
 
 
-def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream) -> WantedRows:
+def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream, insisted: str | None = None) -> WantedRows:
     """Returns what the core needs to furnish a room as `wanted_pieces` does, and to place what that wants; the stream stays as it is."""
     known = compiled_type(_type_of(room, catalogs), catalogs, room.type)
-    rows = room_rows(room, _with_approaches(room, space, catalogs), room.floor_m2, stream.state)
+    floor = _with_approaches(room, space, catalogs)
+    rows = room_rows(room, floor, room.floor_m2, stream.state, _copy_called(insisted, known))
     told = partial(label_of, known), partial(candidate_in, known)
     return WantedRows(space, known.data, rows + place_rows(space), known.named, known.looks, *told)
+
+
+def _copy_called(label: str | None, known: CompiledType) -> tuple[int, int]:
+    """Returns the place of a label's piece in a room's type, and the number of its copy."""
+    copies = ((at, number) for at, spec in enumerate(known.specs) for number in range(1, spec.count + 1) if label)
+    return next(((at, number) for at, number in copies if f"{known.specs[at].piece}_{number}" == label), NOBODY)
 
 
 def unwanted_pieces(room: Room, space: Space, catalogs: Catalogs, stream: Stream, wanted: Sequence[Piece]) -> tuple[tuple[str, str], ...]:

@@ -1,7 +1,7 @@
 """generate() and reroll(): request -> floor plan -> wanted pieces -> places -> checked scene, top to bottom."""
 
 import secrets
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -19,7 +19,7 @@ from solver.people import Household
 from solver.pieces import Arrangement, Piece, Space
 from solver.pipeline.accessible import with_access, with_fronts, with_walker
 from solver.pipeline.inhabited import arranged, decorated, home_catalogs, inhabited, needed, parted
-from solver.pipeline.insisted import dear_in, demanded, insisted_in, insisting
+from solver.pipeline.insisted import dear_in, insisted_in, insisting
 from solver.pipeline.reasons import with_lengths
 from solver.pipeline.room_spaces import as_joined, cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
@@ -59,8 +59,8 @@ class _Setting:
     """The rooms of a scene that is furnished: one may list a door into another alone."""
     heights: Mapping[int, float] = field(default_factory=dict)
     """How high the rooms of the storeys are, m, where not as usual."""
-    asked: dict[str, _Asked] = field(default_factory=dict, compare=False)
-    """What was found of rooms in which something stays, by their ids."""
+    asked: dict[tuple[str, str | None], _Asked] = field(default_factory=dict, compare=False)
+    """What was found of rooms in which something stays, by their ids and what is insisted on in them."""
     spaces: dict[str, tuple[Room, Space]] = field(default_factory=dict, compare=False)
     """The rooms that were looked at last, and their spaces, by the rooms' ids."""
 
@@ -124,7 +124,7 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
         for room in last:
             gone = {label for label, _ in asked[room.id].left_out}
             lacking = set() if alone else gone & needed(room, setting.catalogs)
-            made[room.id] = insisting(*_wished(room, setting), asked[room.id], lacking) if lacking else asked[room.id]
+            made[room.id] = _insisted(room, asked[room.id], setting, lacking) if lacking else asked[room.id]
     return setting, made
 
 
@@ -133,7 +133,7 @@ def _shifted(plan: FloorPlan, arrangements: dict[str, Arrangement], setting: _Se
     lacking = [room.id for room in plan.rooms if _missing(arrangements[room.id], room, setting)]
     for room_id in lacking[:SMALL_ROOMS]:
         room = next(room for room in plan.rooms if room.id == room_id)
-        arrangements[room_id] = _insisted(room, arrangements[room_id], setting)
+        arrangements[room_id] = _with_dear(room, arrangements[room_id], setting)
         if _missing(arrangements[room.id], room, setting):
             plan = _shift_doors(plan, room, arrangements, setting)
     return plan, _explained(plan.rooms, arrangements, setting) if lacking else arrangements
@@ -150,9 +150,7 @@ def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tupl
     The room's space, the pieces with their candidates, and what else its type lists with the reasons why that is not wanted.
     """
     setting = _setting_of(scene, catalogs, scene.seed or 0)
-    space, wanted = _wished(room, setting)
-    if label := insisted_in(scene.certificate, room.id):
-        wanted = demanded(wanted, label)
+    space, wanted = _wished(room, setting, insisted_in(scene.certificate, room.id))
     return space, wanted, unwanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting), wanted)
 
 
@@ -160,19 +158,19 @@ def _furnishing(room: Room, setting: _Setting) -> Stream:
     return Stream(setting.seed, "furnish", room.index)
 
 
-def _wished(room: Room, setting: _Setting) -> tuple[Space, tuple[Piece, ...]]:
-    return _around(room, setting)[1:]
+def _wished(room: Room, setting: _Setting, insisted: str | None = None) -> tuple[Space, tuple[Piece, ...]]:
+    return _around(room, setting, insisted)[1:]
 
 
-def _around(room: Room, setting: _Setting) -> _Asked:
-    if room.id in setting.asked:
-        return setting.asked[room.id]
+def _around(room: Room, setting: _Setting, insisted: str | None) -> _Asked:
+    if (room.id, insisted) in setting.asked:
+        return setting.asked[room.id, insisted]
     space = _space(room, setting)
-    wanted = wanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting))
+    wanted = wanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting), insisted)
     staying = setting.staying.get(room.id)
     if not staying:
         return Staying(room), space, wanted
-    return setting.asked.setdefault(room.id, around(staying, space, wanted, setting.catalogs))
+    return setting.asked.setdefault((room.id, insisted), around(staying, space, wanted, setting.catalogs))
 
 
 def _space(room: Room, setting: _Setting) -> Space:
@@ -183,14 +181,14 @@ def _space(room: Room, setting: _Setting) -> Space:
     return known[1]
 
 
-def _arrangements(rooms: Sequence[Room], setting: _Setting) -> dict[str, Arrangement]:
+def _arrangements(rooms: Sequence[Room], setting: _Setting, insisted: str | None = None) -> dict[str, Arrangement]:
     """Furnishes rooms: by the core in one go, or from pieces, where some stay or another engine is asked."""
     low = {level: _low(level, setting) for level in {room.level for room in rooms}}
     if _is_in_one_go(setting):
-        each = [(room, _space(room, setting), low[room.level].catalogs, _furnishing(room, setting)) for room in rooms]
+        each = [(room, _space(room, setting), low[room.level].catalogs, _furnishing(room, setting), insisted) for room in rooms]
         made = place_wanted([wanted_rows(*one) for one in each], tidy=True)
     else:
-        made = place([_wished(room, setting) for room in rooms], setting.engine, tidy=True)
+        made = place([_wished(room, setting, insisted) for room in rooms], setting.engine, tidy=True)
     return {room.id: _with_too_high(done, low[room.level].left_out.get(room.type)) for room, done in zip(rooms, made, strict=True)}
 
 
@@ -226,9 +224,14 @@ def _missing(arrangement: Arrangement, room: Room, setting: _Setting) -> int:
     return len(_dear(room, arrangement, setting)) + unmet
 
 
-def _insisted(room: Room, arrangement: Arrangement, setting: _Setting) -> Arrangement:
+def _insisted(room: Room, arrangement: Arrangement, setting: _Setting, mattering: Collection[str] = ()) -> Arrangement:
+    """Insists on a piece that matters and that an arrangement leaves out."""
+    return insisting(arrangement, lambda label: _arrangements([room], setting, label)[room.id], mattering)
+
+
+def _with_dear(room: Room, arrangement: Arrangement, setting: _Setting) -> Arrangement:
     """Insists on a dear piece that an arrangement leaves out."""
-    return insisting(*_wished(room, setting), arrangement, dear) if (dear := _dear(room, arrangement, setting)) else arrangement
+    return _insisted(room, arrangement, setting, dear) if (dear := _dear(room, arrangement, setting)) else arrangement
 
 
 def _shift_doors(plan: FloorPlan, room: Room, arrangements: dict[str, Arrangement], setting: _Setting) -> FloorPlan:
@@ -253,7 +256,7 @@ def _improved(
     sides.sort(key=lambda side: side.id != room_id)
     gained, tried = 0, dict[str, Arrangement]()
     for side in sides:
-        tried[side.id] = _insisted(side, _arrangements([side], setting)[side.id], setting)
+        tried[side.id] = _with_dear(side, _arrangements([side], setting)[side.id], setting)
         gained += _missing(arrangements[side.id], side, setting) - _missing(tried[side.id], side, setting)
         if gained <= 0:
             return None
@@ -340,7 +343,7 @@ def _rerolled(scene: Scene, rooms: Sequence[str], how: tuple[int, bool], known: 
     setting, arrangements = _furnished_rooms(chosen, _setting_of(scene, known, how[0], stays, [room.id for room in chosen]))
     if how[1]:
         for room in (one for one in chosen if not _is_planned_whole(one, setting)):
-            arrangements[room.id] = insisting(*_wished(room, setting), arrangements[room.id])
+            arrangements[room.id] = _insisted(room, arrangements[room.id], setting)
     arrangements = _explained(chosen, arrangements, setting)
     done = _rejoined(chosen, arrangements, setting)
     document: dict[str, Any] = dict(scene.certificate or {})
@@ -374,7 +377,8 @@ def _setting_of(
 
 def _rejoined(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Room]:
     """Writes the furniture into its rooms, around what stays in them; refuses what cannot be furnished around."""
-    stays = {room.id: _around(room, setting)[0] for room in rooms if room.id in setting.staying}
+    there = [room for room in rooms if room.id in setting.staying]
+    stays = {room.id: _around(room, setting, arrangements[room.id].insisted)[0] for room in there}
     wrong = {name for name, staying in stays.items() if not staying.are_in(arrangements[name])}
     refuse([room.id for room in rooms], stays, wrong)
     new = {name: replace(arrangements[name], placed=staying.new_in(arrangements[name])) for name, staying in stays.items()}

@@ -4,7 +4,7 @@ Comes in: rooms as (Space, pieces). Goes out: Arrangements on the millimetre lat
 left out. May import: the ground floor. Not here: rules of room types (furnish), the rules (validator).
 """
 
-from solver.placement.arrange import SolvedRoom, arrange, feasible, needed, walkable_when_empty, with_joined_doors
+from solver.placement.arrange import SolvedRoom, arrange, feasible, walkable_when_empty, with_joined_doors
 from solver.placement.budget import ROOM_WORK, Budget, CallWork, charge, is_call_spent, work_of_call
 from solver.placement.displacement import can_be_used, move_least, moved_back
 from solver.placement.encode import problem_bytes
@@ -15,6 +15,6 @@ from solver.placement.whole_rooms import place_wanted
 
 __all__ = [
     "ROOM_WORK", "Budget", "CallWork", "SolvedRoom", "arrange", "can_be_used", "charge", "feasible", "finish", "in_the_way",
-    "is_call_spent", "joined_in_turn", "minimal_conflict", "move_least", "moved_back", "needed", "place", "place_wanted", "problem_bytes",
+    "is_call_spent", "joined_in_turn", "minimal_conflict", "move_least", "moved_back", "place", "place_wanted", "problem_bytes",
     "standing", "walkable_when_empty", "with_joined_doors", "work_of_call",
 ]  # fmt: skip

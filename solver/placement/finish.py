@@ -5,6 +5,7 @@ Not here: which candidates are taken.
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 from solver.errors import RequestError
 from solver.geometry import WALL_BEHIND
@@ -71,6 +72,8 @@ def _arrangement(room: SolvedRoom, confirmed: Confirmed, tidy: bool) -> Arrangem
         placed.append(Placed(chosen.piece.label, candidate, chosen.rotation, wall, rect))
     gone = {piece.label for piece, _ in room.left_out}
     reasons = tuple((piece.label, f"{why}; {why_left_out(room.space, piece, placed, gone)}") for piece, why in room.left_out)
+    skipped = {piece.label: inf if piece.required else piece.skip_cost for piece, _ in room.left_out}
     notes = () if walkable else (NOT_WALKABLE,)
     cost = round(room.cost + more, 6)
-    return Arrangement(room.space.room, tuple(placed), reasons, cost, room.proven, room.solves, notes, room.best, confirmed.residuals)
+    proven, best = room.proven, room.best
+    return Arrangement(room.space.room, tuple(placed), reasons, cost, proven, room.solves, notes, best, confirmed.residuals, skipped)

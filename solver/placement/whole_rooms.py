@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 from struct import Struct, pack
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from solver.body_rows import BODY, KIND
 from solver.core import CoreInstance, borrowed
@@ -24,7 +24,7 @@ from solver.scene import WALLS as NUMBERED_WALLS
 _MADE: Final = Struct("<10q2d")
 _NAME: Final = Struct("<3q")
 _PLACED: Final = Struct("<7q176s")
-_LEFT_OUT: Final = Struct("<9q")
+_LEFT_OUT: Final = Struct("<2qd7q")
 _WHY: Final = (CANNOT_STAND, NOT_FOUND, REASONS[NO_WAY], REASONS[COVERED], REASONS[SPENT])
 """By `enum Why`."""
 _new: Final = tuple.__new__
@@ -139,18 +139,20 @@ def _arrangement(room: WantedRows, answer: _Answer, residuals: Residuals | None)
     missing = data[missing_at : missing_at + _LEFT_OUT.size * made.left_out]
     standing = StandingRows(bodies, room.kinds, [room.looks[kind] for (kind,) in KIND.iter_unpack(bodies)])
     placing = _Placing(room, names, ways, standing)
-    left_out = tuple(_reasons(room, placing, [*_LEFT_OUT.iter_unpack(missing)], made.placed)) if made.left_out else ()
+    gone = [*_LEFT_OUT.iter_unpack(missing)]
+    left_out = tuple(_reasons(room, placing, gone, made.placed)) if gone else ()
+    skipped = {label: row[2] for (label, _), row in zip(left_out, gone, strict=True)}
     notes = () if made.walkable else (NOT_WALKABLE,)
     proven, best = bool(made.proven), bool(made.best)
-    arrangement = Arrangement(room.space.room, (), left_out, made.cost, proven, made.solves, notes, best, residuals)
+    arrangement = Arrangement(room.space.room, (), left_out, made.cost, proven, made.solves, notes, best, residuals, skipped)
     return made_later(arrangement, placed=placing)
 
 
-def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[Sequence[int]], count: int) -> Iterator[tuple[str, str]]:
+def _reasons(room: WantedRows, placing: _Placing, rows: Sequence[tuple[Any, ...]], count: int) -> Iterator[tuple[str, str]]:
     """Yields the label of each piece that was left out, and why."""
     gone, holds = {row[0] for row in rows}, f"{clear_size(room.space.clear)} and holds {count} pieces"
     named, kinds = placing.named, room.kinds
-    for piece, why, parent, kind, at_walls, *free in rows:
+    for piece, why, _, parent, kind, at_walls, *free in rows:
         longest = [free[number] for number in _AS_NAMED] if at_walls else ()
         at = named_parent(room.label(named, parent), parent in gone) if parent >= 0 else None
         yield room.label(named, piece), f"{_WHY[why]}; {room_needed(kinds[kind], at, longest, holds)}"

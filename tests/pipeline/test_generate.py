@@ -170,7 +170,7 @@ def _bathless(home: Request) -> int:
 
 def test_a_door_is_shifted_where_a_bathroom_would_have_neither_tub_nor_shower(monkeypatch: pytest.MonkeyPatch) -> None:
     flow = importlib.import_module("solver.pipeline.generate")
-    monkeypatch.setattr(flow, "_insisted", lambda room, arrangement, setting: arrangement)
+    monkeypatch.setattr(flow, "_with_dear", lambda room, arrangement, setting: arrangement)
     some = [Request(seed=seed, program="family", robot_width=0.8) for seed in seeds(range(64), 4)]
     shifted = sum(map(_bathless, some))
     monkeypatch.setattr(flow, "SHIFTS", 0)
@@ -181,7 +181,7 @@ def test_a_tub_or_a_shower_is_insisted_on_in_small_bathrooms(monkeypatch: pytest
     """Ten of 2,505 bathrooms had neither, wherever their doors stood: now none."""
     homes = [Request(seed=seed, program=program) for program, seed in (("family", 7223), ("family", 9_320_050), ("large", 9_320_034))]
     assert not any(map(_bathless, homes))
-    monkeypatch.setattr(importlib.import_module("solver.pipeline.generate"), "_insisted", lambda room, arrangement, setting: arrangement)
+    monkeypatch.setattr(importlib.import_module("solver.pipeline.generate"), "_with_dear", lambda room, arrangement, setting: arrangement)
     assert any(map(_bathless, homes))
 
 

@@ -13,7 +13,7 @@ from compose_homes import explain, furnish, generate, reroll, validate
 from solver.pipeline.explain import CHANGED
 from solver.pipeline.insisted import insisted_in
 from solver.request import Request
-from solver.scene import EXTERIOR, Opening, Room, Scene
+from solver.scene import EXTERIOR, Level, Opening, Room, Scene
 
 ROOMS = [*product((2.0, 2.2, 2.4, 2.6), (1.9, 2.0, 2.1, 2.3), (0.5, 0.9))]
 """Widths, depths, and how far from the corner the middle of the door is, m."""
@@ -76,6 +76,14 @@ def test_it_is_as_it_was_where_an_edit_took_the_certificate() -> None:
     home = next(home for _, home in (both(*room) for room in ROOMS) if insisted(home))
     again = furnish(replace(home, certificate=None), keep="none", seed=3).scene
     assert poses(again) == poses(home)
+
+
+def test_what_is_too_high_for_a_low_room_is_told_where_it_was_insisted_too() -> None:
+    plan = replace(bathroom(2.2, 2.1, 0.5), levels=(Level(0, 0.0, 1.9),))
+    home = furnish(plan, seed=3).scene
+    assert insisted(home) == "bath_1"
+    certificate: Any = home.certificate
+    assert "shower_1" in {one["piece"] for one in certificate["rooms"]["a"]["left_out"]}
 
 
 STUDIOS: list[dict[str, Any]] = [

@@ -11,9 +11,6 @@ constexpr i64 NOTHING_MM = 2;
 constexpr f64 WEIGHT = 0.02;
 // What it costs a required piece that its fronts do not open half of their way.
 constexpr f64 BLOCKED = 12.0;
-// Added to the side of floor that fronts open over; of floor that a standard asks for; in place of a side: of a square to turn in, of floor
-// before a door.
-constexpr i32 OPENED = 4, ASKED = 8, TURNING = 12, APPROACH = 13;
 // What doing without floor costs that a standard asks for, at a side, before a door and to turn in: more than any piece that is not
 // required.
 constexpr f64 UNMET = 40.0, NO_APPROACH = 250.0, NO_TURNING = 250.0;

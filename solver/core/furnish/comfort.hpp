@@ -5,6 +5,10 @@
 
 namespace furnish {
 
+// Added to the side of floor that fronts open over; of floor that a standard asks for; in place of a side: of a square to turn in, of floor
+// before a door.
+constexpr i32 OPENED = 4, ASKED = 8, TURNING = 12, APPROACH = 13;
+
 // Pieces with their candidates and links.
 struct WantedRows {
   Span<PieceRow> pieces;

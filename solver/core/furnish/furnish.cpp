@@ -1,6 +1,6 @@
 #include "furnish/furnish.hpp"
 
-#include "furnish/furnisher.hpp"
+#include "furnish/demanded.hpp"
 #include "furnish/runs.hpp"
 
 namespace furnish {
@@ -51,6 +51,15 @@ static RoomType of_area(const RoomType& type, f64 area) {
   return own;
 }
 
+static WantedRows with_insisted(const RoomHeader& room, const WantedRows& wanted) {
+  for (i32 k = 0; k < wanted.pieces.size; k++) {
+    const PieceRow& row = wanted.pieces[k];
+    const bool is_asked = row.spec == room.insisted_spec && row.number == room.insisted_number;
+    if (row.floor_side < 0 && is_asked) return demanded(wanted, k);
+  }
+  return wanted;
+}
+
 Wanted wanted_in(const RoomType& any, const RoomHeader& room, const Scope& scope) {
   const RoomType type = of_area(any, room.area);
   WallOccupancy walls(scope);
@@ -59,7 +68,8 @@ Wanted wanted_in(const RoomType& any, const RoomHeader& room, const Scope& scope
   const List<CountedPiece> counted = counted_pieces(type, room.area, stream);
   const Span<Candidate> run = type.has_run ? planned_run(scope, walls, type, counted, stream) : Span<Candidate>{};
   add_pieces(furnisher, type, counted, run, stream);
-  return {stream.state(), counted, with_comfort(scope, type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()})};
+  const WantedRows wanted = with_comfort(scope, type, {furnisher.pieces.all(), furnisher.candidates.all(), furnisher.links.all()});
+  return {stream.state(), counted, with_insisted(room, wanted)};
 }
 
 Bytes answer_rows(u64 first, Span<CountRow> counts, const WantedRows& rows) {

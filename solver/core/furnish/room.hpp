@@ -34,6 +34,8 @@ struct RoomHeader {
   i32 openings;
   i32 zones;
   i32 approaches;
+  i32 insisted_spec;  // of the piece of its type that is insisted on, or -1
+  i32 insisted_number;  // of that piece's copy
 };
 
 struct Scope {

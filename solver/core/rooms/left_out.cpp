@@ -39,6 +39,8 @@ LeftOutRow left_out_row(const WantingRoom& room, i64 piece, Why why, Span<Placed
   LeftOutRow row = {};
   row.piece = piece;
   row.why = why;
+  const furnish::PieceRow& own = room.wanted.pieces[static_cast<i32>(piece)];
+  row.skip_cost = own.required == furnish::REQUIRED ? INFINITE : own.skip_cost;
   bool at_parents = true;  // at one in all ways: else it may stand elsewhere, too
   for (const Candidate& way : ways) {
     if (is_smaller(room, way, *smallest)) smallest = &way;

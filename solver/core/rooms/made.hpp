@@ -36,9 +36,10 @@ struct PlacedRow {
   furnish::Candidate way;
 };
 
-// A piece left out: its smallest way to stand, and by wall the longest stretch that is free at its depth and height, mm.
+// A piece left out: what it counts, its smallest way to stand, and by wall the longest stretch that is free at its depth and height, mm.
 struct LeftOutRow {
   i64 piece, why;
+  f64 skip_cost;     // infinite where it is required
   i64 parent, kind;  // of that way
   i64 at_walls;      // whether any of its ways is at a wall
   i64 free[4];
