@@ -24,8 +24,6 @@ OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
-OF_ROOM = [0] * 9
-"""In place of how large a room's problem may get (`struct Sizes` of solver/core/placement/space.hpp): as large as follows from the room."""
 
 
 @dataclass(frozen=True)
@@ -174,7 +172,7 @@ def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, b
     least_floor = 0 if walk == "none" else LEAST_FLOOR_MM2
     asked = *space.clear, space.gap_mm, space.robot_mm, space.cover_mm2, least_floor, space.ways_mm, -1 if space.closed else space.outer
     return tables, b"".join([
-        _longs([*OF_ROOM, *counts, len(tables.link_costs) // LINK_COSTS, *asked]), zones, doorways, _longs([*chain(*tables.rows)]),
+        _longs([*counts, len(tables.link_costs) // LINK_COSTS, *asked]), zones, doorways, _longs([*chain(*tables.rows)]),
         _doubles([piece.skip_cost for piece in pieces]), _longs(tables.sides), _doubles(tables.side_costs), _longs(tables.alts),
         _doubles(tables.alt_costs), _longs(tables.links), _doubles(tables.link_costs),
     ])  # fmt: skip

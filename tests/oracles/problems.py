@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count as count_from
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,8 @@ from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, Pro
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
-TABLES, SPACE = 6, 10
-"""Tables that a request counts the rows of, and numbers of its space."""
+SPACE, PIECE = 10, 9
+"""Numbers of a request's space, and of a piece in it."""
 
 
 @dataclass(frozen=True)
@@ -124,14 +125,20 @@ def on_lattice(problem: Problem, outcome: Outcome) -> list[list[int]]:
     return [own[:n].tolist() for own, n in zip(engine.grid.positions, engine.work.sizes, strict=True)]
 
 
+def _room_as_large_as(problem: Problem) -> bytes:
+    """Returns a room that asks for as much space as a problem needs: of pieces that have no way to stand."""
+    pulls = sum(term.i != ORIGIN for term in problem.terms)
+    pairs = next(count for count in count_from(1) if count * (count - 1) // 2 >= len(problem.choices))
+    pieces = max(len(problem.low[0]), len(problem.low[1]), len(problem.rows), pulls, pairs)
+    counts = [0, 0, pieces, 0, 0, 0]
+    return np.array(counts, dtype=np.int64).tobytes() + bytes(8 * (SPACE + pieces * (PIECE + 1)))
+
+
 def laid_out(problem: Problem) -> Engine:
     """Returns a work space with the problem in it, ready for the kernel's `search`."""
-    count = max(len(problem.low[0]), len(problem.low[1]), 1)
-    pulls = sum(term.i != ORIGIN for term in problem.terms)
-    sizes = np.array([1, count, len(problem.choices) + 1, len(problem.rows) + 1, pulls + 1, 0, 0, 1, 1], dtype=np.int64).tobytes()
     instance = taken(roomy=True)
-    sent = instance.write(sizes + bytes(8 * (TABLES + SPACE)))  # without a row
-    engine = Engine(instance, int(instance.call("new_desk", sent)))
+    engine = Engine(instance, int(instance.call("new_desk", instance.write(_room_as_large_as(problem)))))
+    engine.call.decisions[:] = layout.ABSENT
     work = engine.work
     work.counts[:] = 0
     for axis in (0, 1):

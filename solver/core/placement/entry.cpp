@@ -24,7 +24,7 @@ extern "C" {
 
 EXPORT(new_desk) Desk* entry_new_desk(RoomRequest* request) {
   const Room room = room_of(request);
-  return new_desk(room, request->sizes.pieces > 0 ? request->sizes : sizes_of(room));
+  return new_desk(room, sizes_of(room));
 }
 
 EXPORT(assemble) i32 entry_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }

@@ -14,10 +14,9 @@ struct Sizes {
 // Bounds of what a room's problem can need.
 Sizes sizes_of(const Room& room);
 
-// What the host sends: sizes (all 0: those of the room), how many rows the room's tables have, and then the tables in the order of `Room`,
-// doorways in place of doors, and what `derive` needs in place of what it derives.
+// What the host sends: how many rows the room's tables have, and then the tables in the order of `Room`, doorways in place of doors, and
+// what `derive` needs in place of what it derives.
 struct RoomRequest {
-  Sizes sizes;
   i64 zones, doors, pieces, sides, candidates, links;
 };
 
