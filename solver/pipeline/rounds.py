@@ -11,7 +11,6 @@ stands free is clearly elsewhere.
 
 from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
 
 from catalogs.schema import RelationSpec
 from solver.furnish import ListedPieces
@@ -196,14 +195,13 @@ def settled(task: PlaceTask, found: Round) -> Placement:
 def with_fronts_open(task: PlaceTask, found: Round) -> tuple[Round, Placement]:
     """Returns an arrangement and its placement after the final solve, with fewer fronts blocked where no relation is lost for it.
 
-    The pieces of blocked fronts, and those that these meet, are taken out and put in again where all fronts open over empty floor.
+    The piece of each blocked front, and those that it meets, are taken out and put in again where all fronts open over empty floor.
     """
     best = settled(task, found)
-    blocked = _blocked(best)
-    for loose in ({*chain(*blocked)}, *map(set, blocked if len(blocked) > 1 else ())):
-        if is_call_spent() or not any(loose.issuperset(one) for one in _blocked(best)):
+    for blocked in _blocked(best):
+        if is_call_spent() or blocked not in _blocked(best):
             continue
-        other = _cleared(task, found, loose)
+        other = _cleared(task, found, set(blocked))
         if other and other.score[:4] > found.score[:4]:
             other = _cleared(task, other, {label for label, _ in other.lost})
         if other is None or other.score[:4] > found.score[:4]:
