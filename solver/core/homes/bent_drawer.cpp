@@ -28,6 +28,8 @@ struct OffsetList {
   i32 size = 0;
 };
 
+// About how deep a strip without columns becomes when it is given one.
+constexpr i64 FRESH_MM = 3900;
 // The court of a U is at least so deep.
 constexpr i64 COURT_MM = 1500;
 
@@ -151,7 +153,7 @@ void BentDrawer::choose_depths(Draft& draft, Stream& stream) const {
 void BentDrawer::choose_pair(Draft& draft, i32 first, Stream& stream) const {
   for (i32 k = first; k < first + 2; k++) {
     if (!draft.is_empty(k ^ 1)) continue;
-    draft.depth[k] = drawn_near(DepthList(possible(draft, k)), stream);
+    draft.depth[k] = stream.pick(DepthList(possible(draft, k)).all());
     return;
   }
   Drawer::choose_pair(draft, first, 0, stream);
@@ -188,7 +190,7 @@ void BentDrawer::make_flush(Draft& draft) const {
 // Makes a changed draft's depths near ones that its columns can have.
 void BentDrawer::fit_depths(Draft& draft) const {
   for (i32 k = 0; k < draft.strips; k++) {
-    draft.depth[k] = nearest(possible(draft, k), draft.depth[k] ? draft.depth[k] : whole(wished_));
+    draft.depth[k] = nearest(possible(draft, k), draft.depth[k] ? draft.depth[k] : FRESH_MM);
   }
   if (draft.kind != Kind::rows && draft.bend != Bend::free) make_flush(draft);
   close_empty(draft);

@@ -35,15 +35,9 @@ void Drawer::choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) 
   for (i32 k = 0; k < 2; k++) {
     for (const Column& column : draft.in(first + k)) areas[k] += columns_.area(column);
   }
-  const i64 depth = drawn_near(north, stream);
+  const i64 depth = stream.pick(north.all());
   depths[first] = depth;
   depths[first + 1] = nearest(south, floor_div(floor_div(areas[1] * depth, most<i64>(areas[0], 1)), DEPTH_STEP_MM) * DEPTH_STEP_MM);
-}
-
-// Draws two depths and returns the one nearer to what is wished.
-i64 Drawer::drawn_near(const DepthList& depths, Stream& stream) const {
-  const i64 one = depths.depths[stream.below(depths.size)], other = depths.depths[stream.below(depths.size)];
-  return absolute(static_cast<f64>(other) - wished_) < absolute(static_cast<f64>(one) - wished_) ? other : one;
 }
 
 // The depths at which a strip's columns have a width, as bits; columns that leave none are passed over.

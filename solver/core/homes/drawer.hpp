@@ -21,10 +21,10 @@ struct StripPlace {
   i64 at, line, depth;
 };
 
-// Draws the drafts of one programme in one frame. `wished` is a strip's depth in a house of the rooms' typical areas, mm.
+// Draws the drafts of one programme in one frame.
 class Drawer {
  public:
-  Drawer(Columns& columns, Frame frame, f64 wished) : columns_(columns), frame_(frame), wished_(wished) {}
+  Drawer(Columns& columns, Frame frame) : columns_(columns), frame_(frame) {}
 
   // Gives the strips depths at which all their columns have a width, pairs of strips about one length. A strip whose columns have no such
   // depth in common takes what the others leave it.
@@ -38,7 +38,6 @@ class Drawer {
 
  protected:
   void choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const;
-  i64 drawn_near(const DepthList& depths, Stream& stream) const;
   u64 possible(const Draft& draft, i32 strip) const;
   void spans_of(const Draft& draft, i32 strip, StripPair& pair) const;
   Misfit pair(const Draft& draft, i32 first, bool stretch, StripPair& pair) const;
@@ -47,7 +46,6 @@ class Drawer {
 
   Columns& columns_;
   Frame frame_;
-  f64 wished_;
 
  private:
   i64 hallway_of(Kind kind) const;
@@ -62,8 +60,8 @@ class Drawer {
 class BentDrawer : public Drawer {
  public:
   // `garages` lie at the end of the first of two wings.
-  BentDrawer(Columns& columns, f64 wished, Outline outline, Span<const i32> garages)
-      : Drawer(columns, {0, 0}, wished), outline_(outline), garages_(garages) {}
+  BentDrawer(Columns& columns, Outline outline, Span<const i32> garages)
+      : Drawer(columns, {0, 0}), outline_(outline), garages_(garages) {}
 
   void choose_depths(Draft& draft, Stream& stream) const;
   void fit_depths(Draft& draft) const;
@@ -84,7 +82,7 @@ class BentDrawer : public Drawer {
 // Draws drafts with blocks: each is a house of its own in a fixed frame.
 class GivenDrawer {
  public:
-  GivenDrawer(Columns& columns, f64 wished) : columns_(columns), wished_(wished) {}
+  explicit GivenDrawer(Columns& columns) : columns_(columns) {}
 
   void choose_depths(Draft& draft, Stream& stream) const;
   void fit_depths(Draft& draft) const;
@@ -92,11 +90,10 @@ class GivenDrawer {
   Misfit draw(const Draft& draft, Sheet& sheet) const;
 
  private:
-  Drawer drawer(const Block& block) const { return {columns_, {block.along(), block.across()}, wished_}; }
+  Drawer drawer(const Block& block) const { return {columns_, {block.along(), block.across()}}; }
   Misfit draw_block(const Block& block, const Draft& part, Sheet& drawn) const;
 
   Columns& columns_;
-  f64 wished_;
 };
 
 }  // namespace homes

@@ -30,6 +30,8 @@ from tests.floorplan.reference.drafts import (
 )
 from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, shared_out, width_of
 
+FRESH_MM: Final = 3900
+"""About how deep a strip without columns becomes when it is given one."""
 GARAGE_MM: Final = 5700
 """Depth of a garage at the end of a wing: a car with space to walk around it. Our choice."""
 
@@ -52,8 +54,7 @@ class BentDrawer(Drawer):
     def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
         for k in (first, first + 1):
             if not draft.strips[k ^ 1]:
-                options = listed(self._possible(draft.strips[k]))
-                draft.depths[k] = min(stream.pick(options), stream.pick(options), key=lambda one: abs(one - self.wished))
+                draft.depths[k] = stream.pick(listed(self._possible(draft.strips[k])))
                 return
         super()._choose_pair(draft, first, whole, stream)
 
@@ -96,7 +97,7 @@ class BentDrawer(Drawer):
     def fit_depths(self, draft: Draft) -> None:
         """Makes a changed draft's depths near ones that its columns can have."""
         for k, strip in enumerate(draft.strips):
-            draft.depths[k] = nearest(self._possible(strip), draft.depths[k] or int(self.wished))
+            draft.depths[k] = nearest(self._possible(strip), draft.depths[k] or FRESH_MM)
         if draft.kind != "rows" and draft.bend != FREE:
             self._make_flush(draft)
         self._close(draft, 0)

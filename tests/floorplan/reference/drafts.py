@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
-from solver.floorplan.programme.home_search import FLOOR, RATIO, Frame
+from solver.floorplan.programme.home_search import Frame
 from solver.floorplan.programme.planned_rooms import RoomSize
 from solver.geometry import Rect
 from solver.streams import Stream
@@ -146,8 +146,6 @@ class Drawer:
 
     def __init__(self, sizes: Sequence[RoomSize], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
-        floor = FLOOR * sum(size.typical for size in sizes)
-        self.wished = ((floor / RATIO) ** 0.5 - hallway()) / 2
 
     def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
@@ -172,7 +170,7 @@ class Drawer:
             depths[first] = stream.pick(both or north)
             self._share(depths, first, whole)
             return
-        depth = min(stream.pick(north), stream.pick(north), key=lambda one: abs(one - self.wished))
+        depth = stream.pick(north)
         areas = [sum([self.sizes[room].typical for column in strips[k] for room in column]) for k in (first, first + 1)]
         depths[first : first + 2] = depth, nearest(south, areas[1] * depth // max(areas[0], 1) // DEPTHS_MM.step * DEPTHS_MM.step)
 
