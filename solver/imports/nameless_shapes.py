@@ -71,9 +71,9 @@ def _rooms_of(
 ) -> list[DrawnRoom]:
     windows = [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
     walls = [shapes[at].round() for at in way]
-    openings, gaps = fitted([*doors, *windows], gaps_of(walls, metres), metres)
+    fit = fitted([*doors, *windows], gaps_of(walls, metres), metres)
     areas = [shapes[at].points for at in way if shapes[at].filled]
-    return rooms_between(WallOutlines(walls, areas), openings, metres, gaps, names).rooms if walls else []
+    return rooms_between(WallOutlines(walls, areas), fit, metres, names).rooms if walls else []
 
 
 def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:

@@ -37,7 +37,7 @@ from solver.imports.shape_openings import (
 from solver.imports.storeys_beside import SidesOfWalls, StoreyTitle, away, with_storeys_apart, without_views
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import ASSUMED, DOORS, GAPS, PlanUnit, assumed, told_by_areas, without_area
-from solver.imports.wall_gaps import WallGap, fitted, gaps_of, with_leaves
+from solver.imports.wall_gaps import WIDTHS, WallGap, fitted, gaps_of, with_leaves
 from solver.imports.walls_alone import INSIDE, NamedSpot, WallOutlines, overlap, rooms_between
 from solver.plain import quoted
 
@@ -148,9 +148,9 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
     openings = _openings(shapes, swings, faces)
     length = _length(metres, openings, [points for points, _ in outlines])
     unit = length.metres
-    all_gaps = gaps_of([points for points, _ in outlines], unit)
-    openings, gaps = fitted(openings, all_gaps, unit)
-    openings, gapless = (openings, []) if is_swung else _in_gaps(openings, all_gaps)
+    gaps = gaps_of([points for points, _ in outlines], unit)
+    fit = fitted(openings, gaps, unit)
+    openings, gapless = (fit.openings, []) if is_swung else _in_gaps(fit.openings, gaps)
     walls: list[DrawnWall] = []
     thick: float | None = None
     told: list[Unread] = []
@@ -159,8 +159,8 @@ def _plan(sheet: DrawnSheet, metres: UnitTold, unread: Sequence[Unread]) -> Draw
         found = _beside(rooms, loose, openings, unit)
     else:
         drawn = WallOutlines([points for points, _ in outlines], [one.points for one in drawn_walls if one.filled])
-        found, thick, told, passages = rooms_between(drawn, openings, unit, gaps, names)
-        found, views = _seen_from_above(found, openings, all_gaps, texts, SidesOfWalls(drawn.lines, thick, unit or 1.0))
+        found, thick, told, passages = rooms_between(drawn, fit._replace(openings=openings), unit, names)
+        found, views = _seen_from_above(found, openings, gaps, texts, SidesOfWalls(drawn.lines, thick, unit or 1.0))
         told += views
         openings += with_leaves(passages, gaps, [] if is_swung else [one.round() for one in shapes if one.sort is None and one.points])
     rooms += found
@@ -191,7 +191,9 @@ def _length(told: UnitTold, openings: Sequence[DrawnOpening], walls: Sequence[Se
     size = max(x1 - x0, z1 - z0) or 1.0
     if walls and (unit.metres is None or (unit.words.startswith(ASSUMED) and size * unit.metres > LARGEST_HOUSE)):
         usual = HOUSE / size
-        gaps = [DrawnOpening("door", gap.start, gap.end, "") for gap in fitted(openings, gaps_of(walls, usual), usual)[1] if gap.in_line]
+        left = fitted(openings, gaps_of(walls, usual), usual).left
+        wide = [gap for gap in left if gap.in_line and gap.width * usual * 1000 >= WIDTHS[0]]
+        gaps = [DrawnOpening("door", gap.start, gap.end, "") for gap in wide]
         unit = told(gaps)
         unit = assumed(gaps, GAPS) if unit.metres is None else unit._replace(words=unit.words.replace(DOORS, GAPS))
     return unit
@@ -268,7 +270,9 @@ def _beside(
     """Returns the rooms that loose lines enclose where no room is drawn as one outline."""
     if not loose:
         return []
-    found = rooms_between(WallOutlines([one.points for one in loose]), openings, metres).rooms
+    lines = [one.points for one in loose]
+    fit = fitted(openings, gaps_of(lines, metres), metres)
+    found = rooms_between(WallOutlines(lines), fit._replace(left=[]), metres).rooms
     within = INSIDE / (metres or 1.0)
     return [room for room in found if not any(overlap(room.points, other.points, within) for other in rooms)]
 

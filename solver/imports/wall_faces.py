@@ -1,7 +1,7 @@
 """A drawing of walls alone -> rooms: the faces that its wall lines enclose, once the gaps at doors and windows are closed."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Final, Literal, NamedTuple
 
@@ -18,10 +18,6 @@ SAME_LINE: Final = 5
 """Coordinates no farther apart, mm, are one."""
 CRACK: Final = 150
 """A gap in a wall's line that is no longer, mm, is none."""
-WIDEST: Final = 1.4
-"""The gap at an opening is at most so many times as wide as the opening is drawn."""
-BESIDE: Final = 450
-"""How far from an opening's line the faces of its wall may lie, mm."""
 NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
 THICKEST: Final = 600
@@ -71,9 +67,7 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
     return DrawnLine("x" if axis == "x" else "z", round((a[1 - along] + b[1 - along]) / 2), low, far)
 
 
-def faces_between(
-    walls: Sequence[DrawnLine], openings: Sequence[DrawnLine], slants: Sequence[tuple[Spot, Spot]] = (), step: int = STEP
-) -> list[WallFace] | None:
+def faces_between(walls: Sequence[DrawnLine], slants: Sequence[tuple[Spot, Spot]] = (), step: int = STEP) -> list[WallFace] | None:
     """Returns the rooms that walls enclose, from north to south; None where the drawing is too intricate.
 
     Slanted lines enclose, too: rooms reach to the steps before them.
@@ -91,7 +85,7 @@ def faces_between(
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
-    lines = _closed(lines, openings)
+    lines = _closed(lines)
     free = _free(lines, xs, zs)
     for slant in slants:
         _cover(free, slant, xs, zs)
@@ -107,29 +101,6 @@ def gathered(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
     for before, value in zip([None, *values], values, strict=False):
         first[value] = first[before] if before is not None and value - first[before] <= SAME_LINE else value
     return list(dict.fromkeys(DrawnLine(one.axis, first[one.at], first[one.low], first[one.high]) for one in walls))
-
-
-def _closed(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> list[DrawnLine]:
-    """Returns walls with the lines that close cracks, and gaps at openings."""
-    by_line: dict[tuple[str, int], list[DrawnLine]] = {}
-    for one in walls:
-        by_line.setdefault((one.axis, one.at), []).append(one)
-    made: list[DrawnLine] = []
-    beside = {(axis, at): _beside(openings, axis, at) for axis, at in by_line}
-    for key, parts in by_line.items():
-        parts.sort(key=lambda one: (one.low, one.high))
-        end = parts[0].high
-        for one in parts[1:]:
-            gap = DrawnLine(one.axis, one.at, end, one.low)
-            if one.low > end and (one.low - end <= CRACK or any(_fills(opening, gap) for opening in beside[key])):
-                made.append(gap)
-            end = max(end, one.high)
-    return [*walls, *made, *_reaching(walls, beside, made)]
-
-
-def _beside(openings: Sequence[DrawnLine], axis: str, at: int) -> list[DrawnLine]:
-    """Returns the openings that may lie in a wall whose face runs there."""
-    return [one for one in openings if one.axis == axis and abs(one.at - at) <= BESIDE]
 
 
 class WallRows:
@@ -190,23 +161,34 @@ def _across(one: DrawnLine) -> Literal["x", "z"]:
     return "z" if one.axis == "x" else "x"
 
 
-def free_ends(walls: Sequence[DrawnLine], openings: Sequence[DrawnLine]) -> int:
-    """Returns how many ends of walls lie on no other wall, once cracks and gaps at openings are closed."""
-    lines = _closed(gathered(walls), openings)
+def free_ends(walls: Sequence[DrawnLine]) -> int:
+    """Returns how many ends of walls lie on no other wall, once cracks are closed."""
+    lines = _closed(gathered(walls))
     rows = WallRows(lines)
     return sum(not rows.is_met(one, end) for one in lines for end in (one.low, one.high))
 
 
-def _reaching(
-    walls: Sequence[DrawnLine], beside: Mapping[tuple[str, int], Sequence[DrawnLine]], closed: Sequence[DrawnLine]
-) -> Iterator[DrawnLine]:
-    """Yields lines from the ends of walls to the next wall across their way: from free ends over cracks, from any over openings.
+def _closed(walls: Sequence[DrawnLine]) -> list[DrawnLine]:
+    """Returns walls with the lines that close cracks, from pieces to the next ones in their lines, and from free ends to walls across."""
+    return [*walls, *_in_cracks(walls), *_reaching(walls)]
 
-    None from a doorpost over the opening behind it, at the end of a hallway: the gap in that one's own wall is closed.
-    """
+
+def _in_cracks(walls: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
+    by_line: dict[tuple[str, int], list[DrawnLine]] = {}
+    for one in walls:
+        by_line.setdefault((one.axis, one.at), []).append(one)
+    for parts in by_line.values():
+        parts.sort(key=lambda one: (one.low, one.high))
+        end = parts[0].high
+        for one in parts[1:]:
+            if 0 < one.low - end <= CRACK:
+                yield DrawnLine(one.axis, one.at, end, one.low)
+            end = max(end, one.high)
+
+
+def _reaching(walls: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
     rows = WallRows(walls)
     for one in walls:
-        near = beside[one.axis, one.at]
         for end in (one.low, one.high):
             crossed = None if rows.is_met(one, end) else rows.ahead(one, end, CRACK)
             if crossed:
@@ -214,25 +196,6 @@ def _reaching(
                 if not crossed.low <= one.at <= crossed.high:
                     far = crossed.low if one.at < crossed.low else crossed.high
                     yield DrawnLine(crossed.axis, crossed.at, *sorted((one.at, far)))
-            elif near and (crossed := rows.ahead(one, end, None)):
-                gap = DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
-                if any(_fills(opening, gap) and not any(_is_behind(own, opening, gap) for own in closed) for opening in near):
-                    yield gap
-
-
-def _is_behind(own: DrawnLine, opening: DrawnLine, gap: DrawnLine) -> bool:
-    """Tells whether an opening's own gap lies between it and a gap before it, and is narrower than that."""
-    away, farther = own.at - opening.at, gap.at - opening.at
-    is_between = 0 < away < farther or farther < away < 0
-    is_narrower = gap.low <= own.low and own.high <= gap.high and own.high - own.low < gap.high - gap.low - SAME_LINE
-    return is_between and is_narrower and _fills(opening, own)
-
-
-def _fills(opening: DrawnLine, gap: DrawnLine) -> bool:
-    """Tells whether an opening lies in a gap of a wall's face, and over most of it."""
-    wide, common = opening.high - opening.low, min(opening.high, gap.high) - max(opening.low, gap.low)
-    length = gap.high - gap.low
-    return opening.axis == gap.axis and abs(opening.at - gap.at) <= BESIDE and length <= WIDEST * wide and common >= length / 2
 
 
 def _cuts(*values: Sequence[int]) -> NDArray[np.int64]:

@@ -13,11 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.imports.drawn import DrawnOpening, Spot
-from solver.imports.shape_openings import between, longer_line
-from solver.imports.wall_faces import BESIDE, WIDEST, DrawnLine, RowGap, WallRows, gathered, line_between
+from solver.imports.shape_openings import DrawnStretch, between, longer_line
+from solver.imports.wall_faces import CRACK, DrawnLine, RowGap, WallRows, gathered, line_between
 
+BESIDE: Final = 450
+"""How far from an opening's line the faces of its wall may lie, mm."""
+WIDEST: Final = 1.4
+"""The gap at an opening is at most so many times as wide as the opening is drawn."""
 WIDTHS: Final = (400, 6000)
-"""How wide gaps are, mm."""
+"""How wide openings are that nothing tells but their form, mm."""
 PASSAGES: Final = (550, 2000)
 """A gap in which nothing is drawn may be a passage if it is as wide, mm."""
 THINNEST: Final = 20
@@ -48,6 +52,10 @@ class WallGap(NamedTuple):
     thickness: float
     in_line: bool
     """Whether its wall goes on behind it; else it leads up to a wall across the way."""
+    faces: tuple[DrawnStretch, ...] = ()
+    """It in the faces of its wall."""
+    is_whole: bool = True
+    """Whether it is in both faces of its wall; else nothing hangs in it, but what is drawn at it closes it."""
 
     @property
     def width(self) -> float:
@@ -69,50 +77,65 @@ def gaps_of(walls: Sequence[Sequence[Spot]], metres: float | None) -> list[WallG
     scale, (west, north) = metres * 1000, walls[0][0]
     moved = [[((x - west) * scale, (z - north) * scale) for x, z in points] for points in walls]
     lines = gathered([line for points in moved for a, b in pairwise(points) if (line := line_between(a, b))])
-    found = []
-    for (one, in_line), thickness in _gaps(lines):
+
+    def back(one: DrawnLine) -> DrawnStretch:
         ends = ((one.low, one.at), (one.high, one.at)) if one.axis == "x" else ((one.at, one.low), (one.at, one.high))
         start, end = ((x / scale + west, z / scale + north) for x, z in ends)
-        found.append(WallGap(start, end, thickness / scale, in_line))
+        return start, end
+
+    found = []
+    for gaps, is_whole in _gaps(lines):
+        faces = [gap.line for gap in gaps]
+        first, last = faces[0], faces[-1]
+        middle = DrawnLine(first.axis, (first.at + last.at) // 2, max(first.low, last.low), min(first.high, last.high))
+        is_in_line = all(gap.in_line for gap in gaps)
+        found.append(WallGap(*back(middle), (last.at - first.at) / scale, is_in_line, tuple(map(back, faces)), is_whole))
     return found
 
 
-def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[RowGap, int]]:
-    """Yields each gap that both faces of a wall have, and how thick the wall is; of a single line its own, as one of no thickness."""
+def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[tuple[RowGap, ...], bool]]:
+    """Yields each gap that both faces of a wall have, as it is in either, of a single line its own; and what one face alone has."""
     rows = WallRows(lines)
     is_free: dict[RowGap, bool] = {}
     for one in rows.whole():
         for end in (one.low, one.high):
-            if (gap := rows.gap_at(one, end)) and WIDTHS[0] <= gap.line.high - gap.line.low <= WIDTHS[1]:
+            if (gap := rows.gap_at(one, end)) and CRACK < gap.line.high - gap.line.low <= WIDTHS[1]:
                 is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end) and not rows.is_face(one, THINNEST, THICKEST)
     for axis in ("x", "z"):
         yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), is_free)
 
 
-def _of_both_faces(gaps: Sequence[RowGap], is_free: Mapping[RowGap, bool]) -> Iterator[tuple[RowGap, int]]:
+def _of_both_faces(gaps: Sequence[RowGap], is_free: Mapping[RowGap, bool]) -> Iterator[tuple[tuple[RowGap, ...], bool]]:
     ats, lows, highs = np.array([gap.line[1:] for gap in gaps]).reshape(-1, 3).T
     is_left = np.full(len(gaps), fill_value=True)
     for place, gap in enumerate(gaps):
         if not is_left[place]:
             continue
-        axis, at, low, high = gap.line
+        _, at, low, high = gap.line
         is_alike = (np.abs(lows - low) <= ALIKE) & (np.abs(highs - high) <= ALIKE) & is_left
         others = np.flatnonzero(is_alike & (ats - at >= THINNEST) & (ats - at <= THICKEST))
         if len(others):
-            other = gaps[others[0]]
             is_left[[place, others[0]]] = False
-            line = DrawnLine(axis, (at + other.line.at) // 2, max(low, other.line.low), min(high, other.line.high))
-            yield RowGap(line, gap.in_line and other.in_line), other.line.at - at
-        elif is_free[gap]:
-            yield gap, 0
+            yield (gap, gaps[others[0]]), True
+        else:
+            yield (gap,), is_free[gap]
 
 
-def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None) -> tuple[list[DrawnOpening], list[WallGap]]:
-    """Returns openings, of which those that are drawn in a gap and say no id are as wide as it, and the gaps that are left.
+class Fitted(NamedTuple):
+    """Openings, the gaps that they fill, and those that are left."""
+
+    openings: list[DrawnOpening]
+    filled: list[WallGap]
+    left: list[WallGap]
+
+
+def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: float | None) -> Fitted:
+    """Returns openings, of which those that are drawn in a gap and say no id are as wide as it.
 
     A door that is drawn as no more than its open leaf hangs at the corner of a gap that is as wide, the first of two leaves for both.
     """
-    left, found = dict.fromkeys(gaps), []
+    all_gaps, gaps = gaps, [gap for gap in gaps if gap.is_whole]
+    left, filled, found = dict.fromkeys(gaps), [], []
     middles = np.array([between(gap.start, gap.end) for gap in gaps]).reshape(-1, 2)
     widths, beside = np.array([gap.width for gap in gaps]), BESIDE / 1000 / (metres or 1.0)
     for one in _of_parts(openings, gaps, beside):
@@ -129,7 +152,9 @@ def fitted(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], metres: fl
             found.append(ways[0][1])
         if ways:
             left.pop(ways[0][0], None)
-    return found, list(left)
+        else:
+            filled += [gap for gap in all_gaps if _fills(one, gap, beside)]
+    return Fitted(found, [*filled, *(gap for gap in gaps if gap not in left)], list(left))
 
 
 def _of_parts(openings: Sequence[DrawnOpening], gaps: Sequence[WallGap], beside: float) -> list[DrawnOpening]:
@@ -156,10 +181,15 @@ def _along(one: DrawnOpening, gap: WallGap, beside: float) -> tuple[float, float
     return (wide, common) if is_along else (0.0, 0.0)
 
 
-def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | None:
-    """Returns an opening that lies along a gap, and over most of it, as wide as that; None for any other."""
+def _fills(one: DrawnOpening, gap: WallGap, beside: float) -> bool:
+    """Tells whether an opening lies along a gap, and over most of it."""
     wide, common = _along(one, gap, beside)
-    if common < gap.width / 2 or not gap.width / WIDEST <= wide <= gap.width * WIDEST:
+    return common >= gap.width / 2 and gap.width <= WIDEST * wide
+
+
+def _in_gap(one: DrawnOpening, gap: WallGap, beside: float) -> DrawnOpening | None:
+    """Returns an opening that fills a gap, and is not much wider, as wide as that; None for any other."""
+    if not _fills(one, gap, beside) or math.dist(one.start, one.end) > gap.width * WIDEST:
         return None
     along = 0 if gap.start[1] == gap.end[1] else 1
     return replace(one, start=gap.start, end=gap.end) if one.start[along] <= one.end[along] else replace(one, start=gap.end, end=gap.start)

@@ -16,8 +16,8 @@ from solver.imports.rectilinear import FloorCorners
 from solver.imports.shape_openings import between, sides_of, to_lines
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import BESIDE, STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
-from solver.imports.wall_gaps import PASSAGES, WallGap, fitted, gaps_of
+from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_gaps import BESIDE, PASSAGES, Fitted, WallGap, fitted, gaps_of
 
 NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
 """Why walls are left out where nothing tells how long they are."""
@@ -88,8 +88,8 @@ def with_rooms_between(plan: DrawnPlan, metres: float | None) -> DrawnPlan:
         if plan.rooms and not beside:
             continue
         drawn = [_turned(one, turn) for one in plan.openings if one.level == level]
-        gaps = () if plan.rooms else fitted(drawn, gaps_of(outlines, unit), unit)[1]
-        found = rooms_between(WallOutlines(outlines), drawn, unit, gaps)
+        fit = fitted(drawn, gaps_of(outlines, unit), unit)
+        found = rooms_between(WallOutlines(outlines), fit._replace(left=[]) if plan.rooms else fit, unit)
         made = [back(one, level) for one in found.rooms]
         rooms += [one for one in made if not plan.rooms or (unit and _is_undrawn(one, plan, unit, beside))]
         openings += (_turned(replace(one, level=level), -turn) for one in found.passages)
@@ -132,22 +132,18 @@ def _outline(wall: DrawnWall) -> tuple[Spot, ...]:
     return (x0 + x, z0 + z), (x1 + x, z1 + z), (x1 - x, z1 - z), (x0 - x, z0 - z), (x0 + x, z0 + z)
 
 
-def rooms_between(
-    walls: WallOutlines,
-    openings: Sequence[DrawnOpening],
-    metres: float | None,
-    gaps: Sequence[WallGap] = (),
-    names: Sequence[NamedSpot] = (),
-) -> Between:
+def rooms_between(walls: WallOutlines, fit: Fitted, metres: float | None, names: Sequence[NamedSpot] = ()) -> Between:
     """Returns what walls enclose.
 
-    Openings close gaps in walls. `metres` is the length of the drawing's unit, None where nothing tells it. A gap in which nothing is drawn
-    is a passage where without it nothing encloses what is named there, or rooms of two names are one; or where there would be no room.
+    Openings close the gaps that they fill. `metres` is the length of the drawing's unit, None where nothing tells it. One in which nothing
+    is drawn is a passage where without it nothing encloses what is named there, or rooms of two names are one; or where there would be no
+    room.
     """
-    found = _enclosed(walls, openings, metres)
+    openings = fit.openings
+    found = _enclosed(walls, openings, metres, fit.filled)
     if metres:
         found = found._replace(rooms=[one for one in found.rooms if not _is_ground(one, found.rooms, names, openings, metres)])
-    wide = _empty(gaps, openings, metres)
+    wide = _empty(fit.left, openings, metres)
     kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
     inside = {spot for room in kept for spot in names if room.holds(spot.x, spot.z)}
     if metres is None or not wide or (kept and len(kept) == len(found.rooms) and len(inside) == len(names)):
@@ -155,12 +151,12 @@ def rooms_between(
     within = INSIDE / metres
     parted = [room for room in found.rooms if room not in kept]
     if names:
-        rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres).rooms
+        rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide]).rooms
         wide = [gap for gap in wide if gap.in_line or _parts([_names_in(room, names) for room in _beside(gap, rooms, within)])]
     else:
         wide = [gap for gap in wide if gap.in_line or gap.width * metres * 1000 <= UP_TO_WALLS]
     added = [
-        room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres) if wide else found).rooms
+        room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide]) if wide else found).rooms
         if not any(overlap(room.points, other.points, within) for other in kept)
         and (not found.rooms or _names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
     ]  # fmt: skip
@@ -231,8 +227,8 @@ def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
         yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if encloses(points, *spot))
 
 
-def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None) -> Between:
-    """Returns what walls and openings enclose, but for what is in these."""
+def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None, filled: Sequence[WallGap]) -> Between:
+    """Returns what walls and the gaps that openings fill enclose, but for what is in walls."""
     if metres is None:
         return Between([], None, [Unread("walls", NO_UNIT)], [])
     scale, (west, north) = metres * 1000, walls.lines[0][0]
@@ -246,12 +242,13 @@ def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: flo
     pairs = [(there(a), there(b)) for points in walls.lines for a, b in pairwise(points)]
     lines = [line for a, b in pairs if (line := line_between(a, b))]
     across = [(there(one.start), there(one.end)) for one in openings]
-    gaps = [line for a, b in across if (line := line_between(a, b))]
+    closing = [(there(a), there(b)) for gap in filled for a, b in gap.faces]
+    closed = [*lines, *(line for a, b in closing if (line := line_between(a, b)))]
     slants = [(a, b) for a, b in (*pairs, *across) if min(abs(a[0] - b[0]), abs(a[1] - b[1])) > STRAIGHT]
-    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(lines, gaps, slants, step)) is not None), None)
+    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(closed, slants, step)) is not None), None)
     unread = [Unread("walls", SLANTED.format(len(slants)))] if slants and found is None else []
     if found is None and slants:
-        found = faces_between(lines, gaps)
+        found = faces_between(closed)
     if found is None:
         return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
     rooms = [
@@ -259,7 +256,7 @@ def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: flo
     ]
     rooms = [room for room in rooms if not _is_wall(room, openings, walls.areas, metres)]
     if not rooms:
-        free = free_ends(lines, gaps)
+        free = free_ends(closed)
         words = f"enclose no room: {free} of their ends meet neither another wall nor an opening"
         unread.append(Unread("walls", words if free else GAPS))
     thickness = thickness_about([one.corners for one in found], lines)

@@ -98,4 +98,4 @@ def test_walls_that_moved_by_more_than_a_millimetre_are_told_of() -> None:
 @pytest.mark.parametrize(("width", "count"), [(650, 1), (649, 0)])
 def test_what_walls_enclose_is_a_room_from_65_cm(width: int, count: int) -> None:
     sides = [DrawnLine("x", at, 0, width) for at in (0, 2000)] + [DrawnLine("z", at, 0, 2000) for at in (0, width)]
-    assert len(faces_between(sides, []) or []) == count
+    assert len(faces_between(sides) or []) == count

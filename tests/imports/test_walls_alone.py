@@ -119,7 +119,7 @@ def test_what_lies_within_a_room_is_sought_in_that_room_alone(monkeypatch: pytes
     monkeypatch.setattr(wall_faces, "connected", counted)
     lines = [DrawnLine(axis, at * 3000, 0, 36000) for at in range(13) for axis in AXES]
     pillar = [DrawnLine(axis, at, 1000, 2000) for at in (1000, 2000) for axis in AXES]
-    found = wall_faces.faces_between([*lines, *pillar], [])
+    found = wall_faces.faces_between([*lines, *pillar])
     assert found is not None
     assert [len(one.holes) for one in found].count(1) == 1
     assert len(found) == 145
@@ -289,10 +289,10 @@ def test_slanted_walls_enclose_rooms_that_reach_to_the_steps_before_them(turn: i
 def test_many_rooms_between_walls_take_memory_for_each_of_them_alone() -> None:
     """625 rooms of 1 m2: where each takes as much as the whole drawing, that is 2.4 MB."""
     lines = [DrawnLine(axis, 1000 * at, 0, 25_000) for axis in AXES for at in range(26)]
-    wall_faces.faces_between(lines[:4], [])
+    wall_faces.faces_between(lines[:4])
     tracemalloc.start()
     try:
-        found = wall_faces.faces_between(lines, [])
+        found = wall_faces.faces_between(lines)
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
