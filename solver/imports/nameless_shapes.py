@@ -13,8 +13,9 @@ import numpy as np
 from solver.answers import Unread
 from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, DrawnText, Spot
+from solver.imports.rectilinear import DrawnLine
 from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line, sides_of
-from solver.imports.wall_faces import SAME_LINE, THICKEST, DrawnLine, line_between
+from solver.imports.wall_faces import SAME_LINE, THICKEST, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, WallOutlines, rooms_between
 

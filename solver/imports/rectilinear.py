@@ -14,6 +14,15 @@ FloorCorner = tuple[int, int]
 FloorCorners = list[FloorCorner]
 
 
+class DrawnLine(NamedTuple):
+    """A line along an axis: its coordinate across it, and from where to where it goes, mm."""
+
+    axis: Literal["x", "z"]
+    at: int
+    low: int
+    high: int
+
+
 class PlanEdge(NamedTuple):
     """An edge of a room: along `axis` at coordinate `at` across it, from `low` to `high`; `out` points out of the room, 1 or -1.
 

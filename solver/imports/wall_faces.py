@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.imports.drawn import Spot
-from solver.imports.rectilinear import FloorCorners, edges_of_corners, weighted_median
-from solver.imports.steps_inside import connected, outline_of_cells
+from solver.imports.rectilinear import DrawnLine, FloorCorners, edges_of_corners, weighted_median
+from solver.imports.steps_inside import STEP, SlantedLine, connected, outline_of_cells, parts_between, places_cut
 
 STRAIGHT: Final = 15
 """A line may leave its axis by so much from end to end, mm."""
@@ -24,23 +24,8 @@ THICKEST: Final = 600
 """Of a wall, mm."""
 FAR: Final = 10**9
 """Farther than any wall, mm."""
-STEP: Final = 100
-"""How long the steps before a slanted line are, mm."""
 MOST_CELLS: Final = 250_000
 """Cells that the drawing may be cut into."""
-
-
-_Part = tuple[NDArray[np.bool_], NDArray[np.int64], NDArray[np.int64]]
-"""Which cells of a box are covered, by column and row, and between which x and z they lie."""
-
-
-class DrawnLine(NamedTuple):
-    """A line along an axis: its coordinate across it, and from where to where it goes, mm."""
-
-    axis: Literal["x", "z"]
-    at: int
-    low: int
-    high: int
 
 
 class RowGap(NamedTuple):
@@ -67,29 +52,26 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
     return DrawnLine("x" if axis == "x" else "z", round((a[1 - along] + b[1 - along]) / 2), low, far)
 
 
-def faces_between(walls: Sequence[DrawnLine], slants: Sequence[tuple[Spot, Spot]] = (), step: int = STEP) -> list[WallFace] | None:
+def faces_between(walls: Sequence[DrawnLine], slants: Sequence[SlantedLine] = (), step: int = STEP) -> list[WallFace] | None:
     """Returns the rooms that walls enclose, from north to south; None where the drawing is too intricate.
 
     Slanted lines enclose, too: rooms reach to the steps before them.
     """
     lines = gathered(walls)
+    slants = [_lengthened(one) for one in slants]
     xs, zs = (
-        _cuts(
-            [one.at for one in lines if one.axis != axis],
-            [end for one in lines if one.axis == axis for end in (one.low, one.high)],
-            [at for slant in slants for at in _steps(slant[0][along], slant[1][along], step)],
+        places_cut(
+            {one.at for one in lines if one.axis != axis} | {end for one in lines if one.axis == axis for end in (one.low, one.high)},
+            [(a[along], b[along]) for a, b in slants],
+            step,
         )
-        for along, axis in enumerate(("x", "z"))
+        for along, axis in enumerate("xz")
     )
     if len(xs) < 2 or len(zs) < 2:
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
-    lines = _closed(lines)
-    free = _free(lines, xs, zs)
-    for slant in slants:
-        _cover(free, slant, xs, zs)
-    parts = [one for one in _parts(free, xs, zs) if _is_room(*one)]
+    parts = [one for one in parts_between(_closed(lines), slants, xs, zs) if _is_room(*one)]
     found = [WallFace(outline_of_cells(*one), list(_holes(*one))) for one in parts]
     return sorted((one for one in found if one.corners), key=lambda one: (one.corners[0][1], one.corners[0][0]))
 
@@ -198,49 +180,12 @@ def _reaching(walls: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
                     yield DrawnLine(crossed.axis, crossed.at, *sorted((one.at, far)))
 
 
-def _cuts(*values: Sequence[int]) -> NDArray[np.int64]:
-    return np.array(sorted({one for some in values for one in some}), dtype=np.int64)
-
-
-def _steps(a: float, b: float, step: int) -> range:
-    """Returns the whole steps from before one value to behind another."""
-    low, high = sorted((a, b))
-    return range(math.floor((low - SAME_LINE) / step) * step, math.ceil((high + SAME_LINE) / step) * step + 1, step)
-
-
-def _cover(free: NDArray[np.bool_], slant: tuple[Spot, Spot], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> None:
-    """Covers the cells that a slanted line goes through, from a little before its beginning to a little behind its end."""
-    (x0, z0), (x1, z1) = sorted(slant)
-    by = 2 * SAME_LINE / (math.dist(*slant) or 1.0)
-    x0, z0, x1, z1 = x0 - (x1 - x0) * by, z0 - (z1 - z0) * by, x1 + (x1 - x0) * by, z1 + (z1 - z0) * by
-    for at in range(max(0, int(np.searchsorted(xs, x0, "right")) - 1), min(len(xs) - 1, int(np.searchsorted(xs, x1, "left")))):
-        ends = (min(max(float(x), x0), x1) for x in xs[at : at + 2])
-        low, high = sorted(z0 + (z1 - z0) * (x - x0) / (x1 - x0) for x in ends)
-        first, last = int(np.searchsorted(zs, low, "right")) - 1, int(np.searchsorted(zs, high, "left"))
-        free[2 * at + 1 : 2 * at + 4, 2 * max(first, 0) + 1 : 2 * last + 2] = False
-
-
-def _free(lines: Sequence[DrawnLine], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Returns what no wall covers, by column and row: even ones are lines, odd ones the cells between them, and a ring around all."""
-    free = np.ones((2 * len(xs) + 1, 2 * len(zs) + 1), dtype=np.bool_)
-    column, row = ({int(value): 2 * at + 1 for at, value in enumerate(cuts)} for cuts in (xs, zs))
-    for one in lines:
-        if one.axis == "x":
-            free[column[one.low] : column[one.high] + 1, row[one.at]] = False
-        else:
-            free[column[one.at], row[one.low] : row[one.high] + 1] = False
-    return free
-
-
-def _parts(free: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[_Part]:
-    """Yields the connected parts that do not reach the ring and are wide enough for a room."""
-    for spots in islice(connected(free), 1, None):
-        (west, north), (east, south) = spots.min(axis=0) // 2 - 1, spots.max(axis=0) // 2 + 1
-        columns, rows = xs[west:east], zs[north:south]
-        if min(np.ptp(columns), np.ptp(rows)) >= NARROWEST:
-            part = np.zeros((2 * len(columns) + 1, 2 * len(rows) + 1), dtype=np.bool_)
-            part[tuple((spots - (2 * west, 2 * north)).T)] = True
-            yield part[2:-1:2, 2:-1:2], columns, rows
+def _lengthened(slant: SlantedLine) -> SlantedLine:
+    """Returns a slanted line from a little before its beginning to a little behind its end."""
+    (x0, z0), (x1, z1) = slant
+    by = 2 * SAME_LINE / math.dist(*slant)
+    x, z = (x1 - x0) * by, (z1 - z0) * by
+    return (x0 - x, z0 - z), (x1 + x, z1 + z)
 
 
 def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> Iterator[FloorCorners]:
@@ -254,6 +199,8 @@ def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64
 
 def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> bool:
     """Tells whether a square of NARROWEST fits into cells."""
+    if min(np.ptp(xs), np.ptp(zs)) < NARROWEST:
+        return False
     for start in np.flatnonzero(cells.any(axis=1)).tolist():
         end = int(np.searchsorted(xs, xs[start] + NARROWEST))
         if end >= len(xs):

@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.imports.drawn import DrawnOpening, Spot
+from solver.imports.rectilinear import DrawnLine
 from solver.imports.shape_openings import DrawnStretch, between, longer_line
-from solver.imports.wall_faces import CRACK, DrawnLine, RowGap, WallRows, gathered, line_between
+from solver.imports.wall_faces import CRACK, RowGap, WallRows, gathered, line_between
 
 BESIDE: Final = 450
 """How far from an opening's line the faces of its wall may lie, mm."""

@@ -14,9 +14,10 @@ from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnRoom, DrawnWall, Spot
 from solver.imports.rectilinear import FloorCorners
 from solver.imports.shape_openings import between, sides_of, to_lines
+from solver.imports.steps_inside import STEP
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import STEP, STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_between, thickness_about
 from solver.imports.wall_gaps import BESIDE, PASSAGES, Fitted, WallGap, fitted, gaps_of
 
 NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"

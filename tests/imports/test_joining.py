@@ -7,10 +7,10 @@ import pytest
 from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, OpeningKind, PlanNotes
 from solver.imports.joining import Joined, joined
 from solver.imports.missing_walls import passages
-from solver.imports.rectilinear import PlanEdge, edges_of_corners
+from solver.imports.rectilinear import DrawnLine, PlanEdge, edges_of_corners
 from solver.imports.straighten import StraightRoom, tell_of
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import DrawnLine, faces_between
+from solver.imports.wall_faces import faces_between
 from tests.imports.plans import box, collection, line, opening, read
 
 HALF = 50

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from typing import Any
 
 import numpy as np
 import pytest
@@ -62,13 +63,13 @@ def test_no_wall_is_moved_by_more_than_the_documents_say() -> None:
 def test_slanted_rooms_share_the_cells_they_are_cut_into(monkeypatch: pytest.MonkeyPatch) -> None:
     """Five hundred rooms of a plan took 290 s when each could be cut into as many cells as one alone."""
     cells: list[int] = []
+    between = steps_inside.parts_between
 
-    def noted(_: object, xs: np.ndarray, zs: np.ndarray) -> np.ndarray:
+    def noted(lines: Any, slants: Any, xs: np.ndarray, zs: np.ndarray) -> Any:
         cells.append(len(xs) * len(zs))
-        return np.ones((len(xs) - 1, len(zs) - 1), dtype=np.bool_)
+        return between(lines, slants, xs, zs)
 
-    monkeypatch.setattr(steps_inside, "_inside", noted)
-    monkeypatch.setattr(steps_inside, "_largest", lambda inside, *_: inside)
+    monkeypatch.setattr(steps_inside, "parts_between", noted)
     slanted = [(0.0, 0.0), (30_000.0, 4_000.0), (17_000.0, 30_000.0), (4_000.0, 21_000.0)]
     for count in (1, 25, 400):
         cells.clear()

@@ -19,8 +19,8 @@ from solver import export
 from solver.answers import PlanImport
 from solver.errors import FieldError
 from solver.imports import wall_faces
+from solver.imports.rectilinear import DrawnLine
 from solver.imports.steps_inside import connected
-from solver.imports.wall_faces import DrawnLine
 from solver.scene import Scene
 from tests.imports.plans import floor_area, read
 from tests.imports.test_round_trips import home
