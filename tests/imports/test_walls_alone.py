@@ -18,7 +18,7 @@ import pytest
 from solver import export
 from solver.answers import PlanImport
 from solver.errors import FieldError
-from solver.imports import wall_faces
+from solver.imports import steps_inside, wall_faces
 from solver.imports.rectilinear import DrawnLine
 from solver.imports.steps_inside import connected
 from solver.scene import Scene
@@ -116,7 +116,8 @@ def test_what_lies_within_a_room_is_sought_in_that_room_alone(monkeypatch: pytes
         looked.append(free.size)
         return connected(free)
 
-    monkeypatch.setattr(wall_faces, "connected", counted)
+    for module in (wall_faces, steps_inside):
+        monkeypatch.setattr(module, "connected", counted)
     lines = [DrawnLine(axis, at * 3000, 0, 36000) for at in range(13) for axis in AXES]
     pillar = [DrawnLine(axis, at, 1000, 2000) for at in (1000, 2000) for axis in AXES]
     found = wall_faces.faces_between([*lines, *pillar])
