@@ -32,20 +32,18 @@ def serve(settings: Settings, catalogs: Catalogs) -> None:
         log_access()
     sys.setswitchinterval(SWITCH_S)
     app = create_app(catalogs, replace(settings, allow_host=(*settings.allow_host, settings.host, *LOOPBACK)))
-    _open_store(app, settings)
-    gc.freeze()  # what is there by now stays: looking through it all would keep everybody waiting for 80 ms, now and then
-    with listening(settings.host, settings.port, settings.connections) as listener:
-        shown = f"[{settings.host}]" if listener.family == socket.AF_INET6 else settings.host
-        print(f"Compose answers at http://{shown}:{listener.getsockname()[1]}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
-        try:
-            with ending_as_interrupted():  # uvicorn dies of SIGTERM in the end: what Python clears away at its exit would stay
+    try:
+        with ending_as_interrupted():  # uvicorn dies of SIGTERM in the end: what Python clears away at its exit would stay
+            _open_store(app, settings)
+            gc.freeze()  # what is there by now stays: looking through it all would keep everybody waiting for 80 ms, now and then
+            with listening(settings.host, settings.port, settings.connections) as listener:
                 StoppingServer(app).run(sockets=[listener])
-        except KeyboardInterrupt:
-            print("Compose has stopped.", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("Compose has stopped.", file=sys.stderr)
 
 
 class StoppingServer(Server):
-    """Runs an application by its settings, and tells it when it is told to stop: uvicorn would first wait for every answer to end."""
+    """Runs an application by its settings; told to stop, it tells the application: uvicorn would first wait for every answer to end."""
 
     def __init__(self, app: ComposeApp) -> None:
         idle, grace = math.ceil(app.settings.idle_seconds), math.ceil(app.settings.grace_seconds)
@@ -55,6 +53,14 @@ class StoppingServer(Server):
         )  # fmt: skip
         super().__init__(config)
         self._app = app
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Says where it answers, by now that it hears when it is told to stop: whoever reads that may tell it so at once."""
+        for listener in sockets or ():
+            host, port = listener.getsockname()[:2]
+            shown = f"[{host}]" if listener.family == socket.AF_INET6 else host
+            print(f"Compose answers at http://{shown}:{port}/ (Ctrl+C stops it)", file=sys.stderr, flush=True)
+        await super().startup(sockets)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         """Ends answers that have no end of their own, and waits for the others."""
