@@ -1,7 +1,7 @@
 /** What the page asks of the service: its progress, its refusal, and trying it again. */
 import type { Progress } from "./panel/progress";
 import { isAbort, LOST, onceAnswered, ServiceProblem, useKey } from "./service";
-import { Notice, type Again } from "./panel/notice";
+import { Notice } from "./panel/notice";
 
 /** Does something beside the question, `of` what is given once at a time. */
 export type Beside = (what: string, act: () => Promise<void>, of?: unknown) => Promise<void>;
@@ -17,10 +17,6 @@ export class Asking {
   readonly notice: Notice;
   #pending = new AbortController();
   #kind: Kind = "home";
-  /** Wishes again for what was refused last. */
-  #again: Again | null = null;
-  /** What was refused last beside the question, of what, and what does it again. */
-  #refused: readonly [what: string, of: unknown, again: Again] | null = null;
 
   constructor(host: HTMLElement, readonly progress: Progress) {
     this.notice = new Notice(host, useKey);
@@ -31,10 +27,12 @@ export class Asking {
     if (kind !== "drawn") this.onBegin();
     if (kind !== "wish" || this.#kind !== "wish") {
       this.#pending.abort();
+      this.notice.takeBack(this.#pending);
       this.#pending = new AbortController();
     }
     this.#kind = kind;
-    const { signal } = this.#pending;
+    const question = this.#pending;
+    const { signal } = question;
     const end = this.progress.start(what);
     signal.addEventListener("abort", end, { once: true });
     try {
@@ -42,14 +40,7 @@ export class Asking {
       if (!signal.aborted) this.onEnd(null);
     } catch (reason) {
       if (isAbort(reason) || signal.aborted) return;
-      const others = kind === "wish" && this.notice.again === this.#again ? this.#again : null;
-      const again = (): void => {
-        this.#again = null;
-        others?.();
-        void this.run(what, ask, kind);
-      };
-      if (kind === "wish") this.#again = again;
-      this.notice.show(reason, again);
+      this.notice.show(reason, () => void this.run(what, ask, kind), { what: question, of: ask });
       this.onEnd(reason);
     } finally {
       end();
@@ -60,11 +51,11 @@ export class Asking {
   readonly missed = (reason: unknown, ask: () => void): void => {
     const again = (): void => {
       forget();
-      if (this.notice.again === again) this.notice.hide();
+      this.notice.takeBack(again);
       ask();
     };
     const forget = reason instanceof ServiceProblem && reason.isFinal ? (): void => undefined : onceAnswered(again);
-    this.notice.show(reason, again, null, reason === LOST ? undefined : forget); // a service that is there would refuse it again
+    this.notice.show(reason, again, reason === LOST ? { what: again } : { what: again, forget }); // a service that is there would refuse it again
   };
 
   /** Does something beside that, such as a file; what is under way already is not begun again, which is said. */
@@ -73,13 +64,9 @@ export class Asking {
     const end = this.progress.start(what, of);
     try {
       await act();
-      const [refused, by, again] = this.#refused ?? [];
-      if (again && refused === what && by === of && this.notice.again === again) this.notice.hide();
+      this.notice.takeBack(what, of ?? null);
     } catch (reason) {
-      if (isAbort(reason)) return;
-      const again = (): void => void this.beside(what, act, of);
-      this.#refused = [what, of, again];
-      this.notice.show(reason, again);
+      if (!isAbort(reason)) this.notice.show(reason, () => void this.beside(what, act, of), { what, of: of ?? null });
     } finally {
       end();
     }

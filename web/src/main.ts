@@ -104,8 +104,8 @@ class Page {
     this.#home.on("flagged", (ids) => this.#reading.flag(ids));
     this.#stage.onFailure = (reason, again) => { if (again) this.#asking.missed(reason, again); else this.#failed(reason); };
     const { canvas } = this.#stage.viewport;
-    canvas.addEventListener("webglcontextlost", () => this.#failed(CARD_LOST, () => location.reload()));
-    canvas.addEventListener("webglcontextrestored", () => this.#asking.notice.hide());
+    canvas.addEventListener("webglcontextlost", () => this.#asking.notice.show(CARD_LOST, () => location.reload(), { what: CARD_LOST }));
+    canvas.addEventListener("webglcontextrestored", () => this.#asking.notice.takeBack(CARD_LOST));
     new PlanFiles(() => this.#stage.planned(this.#home.settled?.scene ?? null), this.#asking.beside);
     element("picture").addEventListener("click", () => void this.#stage.savePicture());
     this.#stage.onSelect = (id) => this.#home.select(id);
@@ -197,8 +197,8 @@ class Page {
   }
 
   /** Says what went wrong, until it is tried again. */
-  readonly #failed = (reason: unknown, again?: () => void, outcome?: string): void => {
-    this.#asking.notice.show(reason, again && (() => { this.#asking.notice.hide(); again(); }), outcome);
+  readonly #failed = (reason: unknown, again: (() => void) | null = null, outcome: string | null = null): void => {
+    this.#asking.notice.show(reason, again, { outcome });
   };
 
   #random(): void {

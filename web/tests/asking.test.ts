@@ -91,6 +91,28 @@ describe("what is under way", () => {
     expect(notice.hidden).toBe(true);
   });
 
+  it("is told beside what else was refused, and all of it is done again, each until it is done", async () => {
+    const { asking, notice } = page();
+    const [question, file, other] = [held(), held(), held()];
+    const fails = [[asking.run("question", question.act), question, 503], [asking.beside("file", file.act), file, 503], [asking.beside("other", other.act), other, 422]] as const;
+    for (const [done, one, status] of fails) {
+      one.fail(problemFrom(status, { title: `no ${one === question ? "home" : one === file ? "file" : "other"}`, detail: "why", errors: status === 422 ? [{ field: "a", problem: "b", allowed: "c" }] : [] }));
+      await done;
+    }
+    const told = (): string => [".notice-title", ".notice-detail"].map((one) => notice.querySelector(one)?.textContent).join(" ");
+    const has = (): boolean[] => ["no home", "no file", "no other"].map((one) => told().includes(one));
+    expect(has()).toEqual([true, true, true]);
+    notice.querySelector<HTMLElement>(".notice-again")?.click();
+    expect([question.times(), file.times(), other.times()], "a wrong field would be refused again").toEqual([2, 2, 1]);
+    file.fail(problemFrom(503, { title: "no file", detail: "why" }));
+    await vi.advanceTimersByTimeAsync(0);
+    expect(has()).toEqual([false, true, true]);
+    const written = asking.beside("file", file.act);
+    file.end();
+    await written;
+    expect(has()).toEqual([false, false, true]);
+  });
+
   it.each([["it is told", null], ["another thing is told", "other"]])("asks again for what did not come, once the service answers anything, as %s", async (_, other) => {
     const { asking, notice } = page();
     let [asked, isThere] = [0, false];
