@@ -1,17 +1,15 @@
 """The HTTP service: every call that a worker makes (`calls`), those about what is kept (`homes`, `jobs`), and the page.
 
-FastAPI describes what a call takes and answers; a worker reads the body, and does it.
+What a call takes and answers is declared here, for the document that FastAPI makes; a worker reads the body, and does it.
 """
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from copy import deepcopy
-from functools import cache
 from hashlib import sha256
 from typing import Annotated, Any, Final
 
 from anyio import Event, create_task_group
-from fastapi import FastAPI, Path
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
@@ -40,10 +38,7 @@ from service.wire import FILE, NOT_CHANGED, as_written, body_of, format_sent, fo
 from service.work import Failure, Job, do_alone
 from service.workers import Workers, unless_left
 from solver.exchange import dump_plain, read
-from solver.version import VERSION
-
-DESCRIPTION: Final = "Lays out whole furnished homes and proves they work. JSON and YAML, in by Content-Type and out by Accept."
-
+from solver.fields import OneOf
 
 EMBEDDED: Final = Settings(allow_host=(ANY,), store=TEMPORARY)
 """The settings of an application that another server runs."""
@@ -77,7 +72,7 @@ def _at_once(name: str) -> Answering:
     return answer
 
 
-FormatName = Annotated[str, Path(json_schema_extra={"enum": list(calls.EXPORT_FORMATS)})]
+FormatName = Annotated[str, OneOf(*calls.EXPORT_FORMATS)]
 
 
 def _in_workers() -> DescribedCalls:
@@ -104,15 +99,6 @@ def _without_body() -> DescribedCalls:
 
 
 CALLS: Final = (_in_workers(), _without_body(), homes, jobs)
-
-
-@cache
-def _described() -> dict[str, Any]:
-    """Returns what FastAPI describes, which is the same for every application of a process."""
-    described = FastAPI(title="Compose", version=VERSION, description=DESCRIPTION)
-    for declared in CALLS:
-        declared.describe(described)
-    return described.openapi()
 
 
 class ComposeApp(Starlette):
@@ -163,7 +149,9 @@ class ComposeApp(Starlette):
     def openapi(self) -> dict[str, Any]:
         """Returns the OpenAPI document."""
         if self._document is None:
-            self._document = completed(deepcopy(_described()), self.catalogs)
+            from service.described import described  # noqa: PLC0415 - FastAPI: nothing but this document needs it
+
+            self._document = completed(deepcopy(described(CALLS)), self.catalogs)
         return self._document
 
 

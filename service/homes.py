@@ -6,10 +6,9 @@ import zlib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 from anyio import to_thread
-from fastapi import Header
 from starlette.requests import Request
 from starlette.responses import Response
 
@@ -101,14 +100,18 @@ async def _sent(request: Request, is_change: bool) -> HomeSent | Response:
     return done
 
 
-IF_MATCH: Final = "the ETag that the home was read with; * for whichever there is"
-IfMatch = Annotated[str | None, Header(alias="If-Match", description=IF_MATCH, json_schema_extra={"examples": ['"1"']})]
+IF_MATCH: Final[dict[str, Any]] = {
+    "name": "If-Match",
+    "in": "header",
+    "description": "the ETag that the home was read with; * for whichever there is",
+    "schema": {"type": "string", "examples": ['"1"']},
+}
 
 PICTURE_CONTENT: Final = {kind: {"schema": {"type": "string", "format": "binary"}} for kind in (*PICTURES, "image/svg+xml")}
 
 homes = DescribedCalls("/homes", responses=REFUSALS)
 OF_HOME: Final = {"home": id_type("home")}
-OF_REVISION: Final = {**OF_HOME, "if_match": (IfMatch, None)}
+OF_REVISION: Final = {"parameters": [IF_MATCH]}
 OF_VERSION: Final = {**OF_HOME, "number": number_type(1)}
 
 
@@ -155,7 +158,10 @@ async def _whole(request: Request, id_of: str, version: int | None) -> Response:
     return _tagged(answer, home, wanted) if shown else answer
 
 
-@homes.call("PATCH", "/{home}", HomeHead, takes={"body": HomeChange, **OF_REVISION}, responses=WITH_BODY | refusals(404, 412, 428))
+@homes.call(
+    "PATCH", "/{home}", HomeHead, takes={"body": HomeChange, **OF_HOME}, openapi_extra=OF_REVISION,
+    responses=WITH_BODY | refusals(404, 412, 428),
+)  # fmt: skip
 async def change_home(request: Request) -> Response:
     """Changes a home; a scene becomes its next version."""
     id_of, revisions = id_in(request, "home"), _revisions(request)
@@ -166,7 +172,7 @@ async def change_home(request: Request) -> Response:
     return _tagged(written(write(home), wanted), home, wanted)
 
 
-@homes.call("DELETE", "/{home}", takes=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
+@homes.call("DELETE", "/{home}", takes=OF_HOME, openapi_extra=OF_REVISION, status_code=204, responses=refusals(404, 412, 428))
 async def remove_home(request: Request) -> Response:
     """Removes a home with all its versions."""
     await _asked(request, lambda kept, owner: kept.remove(owner, id_in(request, "home"), _revisions(request)))

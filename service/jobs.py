@@ -13,9 +13,8 @@ from typing import Any, Final
 
 import anyio
 from anyio import to_thread
-from fastapi.sse import EventSourceResponse, format_sse_event
 from starlette.requests import Request
-from starlette.responses import Response
+from starlette.responses import Response, StreamingResponse
 
 from service import problems
 from service.kept_contract import DONE, LEASE_S, JobBody, JobHead, JobList, JobResult
@@ -110,7 +109,7 @@ async def job_events(request: Request) -> Response:
             if job != told:
                 told, silent = job, 0.0
                 event = "done" if job.state == DONE else "progress"
-                yield format_sse_event(data_str=json.dumps(write(job)), event=event, id=str(job.done))
+                yield f"event: {event}\ndata: {json.dumps(write(job))}\nid: {job.done}\n\n".encode()
             if job.state == DONE:
                 return
             with anyio.move_on_after(POLL_S):
@@ -123,12 +122,13 @@ async def job_events(request: Request) -> Response:
             try:
                 job = await _of_store(request, lambda kept, owner: kept.get(owner, id_of))
             except NoSuchThing:
-                yield format_sse_event(data_str="{}", event="removed")
+                yield b"event: removed\ndata: {}\n\n"
                 return
             except StoreAway:
                 continue
 
-    return EventSourceResponse(events(), headers={"Cache-Control": "no-cache", "X-Accel-Buffering": "no"})
+    headers = {"Cache-Control": "no-cache", "X-Accel-Buffering": "no"}
+    return StreamingResponse(events(), headers=headers, media_type="text/event-stream")
 
 
 class Runner:

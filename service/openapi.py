@@ -1,18 +1,17 @@
 """What FastAPI cannot know of the OpenAPI document: that documents are YAML too, problems, examples, the catalogs' words.
 
-And calls that it describes and does not make: it reads their types, for seconds, when the document is asked for.
+And calls that it describes and does not make (`described`).
 """
 
 import re
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Awaitable, Callable, Iterator, Mapping
 from dataclasses import fields
 from functools import lru_cache
 from http import HTTPStatus
-from inspect import Parameter, Signature, cleandoc
+from inspect import cleandoc
 from pathlib import Path
-from typing import Annotated, Any, Final, NamedTuple, get_type_hints
+from typing import Any, Final, NamedTuple, get_type_hints
 
-from fastapi import FastAPI, Query
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
@@ -25,7 +24,7 @@ from service.problems import MEDIA_TYPE, STATUS, STORE_STATUS
 from service.wire import FILE_TYPES, MEDIA_TYPES
 from solver.exchange import load_text, tell_keys
 from solver.export_formats import EXPORTERS
-from solver.fields import Record, Says
+from solver.fields import Record
 
 REFERENCES: Final = "#/components/schemas/"
 EXAMPLES: Final = Path(__file__).parent / "examples.yaml"
@@ -100,11 +99,11 @@ def _name_words(schemas: dict[str, Any], catalogs: Catalogs) -> None:
 
 Responses = Mapping[int | str, dict[str, Any]]
 Answering = Callable[[Request], Awaitable[Response]]
-NEEDED: Final = Parameter.empty
-"""In place of a default: what has none."""
 
 
-class _Declared(NamedTuple):
+class Declared(NamedTuple):
+    """A call that is declared: what answers it, what it takes by name, and what else is said of it."""
+
     method: str
     path: str
     answering: Answering
@@ -117,7 +116,7 @@ class DescribedCalls:
 
     def __init__(self, prefix: str = "", *, responses: Responses) -> None:
         self._prefix, self._responses = prefix, responses
-        self._declared: list[_Declared] = []
+        self._declared: list[Declared] = []
 
     def call(self, method: str, path: str, answers: Any = None, **described: Any) -> Callable[[Answering], Answering]:
         """Declares a call by what answers it: its name and its docstring are the call's.
@@ -130,25 +129,24 @@ class DescribedCalls:
         def declare(answering: Answering) -> Answering:
             said = {"name": answering.__name__, "description": cleandoc(answering.__doc__ or ""), "response_model": answers, **described}
             said["responses"] = {**self._responses, **described.get("responses", {})}
-            self._declared.append(_Declared(method, path, answering, takes, said))
+            self._declared.append(Declared(method, path, answering, takes, said))
             return answering
 
         return declare
 
     def routes(self) -> list[Route]:
         """Returns what answers the calls."""
-        return [Route(self._prefix + one.path, one.answering, methods=[one.method], name=one.described["name"]) for one in self._declared]
+        return [Route(one.path, one.answering, methods=[one.method], name=one.described["name"]) for one in self]
 
-    def describe(self, app: FastAPI) -> None:
-        """Has FastAPI describe the calls."""
-        for one in self._declared:
-            app.add_api_route(self._prefix + one.path, _function_of(one.takes), methods=[one.method], **one.described)
+    def __iter__(self) -> Iterator[Declared]:
+        """Yields the calls, each by its whole path."""
+        return (one._replace(path=self._prefix + one.path) for one in self._declared)
 
 
 def query_types(record: type[Any]) -> dict[str, tuple[Any, Any]]:
     """Returns what a call takes that is asked in its query by the fields of a record; each has a default."""
     types = get_type_hints(record, include_extras=True)
-    return {part.name: (_query_type(types[part.name]), part.default) for part in fields(record)}
+    return {part.name: (types[part.name], part.default) for part in fields(record)}
 
 
 def query_of(request: Request, whole: str) -> dict[str, object]:
@@ -156,19 +154,3 @@ def query_of(request: Request, whole: str) -> dict[str, object]:
     asked: dict[str, object] = {name: value for name, value in request.query_params.items() if name != PARAMETER}
     number = request.query_params.get(whole, "")
     return {**asked, whole: int(number)} if re.fullmatch(r"-?\d{1,9}", number) else asked
-
-
-def _query_type(of: Any) -> Any:
-    says = next((part.words for part in of.__metadata__ if isinstance(part, Says)), None)
-    return Annotated[of, Query(description=says)]
-
-
-def _function_of(takes: Mapping[str, Any]) -> Callable[..., Any]:
-    """Returns a function that FastAPI reads as one with these parameters."""
-
-    def call(**_: object) -> None: ...
-
-    pairs = {name: taken if isinstance(taken, tuple) else (taken, NEEDED) for name, taken in takes.items()}
-    parameters = [Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=of) for name, (of, default) in pairs.items()]
-    call.__signature__ = Signature(parameters)  # type: ignore[attr-defined]
-    return call

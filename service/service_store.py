@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from threading import Lock
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
-import fastapi
+from annotated_types import Ge, Le, MaxLen, MinLen
 from anyio import CapacityLimiter, to_thread
 from starlette.requests import Request
 
@@ -19,6 +19,7 @@ from service.admission import owner_of
 from service.openapi import refusals
 from service.problems import NoSuchThing, StoreAway
 from service.service_settings import Settings
+from solver.fields import Matching, Says
 
 if TYPE_CHECKING:
     from service.store.database import Database
@@ -120,12 +121,12 @@ async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Cal
 
 def id_type(of: str) -> Any:
     """Returns the type of an id in a path, of a "home", say."""
-    return Annotated[str, fastapi.Path(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9_-]+$", description=f"of a {of} of yours")]
+    return Annotated[str, MinLen(1), MaxLen(40), Matching(r"^[A-Za-z0-9_-]+$"), Says(f"of a {of} of yours")]
 
 
 def number_type(least: int) -> Any:
     """Returns the type of a number in a path."""
-    return Annotated[int, fastapi.Path(ge=least, le=999_999_999)]
+    return Annotated[int, Ge(least), Le(999_999_999)]
 
 
 def id_in(request: Request, of: str) -> str:

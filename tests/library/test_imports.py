@@ -47,7 +47,7 @@ CHAINS: list[list[tuple[str, set[str]]]] = [
     ],
     [
         ("import service.calls", KERNEL | SERVER | FLOWS | {"sqlalchemy"}),
-        ("import service.app", KERNEL | {"sqlalchemy"} | (FLOWS - {"numpy"})),
+        ("import service.app", KERNEL | {"sqlalchemy", "fastapi"} | (FLOWS - {"numpy"})),
     ],
     [
         (SCENE + "from compose_homes import dump, load\nassert load(dump(scene)) == scene", FINAL_SOLVE | SERVER | CATALOGS),
