@@ -103,13 +103,13 @@ constexpr f64 OFF_PLAN_COST = 8.0;
 constexpr f64 DRAW = 0.05;
 
 Furnisher::Furnisher(const Scope& scope, const RoomType& type, WallOccupancy& walls)
-    : scope_(scope), type_(type), walls_(walls) {
+    : scope_(scope), type_(type), walls_(walls), knee_room_(type) {
   earlier_.by_word = zeroes<List<i32>>(type.all_words);
 }
 
 bool Furnisher::add(const CountedPiece& counted, i32 number, const Preferences& preferences, const Candidate* planned) {
   const PieceSpec& spec = type_.pieces[counted.spec];
-  const Subject subject{scope_, type_, spec, counted.variants, type_.rules_of(spec), earlier_};
+  const Subject subject{scope_, type_, spec, counted.variants, type_.rules_of(spec), earlier_, knee_room_};
   List<Effect> effects;
   for (const Rule& rule : subject.rules) {
     Effect& effect = effects.add({});

@@ -52,6 +52,7 @@ class Furnisher {
   const RoomType& type_;
   WallOccupancy& walls_;
   Earlier earlier_;
+  KneeRoom knee_room_;
   List<Meant> meant_;  // by piece
 };
 

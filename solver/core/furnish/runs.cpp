@@ -57,11 +57,12 @@ class RunPlanner {
   Span<List<Interval>> free_;             // stretches by kind and wall, of the kinds that a run may hold
   List<Follower> followers_;
   Earlier nothing_;
+  KneeRoom knee_room_;
   Span<List<Effect>> effects_;            // what its rules ask of the room, by word
 };
 
 RunPlanner::RunPlanner(const Scope& scope, const WallOccupancy& walls, const RoomType& type, const List<CountedPiece>& counted)
-    : scope_(scope), walls_(walls), type_(type) {
+    : scope_(scope), walls_(walls), type_(type), knee_room_(type) {
   members_ = zeroes<Member>(type.all_words);
   effects_ = zeroes<List<Effect>>(type.all_words);
   nothing_.by_word = zeroes<List<i32>>(type.all_words);
@@ -154,7 +155,7 @@ void RunPlanner::add_follower(const Leaving& wish, i32 number) {
 Subject RunPlanner::subject(i32 word) {
   const CountedPiece& counted = *members_[word].piece;
   const PieceSpec& spec = type_.pieces[counted.spec];
-  return {scope_, type_, spec, counted.variants, type_.rules_of(spec), nothing_};
+  return {scope_, type_, spec, counted.variants, type_.rules_of(spec), nothing_, knee_room_};
 }
 
 // Tells whether an item may stand at a wall in an interval.

@@ -1,7 +1,7 @@
 // What furnish makes: candidates and links; and the piece that seeks its places, as relations see it.
 #pragma once
 
-#include "furnish/room.hpp"
+#include "furnish/relations/knee_room.hpp"
 
 namespace furnish {
 
@@ -78,6 +78,7 @@ struct Subject {
   Span<Variant> variants;  // those that suit the room, the wanted one first
   Span<Rule> rules;
   const Earlier& earlier;
+  KneeRoom& knee_room;
 
   const Kind& kind(const Candidate& candidate) const { return type.kinds[candidate.kind]; }
   Rect footprint(const Candidate& candidate) const {

@@ -1,7 +1,5 @@
 #include "furnish/relations/at_side.hpp"
 
-#include "furnish/relations/knee_room.hpp"
-
 namespace furnish {
 
 // What each later side in a relation's list costs more than the one before it.
@@ -148,7 +146,7 @@ void AtSide::add_places(
   }
 }
 
-List<Rect> AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const {
+const List<Rect>& AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const {
   const RoomType& type = subject.type;
   const Kind& parent = type.kinds[pair.parent.kind];
   const Kind& own = type.kinds[pair.kind];
@@ -163,7 +161,7 @@ List<Rect> AtSide::tucked(const Subject& subject, const Pair& pair, const Rect& 
     reach.z0 = least(near.z0, out.z0);
     reach.z1 = most(near.z1, out.z1);
   }
-  return nearest_free(wish, reach, blocked_places(type.parts_of(parent), type.parts_of(own), pair.rotation), sideways);
+  return subject.knee_room.nearest_free({pair.parent.kind, pair.kind, pair.rotation, sideways}, wish, reach);
 }
 
 }  // namespace furnish

@@ -77,7 +77,7 @@ class AtSide : public Relation {
 
  private:
   // The places of a piece that reaches under another one where their parts do not cross: those wished for, else the nearest of those near.
-  List<Rect> tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
+  const List<Rect>& tucked(const Subject& subject, const Pair& pair, const Rect& wish, const Rect& near) const;
   Interval asked_gap(const Fit& fit) const;
   void add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const;
   // Adds a place that is sought, but for where parts of the two would cross.

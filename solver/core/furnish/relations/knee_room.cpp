@@ -80,7 +80,7 @@ static Interval part_towards(Interval span, Interval wish) {
 
 static i64 gap_to(Interval span, Interval wish) { return most<i64>(0, most(span.low - wish.high, wish.low - span.high)); }
 
-List<Rect> nearest_free(const Rect& wish, const Rect& reach, const List<Rect>& blocked, bool sideways) {
+static List<Rect> found_free(const Rect& wish, const Rect& reach, const List<Rect>& blocked, bool sideways) {
   List<Rect> found = free_of(wish, blocked);
   if (found.size() > 0) return found;
   struct Ranked {
@@ -103,6 +103,22 @@ List<Rect> nearest_free(const Rect& wish, const Rect& reach, const List<Rect>& b
     if (!is_nearer(*best, one)) found.add(one.rect);
   }
   return found;
+}
+
+const List<Rect>& KneeRoom::blocked(const TurnedPair& pair) {
+  for (const Blocked& one : blocked_) {
+    if (one.pair == pair) return one.places;
+  }
+  const Kind& parent = type_.kinds[pair.parent];
+  const Kind& own = type_.kinds[pair.own];
+  return blocked_.add({pair, blocked_places(type_.parts_of(parent), type_.parts_of(own), pair.turn)}).places;
+}
+
+const List<Rect>& KneeRoom::nearest_free(const TurnedPair& pair, const Rect& wish, const Rect& reach) {
+  for (const Answer& one : answers_) {
+    if (one.pair == pair && one.wish == wish && one.reach == reach) return one.places;
+  }
+  return answers_.add({pair, wish, reach, found_free(wish, reach, blocked(pair), pair.sideways)}).places;
 }
 
 }  // namespace furnish

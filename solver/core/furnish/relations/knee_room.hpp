@@ -7,13 +7,46 @@
 
 namespace furnish {
 
+// Two kinds, one turned so at the other, which is at its side in x or in z.
+struct TurnedPair {
+  i32 parent;
+  i32 own;
+  i32 turn;
+  bool sideways;
+
+  bool operator==(const TurnedPair&) const = default;
+};
+
 // The open rectangles in which the centre must not be: there a part of a piece, so turned, stands in one of its parent.
 List<Rect> blocked_places(Span<PartBox> parent, Span<PartBox> own, i32 turn);
 // The largest of the rectangles that places leave without what is blocked; a line or a point may be one.
 List<Rect> free_of(const Rect& places, const List<Rect>& blocked);
 
-// What of the places wished for is free; where nothing is, the places nearest to them of those that will do. As little as possible is lost
-// along the axis that leads away from the other piece, which is along x where it stands `sideways`, then along the other.
-List<Rect> nearest_free(const Rect& wish, const Rect& reach, const List<Rect>& blocked, bool sideways);
+// Answers for a room, each worked out once: every copy of a chair asks the same.
+class KneeRoom {
+ public:
+  explicit KneeRoom(const RoomType& type) : type_(type) {}
+
+  // What of the places wished for is free; where nothing is, the places nearest to them of those that will do. As little as possible is
+  // lost along the axis that leads away from the other piece, then along the other.
+  const List<Rect>& nearest_free(const TurnedPair& pair, const Rect& wish, const Rect& reach);
+
+ private:
+  struct Blocked {
+    TurnedPair pair;
+    List<Rect> places;
+  };
+  struct Answer {
+    TurnedPair pair;
+    Rect wish, reach;
+    List<Rect> places;
+  };
+
+  const List<Rect>& blocked(const TurnedPair& pair);
+
+  const RoomType& type_;
+  List<Blocked> blocked_;
+  List<Answer> answers_;
+};
 
 }  // namespace furnish
