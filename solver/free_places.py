@@ -70,8 +70,12 @@ def decorations_as_told(room: Room) -> bytes:
 
 
 def _as_told(body: Furniture | Decoration, rests: bool, under: int = -1) -> bytes:
-    lengths = map(to_mm, (body.y, body.width, body.depth, body.height))
-    return BODY.pack(0, rests - 1, under, -1, 0, 0, 0, 0, *footprint(body), *lengths)
+    """Returns a body as a row; its heights are rounded outwards as its footprint is, but what is flat stays so."""
+    low = math.floor(body.y * 1000 + 1e-6)
+    height = math.ceil((body.y + body.height) * 1000 - 1e-6) - low
+    if body.height * 1000 <= FLAT_MM:
+        height = min(height, FLAT_MM)
+    return BODY.pack(0, rests - 1, under, -1, 0, 0, 0, 0, *footprint(body), low, to_mm(body.width), to_mm(body.depth), height)
 
 
 def decoration_blocks(room: Room) -> list[Block]:

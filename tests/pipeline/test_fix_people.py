@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from solver import Scene, fix
-from solver.scene import Dynamic, Furniture, Opening
+from solver.scene import Decoration, Dynamic, Furniture, Opening
 from solver.streams import Stream
 from tests.pipeline.fix_rooms import body, errors, room_of
 
@@ -93,6 +93,29 @@ def test_a_locked_person_stays_and_is_named() -> None:
     fixed = fix(scene, locked=["person_1"])
     assert fixed.scene == scene
     assert {label for conflict in fixed.conflicts for label in conflict.ids} >= {"person_1"}
+
+
+@pytest.mark.parametrize(("sort", "thickness", "y"), [(Furniture, 0.0204, 0.0), (Decoration, 0.0204, 0.0), (Furniture, 0.3, 1.6996)])
+def test_nobody_is_put_into_what_is_no_whole_number_of_millimetres_high(
+    sort: type[Furniture] | type[Decoration], thickness: float, y: float
+) -> None:
+    """A platform a little higher than a rug, and a board whose underside is a little lower than a head."""
+    pillar, own = body("pillar_1", 2.0, 2.0, (0.6, 0.6, 2.0), locked=True), person(1, 2.0, 1.8)
+    mat = sort("room_0/mat_1", "mat", x=2.0, y=y, z=1.2, width=1.0, depth=1.0, height=thickness)
+    door = Opening("door", "door", "south", 3.4, 0.8, connects_to="EXTERIOR", main_entrance=True)
+    scene = replace(room_of(pillar, openings=(door,)), dynamic=(own,))
+    lying = {"furniture": (pillar, replace(mat, locked=True))} if isinstance(mat, Furniture) else {"decorations": (mat,)}
+    fixed = fix(replace(scene, rooms=(replace(scene.rooms[0], **lying),)))
+    assert errors(fixed.scene) == []
+    assert [move.id for move in fixed.moves] == ["person_1"]
+
+
+@pytest.mark.parametrize(("thickness", "y"), [(0.02, 0.0), (0.02, 0.0003), (0.3, 1.7)])
+def test_somebody_is_put_on_a_rug_and_under_what_hangs_above_heads(thickness: float, y: float) -> None:
+    pillar = body("pillar_1", 2.0, 2.0, (0.6, 0.6, 2.0), locked=True)
+    mat = replace(body("mat_1", 2.0, 1.2, (1.0, 1.0, thickness), locked=True), y=y)
+    move = fix(replace(room_of(pillar, mat), dynamic=(person(1, 2.0, 1.8),))).moves[0]
+    assert (move.dx, move.dz) == pytest.approx((0.0, -0.35))
 
 
 def full() -> Scene:
