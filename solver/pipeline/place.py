@@ -12,7 +12,7 @@ from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
 from solver.pipeline.reasons import at_limit
-from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, with_fronts_open
+from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, walked_placement, with_fronts_open
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
@@ -91,7 +91,8 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     """Returns the best placement, and the task that it solves.
 
     Where not all can stand it counts what matters most: before all, that of the list which is required and was left out first. Where one
-    cannot, no distance from the walls counts, then that what has to stand by something may do so free of walls, and at last no wish.
+    cannot, no distance from the walls counts, then that what has to stand by something may do so free of walls, then no wish, and at last
+    they stand where a proof finds that all can be come to.
     """
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
@@ -116,6 +117,7 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     if found.score[0] and not is_call_spent():
         bare = in_room([without_wishes(piece) for piece in pieces], setting=setting)
         other = best_placement(bare, bare.pieces)
+        other = walked_placement(bare) or other if other.score[0] and not is_call_spent() else other
         if not other.score[0]:
             return replace(bare, requests=task.requests), replace(other, whole=False)
     return task, found

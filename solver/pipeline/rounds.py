@@ -17,9 +17,10 @@ from solver.furnish import ListedPieces
 from solver.geometry import turned
 from solver.pieces import Arrangement, Piece, Placed, Space, Stance
 from solver.pipeline.place_task import PlaceTask, finished, lost
-from solver.placement import finish, is_call_spent
-from solver.placement.arrange import SolvedRoom, arrange
+from solver.placement import ROOM_WORK, Budget, finish, is_call_spent
+from solver.placement.arrange import SolvedRoom, arrange, needed
 from solver.placement.core import Limits
+from solver.placement.walkable import find_walkable
 from solver.requested import Placement, relations_of
 
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
@@ -99,6 +100,14 @@ def _thorough(task: PlaceTask, best: Round) -> Round:
                 return thorough
             best = min(best, thorough, key=lambda one: one.score)
     return best
+
+
+def walked_placement(task: PlaceTask) -> Round | None:
+    """Returns a placement round the required pieces where branch and bound finds these walkable, if it does: no wish counts for it."""
+    space, firm = task.listing.space, needed(task.pieces)
+    _, found = find_walkable(space, [piece for piece in task.pieces if piece.label in firm], Budget(ROOM_WORK), prove=False)
+    at = {one.piece.label: one.near(0, space.clear) for one in found}
+    return _judged(task, arrange(space, [at.get(piece.label, piece) for piece in task.pieces], limits=FIRST)) if at else None
 
 
 def quick_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:

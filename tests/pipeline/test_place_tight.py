@@ -138,6 +138,23 @@ def test_what_is_far_enough_in_a_corner_alone_stands_there() -> None:
     assert [one.held for one in answer.best.relations] == [True]
 
 
+@pytest.mark.parametrize(
+    ("width", "depth", "door_at", "sizes"),
+    [
+        (1.5, 1.55, 1.05, {"armchair": (0.85, 0.7, 0.8)}),
+        (1.85, 2.1, 1.3, {"dining_table": (1.8, 0.9, 0.5), "bed": (0.75, 1.1, 1.3)}),
+    ],
+)
+def test_what_leaves_but_bent_floor_to_come_to_it_stands(
+    width: float, depth: float, door_at: float, sizes: dict[str, tuple[float, float, float]]
+) -> None:
+    """No rectangle of floor beside them holds the quarter of a square metre of free centres that a room must have."""
+    door = Opening("door", "door", "west", door_at, 0.8, 2.0, connects_to="EXTERIOR", main_entrance=True)
+    best = place(Room("den", width=width, depth=depth, openings=(door,)), [PieceRequest(k, k, *size) for k, size in sizes.items()]).best
+    assert {one.id for one in best.scene.rooms[0].furniture} == {*sizes}
+    assert best.issues == ()
+
+
 def test_of_two_wishes_at_odds_one_is_held() -> None:
     """Either may hold by chance where neither piece is placed by the other: that neither does was called best."""
     near, far = RelationSpec(type="near", of=("piano",)), RelationSpec(type="far_from", of=("stand",))
