@@ -22,7 +22,7 @@ from solver import generate
 from solver.errors import ComposeError
 from solver.exchange import read_request
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Placed, Space
-from solver.pipeline.generate import wanted_in
+from solver.pipeline.generate import unwanted_in, wanted_in
 from solver.pipeline.reasons import REASON_WORK, with_lengths
 from solver.placement import Budget, SolvedRoom, arrange, feasible, finish, minimal_conflict, place
 from solver.placement.layout import ABSENT
@@ -274,7 +274,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     room = next((room for room in scene.rooms if asked.room in (room.id, room.type)), None)
     if room is None:
         return _refused_use(f"no room {asked.room}; there are {', '.join(room.id for room in scene.rooms)}")
-    space, wanted, unwanted = wanted_in(scene, room, catalogs)
+    space, wanted = wanted_in(scene, room, catalogs)
+    unwanted = unwanted_in(scene, room, catalogs)
     tried = _asked(wanted, asked.piece)
     reasons = [f"{name}: {reason}" for name, reason in unwanted if name in (asked.piece, _stem(asked.piece or ""))]
     if asked.piece is not None and not tried and not reasons:

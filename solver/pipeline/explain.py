@@ -110,7 +110,7 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> AsFurnished | str:
     for key, words in (("version", OTHER_VERSION), ("catalog", OTHER_CATALOG)):
         if made_with.get(key) != here[key]:
             return words.format(made_with.get(key), here[key])
-    space, wanted, _ = wanted_in(scene, room, catalogs)
+    space, wanted = wanted_in(scene, room, catalogs)
     solved = arrange(space, wanted, wide=True)
     (made,) = finish([solved], tidy=True)
     ids = ids_of(room, made, catalogs)

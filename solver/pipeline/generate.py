@@ -144,14 +144,16 @@ def generator(catalogs: Catalogs) -> dict[str, Any]:
     return {"version": VERSION, "catalog": catalogs.fingerprint}
 
 
-def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...], tuple[tuple[str, str], ...]]:
-    """Returns what placement was asked for in a room of a generated scene, and what not.
+def wanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[Space, tuple[Piece, ...]]:
+    """Returns what placement was asked for in a room of a generated scene: the room's space, and the pieces with their candidates."""
+    return _wished(room, _setting_of(scene, catalogs, scene.seed or 0), insisted_in(scene.certificate, room.id))
 
-    The room's space, the pieces with their candidates, and what else its type lists with the reasons why that is not wanted.
-    """
+
+def unwanted_in(scene: Scene, room: Room, catalogs: Catalogs) -> tuple[tuple[str, str], ...]:
+    """Returns what else the type of a room of a generated scene lists, with the reasons why that is not wanted."""
     setting = _setting_of(scene, catalogs, scene.seed or 0)
     space, wanted = _wished(room, setting, insisted_in(scene.certificate, room.id))
-    return space, wanted, unwanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting), wanted)
+    return unwanted_pieces(room, space, _low(room.level, setting).catalogs, _furnishing(room, setting), wanted)
 
 
 def _furnishing(room: Room, setting: _Setting) -> Stream:

@@ -80,7 +80,7 @@ def cpu_ms(do: Callable[[], object], rounds: int = 5) -> float:
 def limit(scene: Scene) -> tuple[float, float, int]:
     """What OSQP takes for a home's final problem, cold and warm, set up each time, and its iterations begun at the optimum."""
     known = load_catalogs()
-    rooms = [arrange(*wanted_in(scene, room, known)[:2]) for room in scene.rooms]
+    rooms = [arrange(*wanted_in(scene, room, known)) for room in scene.rooms]
     with mock.patch.object(qp, "solve", wraps=solve) as asked:
         finish(rooms)
     programme, begun_at, settings = asked.call_args.args

@@ -12,6 +12,8 @@ import pytest
 from catalogs import load_catalogs
 from compose_homes import Explained, PieceRequest, RelationSpec, Request, Scene, SceneError, explain, generate, place, validate
 from solver.answers import HOLDERS
+from solver.core import ask
+from solver.furnish import room_types
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Piece, Space
 from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, AsFurnished, _floor_holder, other_ways
@@ -292,3 +294,16 @@ def test_a_way_for_which_there_is_no_room_has_no_cost() -> None:
     room = AsFurnished(space, pieces, arrange(space, pieces), {"bed": "den/bed", "desk": "den/desk"})
     (way,) = other_ways(room, "desk")
     assert (way.wall, way.cost, way.moves) == ("south", None, ())
+
+
+def test_what_a_room_wants_is_asked_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene, asked = generate(Request(seed=1, width=7, depth=5)).scene, list[str]()
+
+    def noted(entry: str, *rows: bytes) -> bytes:
+        asked.append(entry)
+        return ask(entry, *rows)
+
+    monkeypatch.setattr(room_types, "ask", noted)
+    piece = next(piece for room in scene.rooms for piece in room.furniture)
+    assert explain(scene, piece.id).notes != (CHANGED,)
+    assert asked == ["furnish"]

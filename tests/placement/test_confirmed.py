@@ -43,7 +43,7 @@ class HandMade:
 def rooms(seed: int, program: str | None) -> list[SolvedRoom]:
     """All rooms of a home, with what the search found."""
     scene, known = generate(Request(seed=seed, program=program)).scene, load_catalogs()
-    return [arrange(*wanted_in(scene, room, known)[:2]) for room in scene.rooms]
+    return [arrange(*wanted_in(scene, room, known)) for room in scene.rooms]
 
 
 def unbalanced(problem: Problem, answer: Confirmed) -> float:

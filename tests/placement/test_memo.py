@@ -30,7 +30,7 @@ def rooms() -> list[Asked]:
     found, known = list[Asked](), load_catalogs()
     for seed in seeds(range(300, 420), 12):
         scene = generate(Request(seed=seed, program=("family", "large", None)[seed % 3])).scene
-        found += [wanted_in(scene, room, known)[:2] for room in scene.rooms]
+        found += [wanted_in(scene, room, known) for room in scene.rooms]
     found += [wanting_room(seed).pieces() for seed in seeds(range(400), 8)]
     return [(space, pieces) for space, pieces in found if pieces and len(space.doorways) > 1]
 

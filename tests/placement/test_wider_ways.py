@@ -34,7 +34,7 @@ def test_a_room_pays_no_more_for_wider_ways_than_they_are_worth() -> None:
     for asked in HOMES:
         home = generate(Request(people=False, **asked)).scene
         for room in home.rooms:
-            space, wanted, _ = wanted_in(home, room, load_catalogs())
+            space, wanted = wanted_in(home, room, load_catalogs())
             usual, wide = arrange(space, wanted), arrange(space, wanted, wide=True)
             more = whole_cost(wide, wanted) - whole_cost(usual, wanted)
             assert more <= DEAREST + ROUNDED, (asked["seed"], room.id)
