@@ -1,6 +1,6 @@
 """People and pets that are in the way -> the nearest free places."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Final
@@ -13,7 +13,9 @@ from solver.repair.room_problem import RoomProblem
 from solver.scene import Dynamic
 
 MOST_PLACES: Final = 200
-"""Places that are tried for somebody who is to be in nobody's way."""
+"""Nearest places that are tried for somebody who is to be in nobody's way, and as many of those beyond, spread out."""
+NEXT_MM: Final = 200
+"""Beyond the nearest, one place in each square of floor of this side is tried, mm: they may be a millimetre apart."""
 
 
 @dataclass(frozen=True)
@@ -113,7 +115,7 @@ def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> Dynamic | None:
         own = block_of(turned)
         taken = floor.obstacles(own)
         outermost = [rect for rect in taken if not any(other != rect and other.contains(rect) for other in taken)]
-        for place in islice(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm), MOST_PLACES):
+        for place in _likely(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)):
             if floor.connects([place], [Goal.beside(place)]):
                 return _put(turned, place)
     return None
@@ -126,3 +128,16 @@ def _put_nearest(person: Dynamic, floor: FreeFloor) -> Dynamic | None:
 
 def _put(person: Dynamic, place: Rect) -> Dynamic:
     return replace(person, x=half_m(place.x0 + place.x1), z=half_m(place.z0 + place.z1))
+
+
+def _likely(places: Iterator[Rect]) -> Iterator[Rect]:
+    """Yields the nearest places, and of those beyond them one in each square of floor: else nobody leaves a long aisle."""
+    yield from islice(places, MOST_PLACES)
+    squares: set[tuple[int, int]] = set()
+    for place in places:
+        square = (place.x0 // NEXT_MM, place.z0 // NEXT_MM)
+        if square not in squares:
+            squares.add(square)
+            yield place
+        if len(squares) == MOST_PLACES:
+            return

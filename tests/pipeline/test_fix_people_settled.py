@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from solver import fix
 from solver.scene import Decoration, Dynamic, Opening
@@ -55,3 +56,20 @@ def test_who_finds_no_place_from_where_he_is_finds_it_from_where_he_came_to() ->
     fixed = fix(replace(room, wall_thickness=0.1, dynamic=people))
     assert (errors(fixed.scene), fixed.conflicts) == ([], ())
     assert fix(fixed.scene).scene == fixed.scene
+
+
+def test_who_stands_in_an_aisle_with_countless_places_a_millimetre_apart_leaves_it() -> None:
+    """Between two rows of locked crates, each of another depth, whoever stands shuts off those behind; before them the floor is free."""
+    rows = []
+    for side, x in (("left", 0.42), ("right", 1.98)):
+        fronts = [1.2 + 0.3 * k + 0.001 * ((7 * k + len(side)) % 11) for k in range(13)]
+        for k, (front, back) in enumerate(pairwise(fronts)):
+            depth = round(back - front - 0.002 * (k % 4 + 1), 3)
+            crate = body(f"{side}_crate_{k}", x, round(front + depth / 2, 4), (round(0.8 + 0.003 * (k % 5), 3), depth, 1.0), locked=True)
+            rows.append(crate)
+    wardrobe = body("wardrobe_1", 1.2, 0.3, (1.2, 0.6, 2.0), wall="north", locked=True)
+    door = Opening("door", "door", "south", 1.2, 0.9, connects_to="EXTERIOR", main_entrance=True)
+    room = room_of(wardrobe, *rows, width=2.4, depth=6.8, openings=(door,))
+    assert errors(room) == []
+    fixed = fix(replace(room, dynamic=(Dynamic("me", "person", "room_0", 1.2, 0.0, 3.0, 0, 0.5, 0.3, 1.7),)))
+    assert (errors(fixed.scene), fixed.conflicts) == ([], ())
