@@ -34,12 +34,16 @@ NO_WAY = {
 
 @dataclass(frozen=True)
 class _Verdict:
-    """Why one piece cannot stand, or be used: the conflict it is in, that in words, and which lengths are missing, where that is known."""
+    """Why one piece cannot stand, or be used: the conflict it is in, that in words, and which lengths are missing, where that is known.
+
+    `proven` unless a limit ended the search for a place, or for a way.
+    """
 
     label: str
     ids: tuple[str, ...]
     message: str
     short: Shortfall | None = None
+    proven: bool = True
 
 
 def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
@@ -63,9 +67,12 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
 
 def _with_repairs(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[Conflict]:
     """Returns the conflicts with what helps, as far as some does; none where not even to leave out what each is about helps."""
+    settings = goal.problems[0].settings
     if len(verdicts) > 1 and not _helps_to_leave_all(goal, verdicts):
         return []
-    return [Conflict(one.ids, one.message, _offered(goal, one, verdicts)) for one in verdicts]
+    walking = replace(goal, budget=Budget(settings.explaining_work / SHARE))
+    kept = verdicts if settings.remove else _by_itself(walking, verdicts)
+    return [Conflict(one.ids, one.message, _offered(goal, one, kept)) for one in kept]
 
 
 def _is_shut_by_itself(house: Checked, room: Room, budget: Budget) -> bool:
@@ -84,6 +91,16 @@ def _helps_to_leave_all(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> boo
     """Tells whether to leave out what every conflict is about leaves the room clean."""
     first, *others = verdicts
     return helps(_without(goal, [one.label for one in others]), _leaving(first))
+
+
+def _by_itself(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[_Verdict]:
+    """Returns the verdicts but those of a limit that end where what the others are about is left out: these last as long as others do."""
+    kept = list(verdicts)
+    for one in reversed(verdicts):
+        others = {other.label for other in kept} - {one.label}
+        if not one.proven and others and _repaired(_without(goal, others), None) is not None:
+            kept.remove(one)
+    return kept
 
 
 def _offered(goal: "RepairGoal", one: _Verdict, verdicts: Sequence[_Verdict]) -> tuple[Repair, ...]:
@@ -162,7 +179,7 @@ class _WhyNot:
                 ids, walk = fewer, True
         if ids is None:
             stands = walk and (label not in self.repair.unplaced or bool(feasible(space, group, self.budget)))
-            return _Verdict(label, (label,), at_limit(self._names[label], stands, f" in {room}"))
+            return _Verdict(label, (label,), at_limit(self._names[label], stands, f" in {room}"), proven=False)
         members = [piece if walk else replace(piece, stands=()) for piece in self.pieces if piece.label in ids]
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
@@ -311,13 +328,13 @@ def _tried(goal: RepairGoal, repair: Repair) -> Repair | None:
     return repair if helps(goal, repair) else None
 
 
-def _repaired(goal: RepairGoal, repair: Repair) -> Room | None:
+def _repaired(goal: RepairGoal, repair: Repair | None) -> Room | None:
     """Returns the first room as it is once a repair is made, if one is; None where a room does not come out clean."""
     found = None
     for problem in goal.problems:
         if goal.budget.spent or is_call_spent():
             return None
-        room = _whole(_with(problem, repair), goal.budget, thoroughly=found is not None)
+        room = _whole(_with(problem, repair) if repair else problem, goal.budget, thoroughly=found is not None)
         if room is None or not _is_clean(goal, room):
             return None
         found = found or room

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Container
 from dataclasses import replace
-from functools import cache
+from functools import cache, reduce
 from importlib import import_module
 
 import pytest
@@ -186,6 +186,22 @@ def test_a_locked_chair_that_holds_its_desk_is_unlocked_with_its_own_move() -> N
     unlock = next(repair for repair in conflict.repairs if repair["action"] == "unlock")
     (move,) = [move for move in fix(with_repair(scene, unlock)).moves if move.id == chair.id]
     assert unlock == {"action": "unlock", "id": chair.id, "dx": move.dx, "dz": move.dz, "rotation": move.rotation}
+
+
+def needless(scene: Scene) -> list[str]:
+    """What is said of a limit though all else that is said, ended by its first repair, ends it too."""
+    told = [conflict for conflict in fix(scene).conflicts if conflict.repairs]
+    found = []
+    for conflict in told:
+        firsts = [other.repairs[0] for other in told if other is not conflict]
+        if firsts and "ended at its limit" in conflict.message and not errors(fix(reduce(with_repair, firsts, scene)).scene):
+            found.append(conflict.message)
+    return found
+
+
+@pytest.mark.parametrize("seed", [3038, *seeds(range(3030, 3045), 9)])
+def test_a_search_that_only_other_conflicts_bring_to_its_limit_is_no_conflict_of_its_own(seed: int) -> None:
+    assert needless(fuzzed(seed, 7, locks=True)) == []
 
 
 def test_what_only_the_request_locks_is_unlocked_by_leaving_it_out_of_locked() -> None:
