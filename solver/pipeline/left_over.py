@@ -100,6 +100,7 @@ class _LeftOver:
             return None
         if issue.rule == "unreachable" and any(self._people.issuperset(conflict.ids) for conflict in here):
             return None
+        here = here or self._reaching_in(issue)
         if issue.ids and here and (issue.rule == "unreachable" or not self._locked.issuperset(issue.ids)):
             self._waiting.update(issue.ids)
             missing = "out of reach" if issue.rule == "unreachable" else "no repair"
@@ -107,6 +108,15 @@ class _LeftOver:
             return Conflict(issue.ids, words, here[0].repairs if len(here) == 1 else ())
         helping = [one for one in issue.ids if self._is_due_to(one, issue)] if all(conflict.repairs for conflict in here) else ()
         return Conflict(issue.ids, self._why(issue), tuple({"action": "leave_out", "id": one} for one in helping))
+
+    def _reaching_in(self, issue: Issue) -> Sequence[Conflict]:
+        """Returns the conflicts about a body that leaves its own room and shuts a way in this one."""
+        if issue.rule != "unreachable":
+            return ()
+        outside = {label for other in self.house.errors if other.rule == "out_of_bounds" for label in other.ids}
+        members = dict.fromkeys(label for conflict in self.conflicts for label in conflict.ids)
+        shuts = {label for label in members if label in outside and self._is_due_to(label, issue)}
+        return [conflict for conflict in self.conflicts if shuts.intersection(conflict.ids)]
 
     def _is_due_to(self, label: str, issue: Issue) -> bool:
         """Tells whether an error ends where a body is left out."""

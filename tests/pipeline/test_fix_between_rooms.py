@@ -53,6 +53,25 @@ def test_somebody_who_shuts_the_way_to_another_room_steps_aside(kind: str) -> No
     assert pieces(fixed.scene) == pieces(sent), "the furniture shuts nobody out"
 
 
+def test_what_a_body_of_the_next_room_keeps_out_of_reach_has_that_ones_repairs() -> None:
+    """A locked chest that stands half through the wall, before the only free side of a wardrobe of the next room."""
+    side = Opening("side", "door", "west", 5.0, 0.9, connects_to="EXTERIOR")
+    chest = body("chest_1", 3.9, 1.0, (2.0, 1.6, 0.8), locked=True)
+    wardrobe = replace(body("wardrobe_1", 1.7, 1.0, (1.6, 0.6, 2.0)), id="back_1/wardrobe_1", rotation=270, wall="east")
+    inner = Opening("inner", "door", "east", 5.0, 0.9, connects_to="back_1")
+    front = Room("room_0", 0, "room", 0, 0.0, 0.0, 4.0, 6.0, openings=(side, inner), furniture=(chest,))
+    back = Room(
+        "back_1", 1, "room", 0, 4.0, 0.0, 2.0, 6.0, openings=(replace(inner, wall="west", connects_to="room_0"),), furniture=(wardrobe,)
+    )
+    sent = Scene(rooms=(front, back))
+    fixed = fix(sent)
+    assert [issue.ids for issue in fixed.issues if issue.rule == "unreachable"] == [(wardrobe.id,)]
+    conflict, shut = fixed.conflicts
+    assert (conflict.ids, shut.ids) == ((chest.id,), (wardrobe.id,))
+    assert shut.repairs == conflict.repairs
+    assert errors(fix(replace(sent, rooms=(replace(front, furniture=()), back))).scene) == []
+
+
 @pytest.mark.parametrize(("wall", "step"), [("north", (0, 1)), ("west", (1, 0)), ("south", (0, -1)), ("east", (-1, 0))])
 def test_a_chair_too_far_under_its_table_is_drawn_out(wall: str, step: tuple[int, int]) -> None:
     table = body("dining_table_1", 2.0, 2.0, (0.8, 0.8, 0.75))
