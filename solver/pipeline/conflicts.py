@@ -13,7 +13,7 @@ from typing import Any
 from solver.answers import Conflict
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
-from solver.pipeline.left_over import judged_again
+from solver.pipeline.left_over import is_shut_by_itself, judged_again
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
 from solver.placement import Budget, charge, feasible, is_call_spent, minimal_conflict, work_of_call
@@ -57,7 +57,7 @@ def conflicts_of(house: Checked, repair: RoomRepair) -> tuple[Conflict, ...]:
     if verdicts and settings.offering:
         bare, asked = house.after(replace(house.scene, dynamic=())), _asked(repair)
         budget = Budget(settings.explaining_work)
-        goal = RepairGoal(bare, asked, budget, _is_shut_by_itself(bare, repair.problem.room, budget))
+        goal = RepairGoal(bare, asked, budget, is_shut_by_itself(bare, repair.problem.room, budget))
         told = _with_repairs(goal, verdicts) or told
         if len(asked) > 1 and not all(one.repairs for one in told):
             answered = replace(goal, problems=asked[:1], budget=Budget(settings.explaining_work / SHARE))
@@ -73,14 +73,6 @@ def _with_repairs(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[Conf
     walking = replace(goal, budget=Budget(settings.explaining_work / SHARE))
     kept = verdicts if settings.remove else _by_itself(walking, verdicts)
     return [Conflict(one.ids, one.message, _offered(goal, one, kept)) for one in kept]
-
-
-def _is_shut_by_itself(house: Checked, room: Room, budget: Budget) -> bool:
-    """Tells whether nobody can come into a room of a house even where it is empty."""
-    if all(issue.ids or issue.room != room.id for issue in house.errors):
-        return False
-    rooms = tuple(replace(one, furniture=(), decorations=()) if one.id == room.id else one for one in house.scene.rooms)
-    return any(issue.room == room.id for issue in judged_again(house, replace(house.scene, rooms=rooms), (room.id,), budget).errors)
 
 
 def _leaving(one: _Verdict) -> Repair:
@@ -112,8 +104,7 @@ def _offered(goal: "RepairGoal", one: _Verdict, verdicts: Sequence[_Verdict]) ->
 
 
 def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
-    for label, problem in repair.misplaced.items():
-        yield _Verdict(label, (label,), f"locked where it cannot stand: {problem}")
+    yield from _locked_wrongly(repair)
     work = repair.problem.settings.explaining_work
     asked = _WhyNot(repair, repair.pieces, Budget(work))
     known = set(repair.misplaced)
@@ -129,6 +120,18 @@ def _verdicts(repair: RoomRepair) -> Iterator[_Verdict]:
                 verdict = asked.why(pieces, label, walk=True)
                 known.update(verdict.ids)
                 yield verdict
+
+
+def _locked_wrongly(repair: RoomRepair) -> Iterator[_Verdict]:
+    """Yields what is misplaced; what only the lock of another one keeps there, as that of a piece on it, goes with that one."""
+    locks = holders(repair.problem.room, repair.problem.settings)
+    kept: dict[str, list[str]] = {}
+    for label in repair.misplaced:
+        lock, *more = locks[label]
+        kept.setdefault(label if more or lock not in repair.misplaced else lock, []).append(label)
+    for lock, labels in kept.items():
+        problems = " and ".join(repair.misplaced[label] for label in labels)
+        yield _Verdict(lock, tuple(labels), f"locked where it cannot stand: {problems}")
 
 
 def _by_themselves(repair: RoomRepair) -> Iterator[tuple[str, list[Piece]]]:
@@ -277,7 +280,7 @@ def repairs_of(goal: RepairGoal, members: Sequence[str], short: Shortfall | None
     leaving = [repair for member in members if (repair := _tried(goal, {"action": "leave_out", "id": member}))]
     hung = [body for body in loose if isinstance(body, Furniture) and body.wall is not None]
     moves = [_moved(goal, {"action": "move", "id": body.id, "wall": None}) for body in hung]
-    unlocks = [_unlocked(goal, member) for member in members if member in locked]
+    unlocks = [_unlocked(goal, ids) for ids in dict.fromkeys(tuple(locked[member]) for member in members if member in locked)]
     able = {repair["id"] for repair in leaving}
     loose = [body for body in loose if body.id in able]  # what does not help by leaving does not by turning or shrinking
     by_way = sorted((repair for repair in (*moves, *unlocks) if repair), key=_distance)
@@ -298,9 +301,8 @@ def _smaller_changes(goal: RepairGoal, loose: Sequence[Body], short: Shortfall |
         yield _least_shrunk(goal, body)
 
 
-def _unlocked(goal: RepairGoal, label: str) -> Repair | None:
-    """Returns the repair that unlocks what holds a body, with the move that follows; None where that does not help."""
-    ids = goal.locks[label]
+def _unlocked(goal: RepairGoal, ids: Sequence[str]) -> Repair | None:
+    """Returns the repair that unlocks what holds a body, with the move that follows; None where several do, or where that does not help."""
     if len(ids) > 1:
         return None
     return _moved(goal, {"action": "unlock", "id": ids[0]})

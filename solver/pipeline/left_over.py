@@ -31,6 +31,14 @@ def judged_again(house: Checked, scene: Scene, changed: Collection[str], budget:
     return after
 
 
+def is_shut_by_itself(house: Checked, room: Room, budget: Budget) -> bool:
+    """Tells whether nobody can come into a room of a house even where it is empty."""
+    if all(issue.ids or issue.room != room.id for issue in house.errors):
+        return False
+    rooms = tuple(replace(one, furniture=(), decorations=()) if one.id == room.id else one for one in house.scene.rooms)
+    return any(issue.room == room.id for issue in judged_again(house, replace(house.scene, rooms=rooms), (room.id,), budget).errors)
+
+
 WAYS_IN = ("door", "passage", "garage_door")
 """Openings that lead into a room."""
 

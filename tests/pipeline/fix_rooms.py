@@ -61,7 +61,8 @@ def with_repair(scene: Scene, repair: Mapping[str, Any]) -> Scene:
         furniture = []
         for piece in room.furniture:
             if piece.id != label:
-                furniture.append(piece)
+                if action != "leave_out" or piece.on != label:
+                    furniture.append(piece)
             elif action == "unlock":
                 furniture.append(replace(piece, locked=False))
             elif action == "move":

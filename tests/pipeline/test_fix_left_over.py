@@ -241,6 +241,20 @@ def test_a_lamp_locked_partly_outside_does_not_blame_the_table_under_it(x: float
     assert leave == {"action": "leave_out", "id": lamp.id}
 
 
+@pytest.mark.parametrize("x", [0.1, -0.1])
+def test_what_one_locked_piece_keeps_outside_with_it_is_told_with_that_one(x: float) -> None:
+    """A lamp locked on a table that is not, both partly outside: the table comes in with the lamp once that is unlocked."""
+    table = body("side_table", x, 3.0, (0.6, 0.6, 0.5))
+    lamp = replace(body("table_lamp", x, 3.0, (0.4, 0.4, 0.4), on=table.id, locked=True), y=0.5)
+    sent = room_of(table, lamp, openings=(FRONT,))
+    (told,) = fix(sent).conflicts
+    assert told.ids == (table.id, lamp.id) and told.message.startswith("locked where it cannot stand: ")
+    assert told.repairs[0] == {"action": "unlock", "id": lamp.id, "dx": round(0.3 - x, 4), "dz": 0.0, "rotation": 0}
+    for repair in told.repairs:
+        repaired = fix(with_repair(sent, repair))
+        assert (errors(repaired.scene), repaired.conflicts) == ([], ())
+
+
 @pytest.mark.parametrize("on_conflict", ["report", "remove"])
 def test_of_a_piece_locked_with_its_front_at_a_wall_others_do_not_pay_for(on_conflict: str) -> None:
     """In front of the sink there are 0.52 m; the table shuts the door, so nobody can say yet what is out of reach."""
