@@ -18,7 +18,10 @@ LEVEL: Final = 0.02
 
 
 def cut_open(room: DrawnRoom, openings: Sequence[DrawnOpening], notes: PlanNotes) -> DrawnRoom:
-    """Returns a room in mm without holes, cut where no opening is, if it can be; notes what was done about each."""
+    """Returns a room in mm without holes, cut where no opening is, if it can be; notes what was done about each.
+
+    Of a room that is cut nothing says how thick its outer walls are: its sides are others.
+    """
     points, holes = room.points, list(room.holes)
     doors = [(one.start, one.end) for one in openings]
     while holes:
@@ -34,7 +37,8 @@ def cut_open(room: DrawnRoom, openings: Sequence[DrawnOpening], notes: PlanNotes
         notes.change("read", room.where, length / 1000, "a hole in a room: it is cut open from there to the nearest wall")
     for _ in holes:
         notes.leave(room.where, "a hole in a room that is smaller than 0.5 m2, or has no straight side: it is floor")
-    return replace(room, points=tuple(points), holes=())
+    outer = room.outer if points is room.points else ()
+    return replace(room, points=tuple(points), holes=(), outer=outer)
 
 
 def _is_at(cut: Slit, doors: Sequence[Slit]) -> bool:

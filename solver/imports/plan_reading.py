@@ -31,7 +31,7 @@ from solver.imports.to_scene import NamedRoom, adjacency_of, named_rooms, outdoo
 from solver.imports.trimmed_pieces import trimmed
 from solver.imports.units import check_size, unit_named, unit_of
 from solver.imports.untold_openings import told_apart, with_glass
-from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses, thicknesses_said
+from solver.imports.wall_depths import WallDepths, faces_behind, outer_thicknesses
 from solver.imports.walls_alone import with_rooms_between
 from solver.scene import Level, Room, Scene, Size
 
@@ -179,13 +179,12 @@ def _along_lines(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> t
     if not made:
         raise FieldError("rooms", "enclose no floor between their walls", "outlines around at least 0.5 m2")
     edges = [edges_of_corners(number, room.corners) for number, room in enumerate(made)]
-    found = outer_thicknesses(depths, edges, thickness)
-    own = [thicknesses_said(room.drawn, sides, thickness) or one for room, sides, one in zip(made, edges, found, strict=True)]
+    own = outer_thicknesses([room.drawn for room in made], depths, edges, thickness)
     return [replace(room, wall_thickness=one) for room, one in zip(made, own, strict=True)], thickness
 
 
 def _lines_of(plan: DrawnPlan, rooms: list[NamedRoom], depths: WallDepths, notes: PlanNotes) -> tuple[list[NamedRoom], int]:
-    said = None if plan.wall_thickness is None else min(THICKEST, round(plan.wall_thickness))
+    said = None if plan.wall_thickness is None else max(0, min(THICKEST, round(plan.wall_thickness)))
     apart = usual_gap([room.corners for room in rooms]) if plan.drawn == "unsaid" else 0
     faces = [edges_of_corners(number, room.corners) for number, room in enumerate(rooms)]
     thickness, found = faces_behind(faces, depths, USUAL_THICKNESS if said is None else said)

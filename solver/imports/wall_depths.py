@@ -121,28 +121,35 @@ def faces_behind(edges: Sequence[Sequence[PlanEdge]], depths: WallDepths, usual:
     ]
 
 
-def outer_thicknesses(depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], usual: int) -> list[tuple[float | None, ...] | None]:
+def outer_thicknesses(
+    rooms: Sequence[DrawnRoom], depths: WallDepths, edges: Sequence[Sequence[PlanEdge]], usual: int
+) -> list[tuple[float | None, ...] | None]:
     """Returns for each room how thick its outer walls are where they are not as the usual, m, by its edges; None where all are.
 
-    Edges lie along the lines of walls; `usual` is the scene's thickness, mm.
+    Rooms say it, else walls as drawn. Edges lie along the lines of walls; `usual` is the scene's thickness, mm.
     """
     facing = FacingEdges(edges)
     found = []
-    for room in edges:
-        outer = [max(facing.alone(edge), key=lambda one: one[1] - one[0], default=None) for edge in room]
+    for room, own in zip(rooms, edges, strict=True):
+        sides = _sides_said(room, usual)
+        outer = [max(facing.alone(edge), key=lambda one: one[1] - one[0], default=None) for edge in own]
         said = tuple(
-            None if one is None else _own(depths, edge._replace(low=one[0], high=one[1]), usual)
-            for edge, one in zip(room, outer, strict=True)
+            None if one is None else _said(sides, edge) or _own(depths, edge._replace(low=one[0], high=one[1]), usual)
+            for edge, one in zip(own, outer, strict=True)
         )
         found.append(said if any(one is not None for one in said) else None)
     return found
 
 
-def thicknesses_said(room: DrawnRoom, edges: Sequence[PlanEdge], usual: int) -> tuple[float | None, ...] | None:
-    """Returns how thick a room says that its outer walls are where they are not as the usual, m, by its edges; None where all are."""
-    sides = [((a, b), said) for (a, b), said in zip(edges_round(room.points), room.outer, strict=False) if said and round(said) != usual]
-    found = tuple(next((to_m(min(THICKEST, round(said))) for side, said in sides if _became(side, edge)), None) for edge in edges)
-    return found if sides else None
+def _sides_said(room: DrawnRoom, usual: int) -> list[tuple[tuple[Spot, Spot], int]]:
+    """Returns the sides of a room's outline of which it says that their walls are not as thick as the usual, and how thick, mm."""
+    said = [(side, round(one)) for side, one in zip(edges_round(room.points), room.outer, strict=False) if one is not None]
+    return [(side, one) for side, one in said if THINNEST <= one <= THICKEST and one != usual]
+
+
+def _said(sides: Sequence[tuple[tuple[Spot, Spot], int]], edge: PlanEdge) -> float | None:
+    """Returns how thick the wall of an edge is by the side of the drawn outline that became it, m; None where nothing is said of it."""
+    return next((to_m(thickness) for side, thickness in sides if _became(side, edge)), None)
 
 
 def _became(side: tuple[Spot, Spot], edge: PlanEdge) -> bool:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from solver.imports.drawn import DrawnRoom, PlanNotes
+from solver.imports.holes import cut_open
 from solver.imports.rectilinear import tidied
 from tests.imports.plans import box, collection, floor_area, line, polygon, read, rooms_of
 
@@ -42,6 +44,15 @@ def test_each_of_several_holes_is_cut_open_and_columns_and_round_ones_are_told()
     assert [one["reason"] for one in answer.unread] == [
         "a hole in a room that is smaller than 0.5 m2, or has no straight side: it is floor"
     ] * 2
+
+
+def test_a_room_that_is_cut_open_says_nothing_of_outer_walls_by_its_sides() -> None:
+    """They are numbered otherwise; one whose hole stays floor keeps what it says."""
+    ring = ((0.0, 0.0), (8000.0, 0.0), (8000.0, 6000.0), (0.0, 6000.0))
+    for side, kept in ((2000.0, ()), (300.0, (300.0, None))):
+        hole = ((3000.0, 2000.0), (3000.0, 2000.0 + side), (3000.0 + side, 2000.0 + side), (3000.0 + side, 2000.0))
+        room = cut_open(DrawnRoom(ring, "Hall", "rooms[0]", holes=(hole,), outer=(300.0, None)), (), PlanNotes())
+        assert (len(room.points) > 4, room.outer) == (not kept, kept)
 
 
 def test_no_cut_goes_through_another_hole() -> None:

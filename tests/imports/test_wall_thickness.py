@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -83,6 +84,29 @@ def test_our_exports_read_back(house: Scene, format: str) -> None:
     doors = [{(one.kind, one.connects_to) for one in room.openings} for room in found]
     assert [len(one) for one in doors] == [len(room.openings) for room in house.rooms]
     assert [issue.message for issue in validate(after) if issue.severity == "error"] == []
+
+
+@pytest.mark.parametrize("format", ["procthor", "svg"])
+@pytest.mark.parametrize(("said", "thick"), [(-0.3, None), (0.00025, None), (0.005, None), (1.2, None), (0.3, 0.3)])
+def test_what_a_file_says_of_sides_counts_for_outer_walls_as_thick_as_walls_are(
+    house: Scene, format: str, said: float, thick: float | None
+) -> None:
+    (name, content), *_ = export(house, format).items()
+    if format == "svg":
+        all_sides = " ".join([f"{said * 1000:g}"] * 4)
+        content = re.sub('data-outer-walls="[^"]*"', f'data-outer-walls="{all_sides}"', content.decode()).encode()
+    else:
+        document = json.loads(content)
+        for room in document["rooms"]:
+            room["compose"]["wall_thickness"] = [said] * 4
+        content = json.dumps(document).encode()
+    west, east, _ = sorted(read(content, name).scene.rooms, key=lambda room: (room.z, room.x))
+    outer = [(thick, None, None, thick), (thick, thick, None, None)] if thick else [None, None]
+    assert [west.wall_thickness, east.wall_thickness] == outer
+
+
+def test_walls_thinner_than_nothing_have_no_thickness() -> None:
+    assert read(collection(box("Hall", 0, 0, 4, 3), drawn="inner", wall_thickness=-0.3)).scene.wall_thickness == 0.0
 
 
 def outside(room: Room, house: Scene, wall: int) -> float:
