@@ -122,11 +122,16 @@ class WallRows:
         far = min(following, crossed.at if crossed else FAR)
         return RowGap(DrawnLine(one.axis, one.at, end, far), in_line=far == following) if far < FAR else None
 
-    def is_face(self, one: DrawnLine, nearest: int, farthest: int) -> bool:
-        """Tells whether another line runs beside one, so far from it: the wall has two faces."""
+    def is_face(self, one: DrawnLine, end: int, nearest: int, farthest: int) -> bool:
+        """Tells whether another line, so far from one, runs beside most of its last piece before an end: the wall has two faces.
+
+        That piece is as long as the wall may be thick: a shaft in a far corner, or a wall that ends before the line, is no face.
+        """
         at, low, high = self._by_axis[one.axis]
         away = np.abs(at - one.at)
-        return bool(((away >= nearest) & (away <= farthest) & (low < one.high) & (high > one.low)).any())
+        first, last = (one.low, min(one.high, one.low + farthest)) if end == one.low else (max(one.low, one.high - farthest), one.high)
+        common = np.minimum(high, last) - np.maximum(low, first)
+        return bool(((away >= nearest) & (away <= farthest) & (2 * common > last - first)).any())
 
     def ahead(self, one: DrawnLine, end: int, within: int | None) -> DrawnLine | None:
         """Returns the nearest wall across the way beyond an end; at most so far ahead and aside, where that is said."""

@@ -97,11 +97,13 @@ def gaps_of(walls: Sequence[Sequence[Spot]], metres: float | None) -> list[WallG
 def _gaps(lines: Sequence[DrawnLine]) -> Iterator[tuple[tuple[RowGap, ...], bool]]:
     """Yields each gap that both faces of a wall have, as it is in either, of a single line its own; and what one face alone has."""
     rows = WallRows(lines)
+    ends = {(one.axis, one.at, end): one for one in rows.whole() for end in (one.low, one.high)}
+    of_faces = {place for place, one in ends.items() if rows.is_face(one, place[2], THINNEST, THICKEST)}
     is_free: dict[RowGap, bool] = {}
-    for one in rows.whole():
-        for end in (one.low, one.high):
-            if (gap := rows.gap_at(one, end)) and CRACK < gap.line.high - gap.line.low <= WIDTHS[1]:
-                is_free[gap] = is_free.get(gap, True) and not rows.is_met(one, end) and not rows.is_face(one, THINNEST, THICKEST)
+    for (axis, at, end), one in ends.items():
+        if (gap := rows.gap_at(one, end)) and CRACK < gap.line.high - gap.line.low <= WIDTHS[1]:
+            has_faces = any((axis, at, side) in of_faces for side in gap.line[2:])
+            is_free[gap] = is_free.get(gap, True) and not (has_faces or rows.is_met(one, end))
     for axis in ("x", "z"):
         yield from _of_both_faces(sorted(gap for gap in is_free if gap.line.axis == axis), is_free)
 

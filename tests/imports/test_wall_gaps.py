@@ -214,3 +214,15 @@ def test_a_gap_in_a_wall_of_one_line_is_one_whatever_ends_before_that_line(east:
     line, across = [[(0, 0), (500, 0)], [(1400, 0), (5000, 0)]], [[(0, -3000), (0, 3000)]]
     gaps = gaps_of([*line, *across, [(-4000, 300), (east, 300)]], 0.001)
     assert [gap.width for gap in gaps if gap.is_whole] == [900] * count
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+@pytest.mark.parametrize(("shaft", "gaps"), [((0, 600), [900]), ((1400, 2000), [])])
+def test_a_shaft_makes_two_faces_of_a_wall_of_one_line_only_where_a_gap_is(mirrored: bool, shaft: tuple[int, int], gaps: list[int]) -> None:
+    """The pieces on both sides of the gap tell alike."""
+    low, high = shaft
+    sides = [[(low, 0), (low, 600)], [(high, 600), (low, 600)], [(high, 0), (high, 600)]]
+    line, across = [[(0, 0), (2000, 0)], [(2900, 0), (6000, 0)]], [[(x, -3000), (x, 3000)] for x in (0, 6000)]
+    walls = [[(6000 - x if mirrored else x, z) for x, z in points] for points in [*line, *across, *sides]]
+    found = [gap for gap in gaps_of(walls, 0.001) if gap.is_whole and gap.start[1] == gap.end[1] == 0]
+    assert [gap.width for gap in found] == gaps
