@@ -15,7 +15,7 @@ FRAMES = 300
 @pytest.fixture(scope="module")
 def recordings() -> list[bytes]:
     """What the core was asked; and the same with another number at the end of its last call, which must be noticed."""
-    true = recording_of(range(5, 7), frames=3)
+    true = recording_of(range(5, 7), frames=6)
     return [true, true[:-1] + bytes([true[-1] ^ 1])]
 
 
