@@ -69,6 +69,12 @@ def test_the_same_rooms_give_the_same_arrangements_in_any_company() -> None:
     assert together == alone
 
 
+def test_what_is_known_to_go_together_is_found_again_with_however_few_qps() -> None:
+    few, usual = Limits(required_qps=3, final_qps=5), Limits()
+    standing = [[len(arrange(*room(seed), limits=limits).chosen) for seed in range(12)] for limits in (few, usual)]
+    assert sum(standing[0]) >= 0.9 * sum(standing[1]), standing
+
+
 def wall_piece(label: str, width: int, space: Space) -> Piece:
     return Piece(label, True, at_walls((width, 600, 700), space, Stream(1, label)))
 

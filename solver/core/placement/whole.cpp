@@ -42,12 +42,13 @@ static i64 take_deepest(const Tree& tree, const Decisions& decisions) {
   return count;
 }
 
-// Finds a placement of decisions that were reached under other bounds; else of all but the last of them.
-static void find_again(Desk& desk, i64 limit, bool walk) {
+// Finds a placement of decisions that were reached under other bounds; else of all but the last of them. They are known to go together:
+// work alone limits the search, for a piece that is let go is missed.
+static void find_again(Desk& desk, bool walk) {
   const Decisions& decisions = desk.decisions;
   const auto is_found = [&] {
     desk.engine.tree.budget[0] = ENOUGH;
-    return evaluate(desk.engine, decisions, limit, INFINITE, walk);
+    return evaluate(desk.engine, decisions, MANY, INFINITE, walk);
   };
   if (is_found()) return;
   for (i64 last = decisions.size; last > 0;) {
@@ -69,9 +70,9 @@ static NumberedRoom without_required(const NumberedRoom& from, i64 piece) {
 }
 
 // Notes what came of a room that is arranged.
-static void conclude(WholeRoom& found, const RoomReport& report, bool sure, const RoomLimits& limits) {
+static void conclude(WholeRoom& found, const RoomReport& report, bool sure) {
   found.complete = report.complete;
-  if (!found.complete || !found.desk->engine.nodes.result->found) find_again(*found.desk, limits.required_qps, found.walk);
+  if (!found.complete || !found.desk->engine.nodes.result->found) find_again(*found.desk, found.walk);
   found.proven = found.complete && report.proven && sure;
   found.best = found.complete && report.closed && found.left_out.size() == 0;
 }
@@ -84,7 +85,7 @@ static void go_on(WholeRoom& found, const RoomLimits& limits, Memo* memo) {
   const RoomReport report = fill_room(desk.engine, desk.decisions, memo->filling, desk.fates, limits, true);
   desk.engine.memo = nullptr;
   found.solves = report.solves;
-  if (!memo->given_up) conclude(found, report, true, limits);
+  if (!memo->given_up) conclude(found, report, true);
 }
 
 // The same as `arrange_whole`; what all pieces' ways come to is noted in the memo, or recalled from it.
@@ -136,7 +137,7 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
     mark = arena::mark();
     found.desk = desk_for(asked);
   }
-  if (memo == nullptr || !memo->given_up) conclude(found, report, sure, limits);
+  if (memo == nullptr || !memo->given_up) conclude(found, report, sure);
   return found;
 }
 
