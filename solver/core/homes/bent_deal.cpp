@@ -12,10 +12,10 @@ constexpr Bend IN_U[] = {Bend::north_out, Bend::north_out, Bend::south_out, Bend
 constexpr f64 SINGLE = 0.5;
 // How often private rooms are shared out among wings; the most even is taken. More makes homes alike.
 constexpr i32 SHARINGS = 16;
-// A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many, and it may not jut out.
-constexpr i64 BARE_MM2 = 50'000'000;
-// And so much each bedroom in the second wing: one comes in by the first.
-constexpr i64 FAR_BED_MM2 = 25'000'000;
+// A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many.
+constexpr i64 BARE_MM2 = 10'000'000;
+// How often the kitchen of a home with two wings begins one of them, beside the dining room: between two wings all would walk through it.
+constexpr f64 IN_WING = 0.75;
 constexpr i32 MOST_SHARED = 4;
 
 }  // namespace
@@ -35,9 +35,9 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
                                  : outline_ == Outline::t ? Span<const Bend>{IN_T, 1}
                                                           : Span<const Bend>{IN_U, 5};
   const Bend bend = stream_.pick(bends);
-  const bool single = bend != Bend::free || stream_.chance(SINGLE);
+  const bool in_wing = wings > 1 && stream_.chance(IN_WING), single = bend != Bend::free || stream_.chance(SINGLE);
   Deal deal;
-  if (single && wings == 1) {
+  if (single && !in_wing) {
     in_deep_row(deal);
   } else {
     chunks(true, {}, deal);
@@ -46,9 +46,9 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
   for (i32 k = 0; k < 2 + 2 * wings; k++) depths[k] = k == 1 ? deep() : depth();
   Chunk strips[2 + MOST_SHARED];
   strips[3] = entry();
-  const bool with_kitchen = wings > 1 && kitchen_to_wing(deal.living, bend, strips);
+  const i32 with_kitchen = in_wing ? kitchen_to_wing(deal.living, bend, strips) : -1;
   share(deal.apart, 2 * wings, strips + 2);
-  const bool from_west = !with_kitchen && !stream_.chance(0.8);
+  const bool from_west = with_kitchen < 0 ? !stream_.chance(0.8) : with_kitchen < 4;
   const Chunk behind = from_west ? deal.living : deal.living.reversed();
   const i32 at = single || behind.size < 2 ? 0 : cut(behind, depths);
   strips[0] = behind.part(0, at);
@@ -64,23 +64,22 @@ void BentDealer::wings(i32 wings, Draft& draft) const {
   for (i32 k = 0; k < 2 + 2 * wings; k++) draft.add_strip(strips[k].all(), depths[k]);
 }
 
-// Moves the kitchen of a home with two wings, and what is small beside it, to the near end of a strip of the second one that lies at the
-// public rooms, beside the dining room: between two wings all would walk through it, and at the entry it would take bedrooms' place. False
-// where there is no kitchen or nothing else to live in.
-bool BentDealer::kitchen_to_wing(Chunk& living, Bend bend, Chunk* strips) const {
+// Moves the kitchen, and what is small beside it, to the near end of a strip that lies at the public rooms; says which, -1 where there is
+// no kitchen or nothing else to live in.
+i32 BentDealer::kitchen_to_wing(Chunk& living, Bend bend, Chunk* strips) const {
   Chunk kitchen, beside, rest;
   for (const Column& column : living.all()) {
     const PlannedRoom& room = rooms_[column.rooms[0]];
     (room.small() ? beside : room.has(WET) ? kitchen : rest).add(column);
   }
-  if (!kitchen.size || !rest.size) return false;
+  if (!kitchen.size || !rest.size) return -1;
   const i32 side = bend == Bend::free ? stream_.below(2) : bend == Bend::north_out ? 1 : 0;
-  const i32 strip = 4 + side;
+  const i32 strip = 2 + 2 * stream_.below(2) + side;
   kitchen.add(beside);
   kitchen.add(strips[strip]);
   strips[strip] = kitchen;
   living = rest;
-  return true;
+  return strip;
 }
 
 // Deals public and private rooms where the public ones lie in one deep row: what is small lies behind the kitchen.
@@ -107,16 +106,7 @@ void BentDealer::in_deep_row(Deal& deal) const {
   column = stream_.chance(0.5) ? Column::of(behind, room) : Column::of(room, behind);
 }
 
-i64 BentDealer::beds_in(const Chunk& chunk) const {
-  i64 beds = 0;
-  for (const Column& column : chunk.all()) {
-    for (i32 k = 0; k < column.size; k++) beds += rooms_[column.rooms[k]].has(BED);
-  }
-  return beds;
-}
-
-// Shares private rooms out among the strips of wings, so that the two strips of each are about as long and bedrooms near the entry; what
-// they begin with stays first.
+// Shares private rooms out among the strips of wings, so that the two strips of each are about as long; what they begin with stays first.
 void BentDealer::share(ChunkList& chunks, i32 count, Chunk* strips) const {
   i32 best[MOST_ROOMS], dealt[MOST_ROOMS];
   i64 least_uneven = -1;
@@ -126,7 +116,6 @@ void BentDealer::share(ChunkList& chunks, i32 count, Chunk* strips) const {
     for (i32 c = 0; c < chunks.size; c++) {
       dealt[c] = stream_.below(count);
       floors[dealt[c]] += floor_of(chunks.all[c].all());
-      if (dealt[c] > 1) uneven += FAR_BED_MM2 * beds_in(chunks.all[c]);
     }
     for (i32 k = 0; k < count; k += 2) {
       uneven += magnitude(floors[k] - floors[k + 1]) + (floors[k] && floors[k + 1] ? 0 : BARE_MM2);

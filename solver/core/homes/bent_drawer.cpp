@@ -28,8 +28,6 @@ struct OffsetList {
   i32 size = 0;
 };
 
-// About how deep a strip without columns becomes when it is given one.
-constexpr i64 FRESH_MM = 3900;
 // The court of a U is at least so deep.
 constexpr i64 COURT_MM = 1500;
 
@@ -145,15 +143,18 @@ bool set_apart(const WidthRange* rows, i64 by, i64* lengths) {
 }  // namespace
 
 void BentDrawer::choose_depths(Draft& draft, Stream& stream) const {
-  for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
-  if (draft.kind != Kind::rows) choose_public(draft, stream);
-  close_empty(draft);
+  for (i32 i = 0; i < CHOICES; i++) {
+    for (i32 first = draft.strips > 2 ? 2 : 0; first < draft.strips; first += 2) choose_pair(draft, first, stream);
+    if (draft.kind != Kind::rows) choose_public(draft, stream);
+    close_empty(draft);
+    if (draft.kind == Kind::rows || offsets_of(draft, outline_, columns_.walls().hallway).size) return;
+  }
 }
 
 void BentDrawer::choose_pair(Draft& draft, i32 first, Stream& stream) const {
   for (i32 k = first; k < first + 2; k++) {
     if (!draft.is_empty(k ^ 1)) continue;
-    draft.depth[k] = stream.pick(DepthList(possible(draft, k)).all());
+    draft.depth[k] = drawn_near(DepthList(possible(draft, k)), stream);
     return;
   }
   Drawer::choose_pair(draft, first, 0, stream);
@@ -190,7 +191,7 @@ void BentDrawer::make_flush(Draft& draft) const {
 // Makes a changed draft's depths near ones that its columns can have.
 void BentDrawer::fit_depths(Draft& draft) const {
   for (i32 k = 0; k < draft.strips; k++) {
-    draft.depth[k] = nearest(possible(draft, k), draft.depth[k] ? draft.depth[k] : FRESH_MM);
+    draft.depth[k] = nearest(possible(draft, k), draft.depth[k] ? draft.depth[k] : whole(wished_));
   }
   if (draft.kind != Kind::rows && draft.bend != Bend::free) make_flush(draft);
   close_empty(draft);

@@ -8,6 +8,8 @@ namespace {
 
 // How often a small wet room lies behind another one, and an own bathroom behind a small wet room next to its bedroom.
 constexpr f64 PAIRED = 0.55;
+// How often it else lies beside the bedroom, not behind it.
+constexpr f64 BESIDE = 0.8;
 // How often another small wet room is dealt to the wet end of a suite.
 constexpr f64 AT_SUITE = 0.85;
 constexpr i64 DEPTH_MM = 150;
@@ -106,17 +108,20 @@ void Dealer::join(Chunk& suite, Column column) const {
   suite.insert(rooms_[first.rooms[first.size - 1]].small() ? 0 : suite.size, column);
 }
 
-// A bedroom with its own bathroom beside it, behind a small wet room now and then.
+// A bedroom with its own bathroom: behind a small wet room next to it, beside it, or behind it.
 Chunk Dealer::suite(i32 room, RoomList& baths, RoomList& others) const {
   const i32 bath = own_bath(room);
   RoomList& fronts = baths.size && (!others.size || stream_.chance(0.6)) ? baths : others;
   Chunk chunk;
-  chunk.add(Column::of(room));
   if (fronts.size && stream_.chance(PAIRED)) {
+    chunk.add(Column::of(room));
     chunk.add(Column::of(fronts.take(), bath));
-  } else {
+  } else if (stream_.chance(BESIDE)) {
+    chunk.add(Column::of(room));
     chunk.add(Column::of(bath));
     if (fronts.size) chunk.add(Column::of(fronts.take()));
+  } else {
+    chunk.add(Column::of(room, bath));
   }
   return either(chunk);
 }

@@ -94,8 +94,7 @@ class BentDealer : public Dealer {
  private:
   void wings(i32 wings, Draft& draft) const;
   void in_deep_row(Deal& deal) const;
-  bool kitchen_to_wing(Chunk& living, Bend bend, Chunk* strips) const;
-  i64 beds_in(const Chunk& chunk) const;
+  i32 kitchen_to_wing(Chunk& living, Bend bend, Chunk* strips) const;
   void share(ChunkList& chunks, i32 count, Chunk* strips) const;
 
   Outline outline_;

@@ -13,13 +13,15 @@ constexpr i64 UNBOUNDED_MM = 1 << 30;
 void Drawer::choose_depths(Draft& draft, Stream& stream) const {
   const i32 last = draft.strips - 2;
   const i64 together = across(draft.kind);
-  choose_pair(draft, last, together, stream);
-  if (last) choose_pair(draft, 0, draft.depth[2] + draft.depth[3] + hallway_of(draft.kind), stream);
+  for (i32 i = 0; i < CHOICES; i++) {
+    const bool fits = choose_pair(draft, last, together, stream);
+    if (!last || (choose_pair(draft, 0, draft.depth[2] + draft.depth[3] + hallway_of(draft.kind), stream) && fits)) break;
+  }
   close(draft, together);
 }
 
-// Chooses the depths of two strips: such as suit both their columns, where there are any that add up.
-void Drawer::choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const {
+// Chooses the depths of two strips; tells whether both suit their columns.
+bool Drawer::choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const {
   i64* depths = draft.depth;
   DepthList north(possible(draft, first));
   const u64 south = possible(draft, first + 1);
@@ -29,15 +31,23 @@ void Drawer::choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) 
       if (south >> place_of(together - depth) & 1) both.depths[both.size++] = depth;
     }
     depths[first] = stream.pick((both.size ? both : north).all());
-    return share(depths, first, together);
+    share(depths, first, together);
+    return both.size > 0;
   }
   i64 areas[2] = {0, 0};
   for (i32 k = 0; k < 2; k++) {
     for (const Column& column : draft.in(first + k)) areas[k] += columns_.area(column);
   }
-  const i64 depth = stream.pick(north.all());
+  const i64 depth = drawn_near(north, stream);
   depths[first] = depth;
   depths[first + 1] = nearest(south, floor_div(floor_div(areas[1] * depth, most<i64>(areas[0], 1)), DEPTH_STEP_MM) * DEPTH_STEP_MM);
+  return true;
+}
+
+// Draws two depths and returns the one nearer to what is wished.
+i64 Drawer::drawn_near(const DepthList& depths, Stream& stream) const {
+  const i64 one = depths.depths[stream.below(depths.size)], other = depths.depths[stream.below(depths.size)];
+  return absolute(static_cast<f64>(other) - wished_) < absolute(static_cast<f64>(one) - wished_) ? other : one;
 }
 
 // The depths at which a strip's columns have a width, as bits; columns that leave none are passed over.

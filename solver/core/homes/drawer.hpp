@@ -6,6 +6,9 @@
 
 namespace homes {
 
+// How often depths are drawn until those of strips side by side go together.
+constexpr i32 CHOICES = 4;
+
 // Two strips of one length: the spans of their columns, and the lengths both may have, mm.
 struct StripPair {
   WidthRange spans[2][MOST_ROOMS];
@@ -21,10 +24,10 @@ struct StripPlace {
   i64 at, line, depth;
 };
 
-// Draws the drafts of one programme in one frame.
+// Draws the drafts of one programme in one frame. `wished` is a strip's depth in a house of the rooms' typical areas, mm.
 class Drawer {
  public:
-  Drawer(Columns& columns, Frame frame) : columns_(columns), frame_(frame) {}
+  Drawer(Columns& columns, Frame frame, f64 wished) : columns_(columns), frame_(frame), wished_(wished) {}
 
   // Gives the strips depths at which all their columns have a width, pairs of strips about one length. A strip whose columns have no such
   // depth in common takes what the others leave it.
@@ -37,7 +40,8 @@ class Drawer {
   Misfit draw(const Draft& draft, bool stretch, Sheet& sheet) const;
 
  protected:
-  void choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const;
+  bool choose_pair(Draft& draft, i32 first, i64 together, Stream& stream) const;
+  i64 drawn_near(const DepthList& depths, Stream& stream) const;
   u64 possible(const Draft& draft, i32 strip) const;
   void spans_of(const Draft& draft, i32 strip, StripPair& pair) const;
   Misfit pair(const Draft& draft, i32 first, bool stretch, StripPair& pair) const;
@@ -46,6 +50,7 @@ class Drawer {
 
   Columns& columns_;
   Frame frame_;
+  f64 wished_;
 
  private:
   i64 hallway_of(Kind kind) const;
@@ -60,8 +65,8 @@ class Drawer {
 class BentDrawer : public Drawer {
  public:
   // `garages` lie at the end of the first of two wings.
-  BentDrawer(Columns& columns, Outline outline, Span<const i32> garages)
-      : Drawer(columns, {0, 0}), outline_(outline), garages_(garages) {}
+  BentDrawer(Columns& columns, f64 wished, Outline outline, Span<const i32> garages)
+      : Drawer(columns, {0, 0}, wished), outline_(outline), garages_(garages) {}
 
   void choose_depths(Draft& draft, Stream& stream) const;
   void fit_depths(Draft& draft) const;
@@ -82,7 +87,7 @@ class BentDrawer : public Drawer {
 // Draws drafts with blocks: each is a house of its own in a fixed frame.
 class GivenDrawer {
  public:
-  explicit GivenDrawer(Columns& columns) : columns_(columns) {}
+  GivenDrawer(Columns& columns, f64 wished) : columns_(columns), wished_(wished) {}
 
   void choose_depths(Draft& draft, Stream& stream) const;
   void fit_depths(Draft& draft) const;
@@ -90,10 +95,11 @@ class GivenDrawer {
   Misfit draw(const Draft& draft, Sheet& sheet) const;
 
  private:
-  Drawer drawer(const Block& block) const { return {columns_, {block.along(), block.across()}}; }
+  Drawer drawer(const Block& block) const { return {columns_, {block.along(), block.across()}, wished_}; }
   Misfit draw_block(const Block& block, const Draft& part, Sheet& drawn) const;
 
   Columns& columns_;
+  f64 wished_;
 };
 
 }  // namespace homes

@@ -44,7 +44,10 @@ void fill_up(Draft& draft) {
     }
     Column column = draft.take(full, draft.count[full] - 1);
     if (column.size > 1 && draft.is_empty(full) && draft.is_empty(full ^ 1)) {
-      draft.insert(full, 0, Column::of(column.rooms[1]));
+      Column rest = column;
+      for (i32 i = 1; i < column.size; i++) rest.rooms[i - 1] = column.rooms[i];
+      rest.size--;
+      draft.insert(full, 0, rest);
       column = Column::of(column.rooms[0]);
     }
     draft.insert(k, draft.count[k], column);

@@ -15,6 +15,8 @@ constexpr f64 UNREACHED = 30.0;
 constexpr f64 STREETLESS = 30.0;
 // A bedroom that can only be entered from the entrance room.
 constexpr f64 AT_ENTRANCE = 6.0;
+// Another room than a bedroom or a bathroom that only the entrance room leads to.
+constexpr f64 OFF_ENTRY = 0.7;
 // A bathroom that only rooms one lives in lead to.
 constexpr f64 OFF_LIVING = 4.0;
 // A bedroom, of several, from which one walks through a room one lives in to every bathroom; to the entrance.
@@ -77,7 +79,7 @@ HomeVerdict Judge::verdict(const Sheet& sheet) {
     if (room.has(GARAGE) || room.entry()) found.streetless += covers_[i][static_cast<i32>(Wall::south)] > 0;
     if (room.has(HABITABLE)) found.dark += !is_lit(sheet.boxes[i], i);
   }
-  const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_LIVING * ways.off_living +
+  const f64 walked = UNREACHED * ways.unreached + AT_ENTRANCE * ways.at_entrance + OFF_ENTRY * ways.others + OFF_LIVING * ways.off_living +
                      BATHROOM_AFAR * ways.bathless + PAST_LIVING * ways.past_living + STREETLESS * found.streetless +
                      KITCHEN_BETWEEN * ways.between + PAST_KITCHEN * ways.past_kitchen;
   found.cost = sized + (outline(sheet) + taste_.dark * found.dark) + company() + smallness(sheet) + walked;
@@ -176,8 +178,8 @@ f64 Judge::smallness(const Sheet& sheet) const {
   return suite && suite < other ? SMALL_SUITE : 0.0;
 }
 
-// Counts rooms that no way leads to, bedrooms that only the entrance room leads to, bathrooms that only rooms one lives in lead to, private
-// ones that only the kitchen leads to, bedrooms past such rooms; tells of a kitchen between.
+// Counts rooms that no way leads to, bedrooms and others that only the entrance room leads to, bathrooms that only rooms one lives in lead
+// to, private ones that only the kitchen leads to, bedrooms past such rooms; tells of a kitchen between.
 Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 hall = (1ULL << (rooms_.size + sheet.hallways)) - (1ULL << rooms_.size);
   const u64 ways = ways_ | hall;
@@ -185,7 +187,7 @@ Judge::Ways Judge::access(const Sheet& sheet) const {
   const u64 found = reached(ways, start), past = found & ~kitchen_, around = kitchen_ ? reached(past, start) : found;
   const u64 passages = entry_ | hall, washed = reached(passages, beside_of(toilets_ & leaves_) & passages), met = reached(passages, start);
   const u64 guarded = beds_ & (beds_ - 1) ? beds_ : 0;
-  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, 0, 0, (past & ~around) != 0};
+  Ways counted = {__builtin_popcountll(ways & ~found), 0, 0, 0, 0, 0, 0, (past & ~around) != 0};
   for (i32 i = 0; i < rooms_.size; i++) {
     if (rooms_[i].owned()) counted.unreached += !(beside_[i] >> rooms_[i].owner & 1);
     if (!(leaves_ >> i & 1)) continue;
@@ -195,8 +197,8 @@ Judge::Ways Judge::access(const Sheet& sheet) const {
     counted.past_living += guarded >> i & 1 && !(doors & met);
     if (!doors) {
       counted.unreached += !is_behind(i, found);
-    } else if (bed && doors == start) {
-      counted.at_entrance++;
+    } else if (doors == start && !toilet) {
+      (bed ? counted.at_entrance : counted.others)++;
     } else if (bed || toilet) {
       counted.past_kitchen += !(doors & around);
       counted.off_living += toilet && !(doors & (entry_ | hall));

@@ -26,7 +26,7 @@ class Judge {
 
  private:
   struct Ways {
-    i64 unreached, at_entrance, off_living, past_kitchen, bathless, past_living;
+    i64 unreached, at_entrance, others, off_living, past_kitchen, bathless, past_living;
     bool between;
   };
   // How long the walls of a room are, in the order of Wall, that other rooms lie at.

@@ -35,6 +35,7 @@ struct Seen {
 struct Request {
   Outline outline;
   WallSizes walls;
+  f64 wished;
   Span<const PlannedRoom> rooms;
   Span<const RoomSize> sizes;
   Span<const SearchKind> kinds;
@@ -65,7 +66,7 @@ Request read(Bytes sent) {
     if (rects.size < 1 || rects.size > rooms.size) fail(Failure::bad_request);
     tilings[i] = {rects.data, rects.size};
   }
-  return {static_cast<Outline>(header.outline), header.walls, {rooms.data, rooms.size}, {sizes.data, sizes.size},
+  return {static_cast<Outline>(header.outline), header.walls, header.wished, {rooms.data, rooms.size}, {sizes.data, sizes.size},
           {kinds.data, kinds.size}, {tilings.data, tilings.size}};
 }
 
@@ -90,7 +91,7 @@ class Search {
       if (best_of_kind_.drawn && !best_of_kind_.verdict.short_rooms && !best_of_kind_.verdict.unreached) break;
     }
     if (!best.drawn && kind_of_best != nullptr && request_.outline == Outline::rectangle) {
-      best.drawn = Drawer(columns_, kind_of_best->frame).draw(best.draft, true, best.sheet).fits;
+      best.drawn = Drawer(columns_, kind_of_best->frame, request_.wished).draw(best.draft, true, best.sheet).fits;
       if (best.drawn) best.verdict = judge_.verdict(best.sheet);
     }
     return best;
@@ -115,13 +116,13 @@ class Search {
   void try_once(const SearchKind& kind, Stream& stream) {
     if (request_.outline == Outline::rectangle) {
       const Dealer dealer(request_.rooms, columns_, stream);
-      climb(Drawer(columns_, kind.frame), stream, [&](Draft& draft) { dealer.deal(static_cast<Kind>(kind.kind), draft); });
+      climb(Drawer(columns_, kind.frame, request_.wished), stream, [&](Draft& draft) { dealer.deal(static_cast<Kind>(kind.kind), draft); });
     } else if (request_.outline == Outline::given) {
       const GivenDealer dealer(request_.rooms, columns_, stream, request_.tilings);
-      climb(GivenDrawer(columns_), stream, [&](Draft& draft) { dealer.deal(draft); });
+      climb(GivenDrawer(columns_, request_.wished), stream, [&](Draft& draft) { dealer.deal(draft); });
     } else {
       const BentDealer dealer(request_.rooms, columns_, stream, request_.outline);
-      const BentDrawer drawer(columns_, request_.outline, dealer.garages());
+      const BentDrawer drawer(columns_, request_.wished, request_.outline, dealer.garages());
       climb(drawer, stream, [&](Draft& draft) { dealer.deal(static_cast<Kind>(kind.kind), draft); });
     }
   }

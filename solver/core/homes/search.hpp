@@ -14,6 +14,7 @@ struct SearchHeader {
   i32 outline;  // Outline
   i32 rooms, kinds, tilings;
   WallSizes walls;
+  f64 wished;  // depth of a strip in a house of the rooms' typical areas, mm
 };
 
 // A skeleton to search in: the frame of its house, and the streams that its tries begin with.

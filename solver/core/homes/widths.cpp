@@ -123,7 +123,8 @@ bool Columns::stands(const Column& column, i64 width, i64 depth) const {
 
 u64 Columns::depths(const Column& column) {
   const i32 second = column.size > 1 ? column.rooms[1] : sizes_.size;
-  u64& known = known_[column.rooms[0] * (sizes_.size + 1) + second];
+  u64 unkept = 0;
+  u64& known = column.size > 2 ? unkept : known_[column.rooms[0] * (sizes_.size + 1) + second];
   if (!known) {
     for (i32 k = 0; k < DEPTHS; k++) {
       if (!width(column, FIRST_DEPTH_MM + k * DEPTH_STEP_MM).misses) known |= 1ULL << k;

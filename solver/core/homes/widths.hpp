@@ -1,6 +1,6 @@
 // Columns of a strip: how wide each may be, exactly, and how a strip's length is shared out among them. All lengths are mm.
 //
-// A strip has one depth; a column stacks one or two rooms over that depth, both as wide as it.
+// A strip has one depth; a column stacks one or more rooms over that depth, all as wide as it.
 #pragma once
 
 #include "plain/rects.hpp"
@@ -17,7 +17,7 @@ constexpr i32 DEPTHS = 31;
 constexpr u64 EVERY_DEPTH = (1ULL << DEPTHS) - 1;
 
 constexpr i32 MOST_ROOMS = 30;
-constexpr i32 MOST_STACKED = 2;
+constexpr i32 MOST_STACKED = 3;
 
 // How large a room may be: areas, mm2, short side, extent away from the street, mm, and long side over short.
 struct RoomSize {

@@ -20,10 +20,14 @@ TRIES: Final = 3
 """How often a search is begun anew in one kind."""
 CENTRE_MM: Final = 1600
 """Width of an axial hallway: as narrow as the foyer at its end may be."""
+RATIO: Final = 1.6
+"""Width over depth of a house whose strips are as deep as wished. Our choice."""
+FLOOR: Final = 1.1
+"""Floor of a house over that of its rooms. Measured."""
 KINDS: Final = ("rows", "full", "ranch", "axial", "winged", GIVEN)
 OUTLINES: Final = (RECTANGLE, "L", "T", "U", GIVEN)
 """As the core numbers them."""
-_HEADER: Final = Struct("<4i3q")
+_HEADER: Final = Struct("<4i3qd")
 _ROOM: Final = Struct("<5qd2qQ")
 _KIND: Final = Struct("<3q3Q")
 _RECT: Final = Struct("<4q")
@@ -109,8 +113,10 @@ def rows_within(planned: Sequence[PlannedRoom], tilings: Sequence[Sequence[Rect]
 def _rows(
     planned: Sequence[PlannedRoom], outline: str, kinds: Sequence[bytes], walls: HouseWalls, tilings: Sequence[Sequence[Rect]] = ()
 ) -> bytes:
+    floor = FLOOR * sum(one.size.typical for one in planned)
+    wished = ((floor / RATIO) ** 0.5 - walls.hallway) / 2
     sizes = walls.hallway, CENTRE_MM + walls.more, walls.door_wall
-    header = _HEADER.pack(OUTLINES.index(outline), len(planned), len(kinds), len(tilings), *sizes)
+    header = _HEADER.pack(OUTLINES.index(outline), len(planned), len(kinds), len(tilings), *sizes, wished)
     counts = [len(tiling) for tiling in tilings] + [0] * (len(tilings) % 2)
     rects = [_RECT.pack(*rect) for tiling in tilings for rect in tiling]
     return b"".join([header, *(_room_row(one, planned) for one in planned), *kinds, pack(f"<{len(counts)}i", *counts), *rects])

@@ -19,10 +19,10 @@ SINGLE: Final = 0.5
 """How often public rooms lie in one row where they could lie in two."""
 SHARINGS: Final = 16
 """How often private rooms are shared out among wings; the most even is taken. More makes homes alike."""
-BARE_MM2: Final = 50_000_000
-"""A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many, and it may not jut out."""
-FAR_BED_MM2: Final = 25_000_000
-"""And so much each bedroom in the second wing: one comes in by the first."""
+BARE_MM2: Final = 10_000_000
+"""A wing with rooms on one side alone counts as so much floor uneven: its hallway serves half as many."""
+IN_WING: Final = 0.75
+"""How often the kitchen of a home with two wings begins one of them, beside the dining room."""
 
 
 class BentDealer(Dealer):
@@ -45,20 +45,23 @@ class BentDealer(Dealer):
     def _wings(self, wings: int) -> Draft:
         stream = self.stream
         bend = stream.pick(BENDS[self.outline])
+        in_wing = wings > 1 and stream.chance(IN_WING)
         single = bend != FREE or stream.chance(SINGLE)
-        public, private = self._in_deep_row() if single and wings == 1 else self._chunks()
+        public, private = self._in_deep_row() if single and not in_wing else self._chunks()
         depths = [self._depth(), self._deep() if self.garages else self._depth(), *(self._depth() for _ in range(2 * wings))]
         begun: list[Chunk] = [self._entry() if k == 1 else [] for k in range(2 * wings)]
         kitchens = [column for column in public if self._is_kitchen(column)]
         rest = [column for column in public if column not in kitchens and not self._is_small(column)]
-        moved = bool(wings > 1 and kitchens and rest)
+        moved = bool(in_wing and kitchens and rest)
+        wing = 0
         if moved:
             side = stream.below(2) if bend == FREE else int(bend == NORTH_OUT)
+            wing = stream.below(2)
             beside = [column for column in public if self._is_small(column)]
-            begun[2 + side] = kitchens + beside + begun[2 + side]
+            begun[2 * wing + side] = kitchens + beside + begun[2 * wing + side]
             public = rest
         strips = [[], [], *self._shared(private, begun)]
-        behind = public[::-1] if moved or stream.chance(0.8) else list(public)
+        behind = public[::-1] if (wing if moved else stream.chance(0.8)) else list(public)
         cut = 0 if single or len(behind) < 2 else self._cut(behind, depths[:2])
         cars = [] if wings > 1 else [(room,) for room in self.garages]
         strips[0], strips[1] = behind[:cut], cars + behind[cut:]
@@ -67,9 +70,6 @@ class BentDealer(Dealer):
 
     def _is_small(self, column: Sequence[int]) -> bool:
         return self.planned[column[0]].kind.plan.wet and not self.planned[column[0]].kind.plan.habitable
-
-    def _has_bed(self, room: int) -> bool:
-        return any("bed" in line for line in self.planned[room].kind.requires)
 
     def _is_kitchen(self, column: Sequence[int]) -> bool:
         return self.planned[column[0]].kind.plan.wet and self.planned[column[0]].kind.plan.habitable
@@ -95,15 +95,13 @@ class BentDealer(Dealer):
             return sum(self.areas[room] for column in chunk for room in column)
 
         areas, first, count = [floor(chunk) for chunk in chunks], [floor(chunk) for chunk in begun], len(begun)
-        beds = [sum(self._has_bed(room) for column in chunk for room in column) for chunk in chunks]
 
         def uneven(dealt: Sequence[int]) -> float:
             floors = list(first)
             for area, strip in zip(areas, dealt, strict=True):
                 floors[strip] += area
             pairs = [(floors[k], floors[k + 1]) for k in range(0, count, 2)]
-            far = sum(count for count, strip in zip(beds, dealt, strict=True) if strip > 1)
-            return sum(abs(one - other) + BARE_MM2 * (not one or not other) for one, other in pairs) + FAR_BED_MM2 * far
+            return sum(abs(one - other) + BARE_MM2 * (not one or not other) for one, other in pairs)
 
         stream = self.stream
         dealt = min(([stream.below(count) for _ in chunks] for _ in range(SHARINGS)), key=uneven)

@@ -16,6 +16,7 @@ from solver.streams import Stream
 from tests.floorplan.reference.asked import hallway
 from tests.floorplan.reference.bends import JOG_MM, Wing, offsets
 from tests.floorplan.reference.drafts import (
+    CHOICES,
     FREE,
     NORTH_OUT,
     Draft,
@@ -30,8 +31,6 @@ from tests.floorplan.reference.drafts import (
 )
 from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, shared_out, width_of
 
-FRESH_MM: Final = 3900
-"""About how deep a strip without columns becomes when it is given one."""
 GARAGE_MM: Final = 5700
 """Depth of a garage at the end of a wing: a car with space to walk around it. Our choice."""
 
@@ -45,18 +44,22 @@ class BentDrawer(Drawer):
 
     def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, and wings and public rooms a place beside each other."""
-        for first in range(2 if len(draft.strips) > 2 else 0, len(draft.strips), 2):
-            self._choose_pair(draft, first, 0, stream)
-        if draft.kind != "rows":
-            self._choose_public(draft, stream)
-        self._close(draft, 0)
+        for _ in range(CHOICES):
+            for first in range(2 if len(draft.strips) > 2 else 0, len(draft.strips), 2):
+                self._choose_pair(draft, first, 0, stream)
+            if draft.kind != "rows":
+                self._choose_public(draft, stream)
+            self._close(draft, 0)
+            if draft.kind == "rows" or self._offsets(draft):
+                return
 
-    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
+    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
         for k in (first, first + 1):
             if not draft.strips[k ^ 1]:
-                draft.depths[k] = stream.pick(listed(self._possible(draft.strips[k])))
-                return
-        super()._choose_pair(draft, first, whole, stream)
+                options = listed(self._possible(draft.strips[k]))
+                draft.depths[k] = min(stream.pick(options), stream.pick(options), key=lambda one: abs(one - self.wished))
+                return True
+        return super()._choose_pair(draft, first, whole, stream)
 
     def _choose_public(self, draft: Draft, stream: Stream) -> None:
         """Chooses the public rooms' depths: free, or what is flush with the hallways and the strips beyond."""
@@ -97,7 +100,7 @@ class BentDrawer(Drawer):
     def fit_depths(self, draft: Draft) -> None:
         """Makes a changed draft's depths near ones that its columns can have."""
         for k, strip in enumerate(draft.strips):
-            draft.depths[k] = nearest(self._possible(strip), draft.depths[k] or FRESH_MM)
+            draft.depths[k] = nearest(self._possible(strip), draft.depths[k] or int(self.wished))
         if draft.kind != "rows" and draft.bend != FREE:
             self._make_flush(draft)
         self._close(draft, 0)

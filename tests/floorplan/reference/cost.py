@@ -27,6 +27,8 @@ DARK: Final = 8.0
 """A habitable room without an outside wall."""
 AT_ENTRANCE: Final = 6.0
 """A bedroom that can only be entered from the entrance room."""
+OFF_ENTRY: Final = 0.7
+"""Another room than a bedroom or a bathroom that only the entrance room leads to."""
 OFF_LIVING: Final = 4.0
 """A bathroom that only rooms one lives in lead to."""
 BATHROOM_AFAR: Final = 4.0
@@ -101,10 +103,10 @@ class HomeJudge:
         short += stubs
         met = touching([*sheet.boxes, *sheet.hallways])
         beside = _beside(sheet, met)
-        unreached, at_entrance, off_living, past_kitchen, between = self._access(beside, sheet)
+        unreached, at_entrance, others, off_living, past_kitchen, between = self._access(beside, sheet)
         covered = _covered(met)
         streetless = sum("south" in covered.get(i, {}) for i in self.street)
-        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_LIVING * off_living
+        ways = UNREACHED * unreached + AT_ENTRANCE * at_entrance + OFF_ENTRY * others + OFF_LIVING * off_living
         bathless, past_living = self._past_living(beside, sheet)
         ways = ways + BATHROOM_AFAR * bathless + PAST_LIVING * past_living + STREETLESS * streetless
         ways = ways + KITCHEN_BETWEEN * between + PAST_KITCHEN * past_kitchen
@@ -156,8 +158,8 @@ class HomeJudge:
         suites = [floor for i, floor in floors.items() if i in owners]
         return bool(suites) and max(floors.values()) > max(suites)
 
-    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, bool]:
-        """Counts rooms that no way leads to, bedrooms that only the entrance leads to.
+    def _access(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int, int, int, int, bool]:
+        """Counts rooms that no way leads to, bedrooms and others that only the entrance leads to.
 
         And bathrooms that only rooms one lives in lead to, private ones that only the kitchen does; and tells of a kitchen between.
         """
@@ -168,19 +170,20 @@ class HomeJudge:
         reached = _reached(beside, ways, start)
         past = reached & ~self.kitchen
         around = _reached(beside, past, start) if self.kitchen else reached
-        unreached, at_entrance, off_living, past_kitchen = (ways & ~reached).bit_count(), 0, 0, 0
+        unreached, at_entrance, others, off_living, past_kitchen = (ways & ~reached).bit_count(), 0, 0, 0, 0
         for bath, owner in self.owned:
             unreached += not beside[bath] >> owner & 1
         for i in self.leaves:
             doors = beside[i] & reached
             if not doors:
                 unreached += not self._behind(i, beside, reached)
-            elif doors == start and i in self.bedrooms:
-                at_entrance += 1
+            elif doors == start and i not in self.bathrooms:
+                at_entrance += i in self.bedrooms
+                others += i not in self.bedrooms
             elif i in self.bathrooms | self.bedrooms:
                 past_kitchen += not doors & around
                 off_living += i in self.bathrooms and not doors & (self.entry | hall)
-        return unreached, at_entrance, off_living, past_kitchen, bool(past & ~around)
+        return unreached, at_entrance, others, off_living, past_kitchen, bool(past & ~around)
 
     def _past_living(self, beside: Sequence[int], sheet: Sheet) -> tuple[int, int]:
         """Counts bedrooms, of several, that rooms one lives in lie between and every bathroom; and the entrance."""

@@ -25,6 +25,8 @@ STEP_MM: Final = 150
 PAIRED: Final = 0.55
 """How often a small wet room lies behind another one, and
 an own bathroom behind a small wet room next to its bedroom."""
+BESIDE: Final = 0.8
+"""How often it else lies beside the bedroom, not behind it."""
 AT_KITCHEN: Final = 0.85
 AT_SUITE: Final = 0.85
 """How often a small wet room is dealt beside the kitchen, and another at the wet end of a suite."""
@@ -108,14 +110,16 @@ class Dealer:
         return any("toilet" in line for line in self.planned[room].kind.requires)
 
     def _suite(self, room: int, bath: int, baths: list[int], others: list[int]) -> Chunk:
-        """A bedroom with its own bathroom beside it, behind a small wet room now and then."""
+        """A bedroom with its own bathroom: behind a small wet room next to it, beside it, or behind it."""
         fronts = baths if baths and (not others or self.stream.chance(0.6)) else others
         if fronts and self.stream.chance(PAIRED):
             chunk: Chunk = [(room,), (fronts.pop(), bath)]
-        else:
+        elif self.stream.chance(BESIDE):
             chunk = [(room,), (bath,)]
             if fronts:
                 chunk.append((fronts.pop(),))
+        else:
+            chunk = [(room, bath)]
         return self._either(chunk)
 
     def _either(self, chunk: Chunk) -> Chunk:

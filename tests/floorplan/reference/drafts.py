@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
-from solver.floorplan.programme.home_search import Frame
+from solver.floorplan.programme.home_search import FLOOR, RATIO, Frame
 from solver.floorplan.programme.planned_rooms import RoomSize
 from solver.geometry import Rect
 from solver.streams import Stream
@@ -28,6 +28,8 @@ from tests.floorplan.reference.widths import DEPTHS_MM, LATTICE_MM, WidthRange, 
 
 SLIM_MM: Final = 1600
 """A strip is never made slimmer than this for the other's sake."""
+CHOICES: Final = 4
+"""How often depths are drawn until a ranch's two pairs of strips go together."""
 FREE, NORTH_OUT, SOUTH_OUT = range(3)
 """How a home's wings lie: anywhere; or so that all of a wing's northern (southern) strip juts out, the rest being flush."""
 Column = tuple[int, ...]
@@ -146,6 +148,8 @@ class Drawer:
 
     def __init__(self, sizes: Sequence[RoomSize], frame: Frame) -> None:
         self.sizes, self.frame = sizes, frame
+        floor = FLOOR * sum(size.typical for size in sizes)
+        self.wished = ((floor / RATIO) ** 0.5 - hallway()) / 2
 
     def choose_depths(self, draft: Draft, stream: Stream) -> None:
         """Gives the strips depths at which all their columns have a width, pairs of strips about one length.
@@ -157,22 +161,24 @@ class Drawer:
         self._close(draft, whole)
 
     def _draw_depths(self, draft: Draft, last: int, whole: int, stream: Stream) -> None:
-        self._choose_pair(draft, last, whole, stream)
-        if last:
-            self._choose_pair(draft, 0, sum(draft.depths[2:]) + hallway(), stream)
+        for _ in range(CHOICES):
+            fits = self._choose_pair(draft, last, whole, stream)
+            if not last or (self._choose_pair(draft, 0, sum(draft.depths[2:]) + hallway(), stream) and fits):
+                return
 
-    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> None:
-        """Chooses the depths of two strips: such as suit both their columns, where there are any that add up."""
+    def _choose_pair(self, draft: Draft, first: int, whole: int, stream: Stream) -> bool:
+        """Chooses the depths of two strips; tells whether both suit their columns."""
         depths, strips = draft.depths, draft.strips
         north, south = listed(self._possible(strips[first])), self._possible(strips[first + 1])
         if whole:
             both = [depth for depth in north if south >> place(whole - depth) & 1]
             depths[first] = stream.pick(both or north)
             self._share(depths, first, whole)
-            return
-        depth = stream.pick(north)
+            return bool(both)
+        depth = min(stream.pick(north), stream.pick(north), key=lambda one: abs(one - self.wished))
         areas = [sum([self.sizes[room].typical for column in strips[k] for room in column]) for k in (first, first + 1)]
         depths[first : first + 2] = depth, nearest(south, areas[1] * depth // max(areas[0], 1) // DEPTHS_MM.step * DEPTHS_MM.step)
+        return True
 
     def _possible(self, strip: Sequence[Column]) -> int:
         """Returns the depths at which a strip's columns have a width, as bits; columns that leave none are passed over."""
