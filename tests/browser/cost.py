@@ -14,7 +14,7 @@ from playwright.sync_api import Page
 from tests.browser.service_process import ROOT
 from tests.browser.visit import Document, Visit
 
-HOME = "?program=large&width=28&depth=18&decorate=true&seed=22"
+HOME = "?program=large&area=340&decorate=true&seed=41"
 """A home with at least `LEAST` pieces of furniture and as many decorations."""
 LEAST = 150
 WARM_UPS = 3
