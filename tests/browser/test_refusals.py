@@ -34,7 +34,7 @@ def test_an_address_that_makes_no_sense_is_explained(visit: Visit) -> None:
 @pytest.mark.own_page
 def test_words_of_an_address_that_mean_nothing_are_told_and_the_home_is_shown(visit: Visit) -> None:
     answer = visit.open(SMALL.format(3) + "&preset=foo&colour=red")
-    expect(visit.page.get_by_role("alert")).to_contain_text("preset, colour: the home is shown without")
+    expect(visit.page.get_by_role("alert")).to_contain_text("'preset', 'colour': the home is shown without")
     assert visit.count("rooms") == len(answer["scene"]["rooms"])
     assert "preset" not in visit.page.url
     visit.after(lambda: visit.page.get_by_role("button", name="Random").click())

@@ -226,7 +226,7 @@ class Page {
       this.#home.select(null);
       this.#home.show({ scene, issues, conflicts: [], timing, made: request, file: null }, "new");
       if (carried !== null) await this.#change(scene, carried, signal);
-      if (unread.length > 0 && !this.#asking.notice.isShown) this.#asking.notice.show(new ServiceProblem("Part of the address is not known", say("{words}: the home is shown without.", { words: unread.join(", ") })));
+      if (unread.length > 0 && !this.#asking.notice.isShown) this.#asking.notice.show(new ServiceProblem("Part of the address is not known", say("{words}: the home is shown without.", { words: unread.map((word) => `'${word}'`).join(", ") })));
       await this.#reads;
     });
   }
