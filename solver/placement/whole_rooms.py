@@ -21,7 +21,7 @@ from solver.placement.qp import REFUTED, OptimumRefuted, solved_house
 from solver.records import kept, made_later
 from solver.scene import WALLS as NUMBERED_WALLS
 
-_MADE: Final = Struct("<10q2d")
+_MADE: Final = Struct("<11q2d")
 _NAME: Final = Struct("<3q")
 _PLACED: Final = Struct("<7q176s")
 _LEFT_OUT: Final = Struct("<2qd7q")
@@ -45,6 +45,7 @@ class _Made(NamedTuple):
     proven: int
     best: int
     optimal: int
+    widened: int
     solves: int
     cost: float
     spent: float
@@ -102,7 +103,7 @@ def _residuals(core: CoreInstance, answers: Sequence[_Answer]) -> list[Residuals
     for one, judged in zip(answers, answer.rooms, strict=True):
         if one.made.optimal and judged.moved > REFUTED:
             raise OptimumRefuted(one.rows[len(one.rows) - 8 * one.made.problem :])
-    return [judged.residuals for judged in answer.rooms]
+    return [None if one.made.widened else judged.residuals for one, judged in zip(answers, answer.rooms, strict=True)]
 
 
 @dataclass(frozen=True)

@@ -119,6 +119,7 @@ static WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& 
       arrange(found.desk, limits, budget, true, report);
       if (report.complete) {
         found.solves += report.solves - without.solves;
+        found.with_floor = true;
         report.closed = report.proven = 0;
         break;
       }
@@ -205,6 +206,24 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
     arena::release(mark);
   }
   return usual;
+}
+
+bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRoom& found) {
+  NumberedRoom asked = before.walk ? numbered(room) : without_walking(numbered(room));
+  for (const LeftOut& out : before.left_out) {
+    i64 at = 0;
+    while (asked.pieces[at] != out.piece) at++;
+    asked = without_required(asked, at);
+  }
+  if (before.with_floor) asked = with_empty_floor(asked, before.asked.room.space->robot - USUAL_ROBOT_MM);
+  found = before;
+  found.asked = asked;
+  found.desk = desk_for(asked);
+  found.proven = found.best = false;
+  for (i64 k = 0; k < before.desk->decisions.size; k++) found.desk->decisions[k] = before.desk->decisions[k];
+  for (i64 k = 0; k < before.desk->fates.size; k++) found.desk->fates[k] = before.desk->fates[k];
+  found.desk->engine.tree.budget[0] = ENOUGH;
+  return evaluate(found.desk->engine, found.desk->decisions, limit, INFINITE, true);
 }
 
 }  // namespace placement

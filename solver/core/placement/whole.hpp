@@ -19,6 +19,7 @@ struct WholeRoom {
   NumberedRoom asked;  // what is on the desk
   List<LeftOut> left_out;
   bool walk;  // whether only walkable placements were looked for: where not even the empty room is walkable, nobody asks
+  bool with_floor;
   bool complete;  // all required pieces but those left out stand
   bool proven;  // it is the optimum, and none left out could stand beside those before it
   bool best;  // no other candidates of the required pieces are cheaper
@@ -36,5 +37,8 @@ WholeRoom arrange_whole(const Room& room, const RoomLimits& limits, f64& budget,
 // The same, walked in, with the widest ways between its doors that are worth what they cost; each width may cost the budget.
 // `spent`: the work of all widths is added there.
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent);
+
+// Asks for the same decisions in the same room for another person: `room` is the one first asked for. False where nothing was found.
+bool arrange_again(const Room& room, const WholeRoom& before, i64 limit, WholeRoom& found);
 
 }  // namespace placement

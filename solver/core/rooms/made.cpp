@@ -14,6 +14,7 @@ using placement::Settled;
 using placement::WholeRoom;
 
 constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 50, 2, 8, 24000};
+constexpr i64 MARGIN_MM = 2;  // rounding to millimetres moves each of two bodies by less than one
 constexpr i64 NEAR_WALL_MM = 150;  // a companion whose back is this close to its parent's wall counts as standing at it
 
 static WantingRoom read(Bytes type_rows, Bytes room_rows) {
@@ -48,7 +49,7 @@ class Making {
       made_.solves = whole_.solves;
       placement::hand_over(desk());
       problem = placement::final_problem(desk());
-      settle();
+      settle(budget);
     }
     if (!made_.failed) {
       add_placed();
@@ -63,9 +64,16 @@ class Making {
   const placement::Engine& engine() const { return whole_.desk->engine; }
 
   // Puts what was found on whole millimetres.
-  void settle() {
+  void settle(f64 budget) {
     const bool walk = whole_.walk || is_walkable_as_found();
     Settled settled = settle_found(walk);
+    WholeRoom wider;
+    if (walk && settled == Settled::not_walkable && is_found_for_wider(budget, wider)) {
+      whole_ = wider;
+      made_.widened = 1;
+      placement::hand_over(desk());
+      settled = settle_found(true);
+    }
     if (walk && settled == Settled::not_walkable && whole_.ways != 0) {  // what is left is not quite so wide
       engine().room.space->ways = 0;
       settled = settle_found(true);
@@ -76,6 +84,15 @@ class Making {
     made_.best = whole_.best;
     const f64 preference = placement::total_preference(engine().room, desk().decisions);
     made_.cost = rounded_6(engine().nodes.best_cost[0] + preference + desk().added[0]);
+  }
+
+  // Finds a room for a somewhat wider person: as it was found, else anew.
+  bool is_found_for_wider(f64 budget, WholeRoom& wider) {
+    const i64 robot = room_.header.robot + MARGIN_MM, ways = whole_.ways ? whole_.ways + MARGIN_MM : 0;
+    if (arrange_again(asked_room(room_, robot, ways), whole_, LIMITS.final_qps, wider)) return true;
+    wider = placement::arrange_wide(asked_room(room_, robot, 0), LIMITS, budget, made_.spent);
+    wider.proven = wider.best = false;
+    return wider.walk && wider.desk->engine.nodes.result->found;
   }
 
   Settled settle_found(bool walk) const { return placement::settle(desk(), walk, tidy_); }

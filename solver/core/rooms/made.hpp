@@ -19,6 +19,7 @@ struct MadeRoom {
   i64 walkable;
   i64 proven, best;
   i64 optimal;   // whether the final problem's optimum is proven
+  i64 widened;   // whether what stands is not that optimum: it was found again for a wider person, so that the walk outlasts the snap
   i64 solves;    // QPs
   f64 cost;
   f64 spent;     // work, in QPs of a small room
