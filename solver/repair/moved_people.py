@@ -1,6 +1,6 @@
 """People and pets that are in the way -> the nearest free places."""
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Final
@@ -13,9 +13,9 @@ from solver.repair.room_problem import RoomProblem
 from solver.scene import Dynamic
 
 MOST_PLACES: Final = 200
-"""Nearest places that are tried for somebody who is to be in nobody's way, and as many of those beyond, spread out."""
+"""Places that are tried for somebody who is to be in nobody's way."""
 NEXT_MM: Final = 200
-"""Beyond the nearest, one place in each square of floor of this side is tried, mm: they may be a millimetre apart."""
+"""Of places that near each other one is tried, mm."""
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ def _moved(person: Dynamic, floor: FreeFloor, walk: bool) -> Dynamic | None:
         own = block_of(turned)
         taken = floor.obstacles(own)
         outermost = [rect for rect in taken if not any(other != rect and other.contains(rect) for other in taken)]
-        for place in _likely(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)):
+        for place in islice(_spread(free_places(own.rect, floor.space.clear, outermost, floor.space.robot_mm)), MOST_PLACES):
             if floor.connects([place], [Goal.beside(place)]):
                 return _put(turned, place)
     return None
@@ -130,14 +130,11 @@ def _put(person: Dynamic, place: Rect) -> Dynamic:
     return replace(person, x=half_m(place.x0 + place.x1), z=half_m(place.z0 + place.z1))
 
 
-def _likely(places: Iterator[Rect]) -> Iterator[Rect]:
-    """Yields the nearest places, and of those beyond them one in each square of floor: else nobody leaves a long aisle."""
-    yield from islice(places, MOST_PLACES)
-    squares: set[tuple[int, int]] = set()
+def _spread(places: Iterable[Rect]) -> Iterator[Rect]:
+    """Leaves out places next to one before: where that would not do, they hardly ever do."""
+    kept: set[tuple[int, int]] = set()
     for place in places:
-        square = (place.x0 // NEXT_MM, place.z0 // NEXT_MM)
-        if square not in squares:
-            squares.add(square)
+        cell = (place.x0 // NEXT_MM, place.z0 // NEXT_MM)
+        if cell not in kept:
+            kept.add(cell)
             yield place
-        if len(squares) == MOST_PLACES:
-            return
