@@ -121,7 +121,11 @@ async def ask(of: Callable[[ServiceStore], Any], request: Request, question: Cal
 
 def id_type(of: str) -> Any:
     """Returns the type of an id in a path, of a "home", say."""
-    return Annotated[str, MinLen(1), MaxLen(40), Matching(r"^[A-Za-z0-9_-]+$"), Says(f"of a {of} of yours")]
+    return Annotated[str, MinLen(1), MaxLen(40), Matching(r"^[A-Za-z0-9_-]+$"), Says(_id_of(of))]
+
+
+def _id_of(of: str) -> str:
+    return "the id of a home of yours" if of == "home" else "the id of a job of yours"
 
 
 def number_type(least: int) -> Any:
@@ -137,7 +141,7 @@ def id_in(request: Request, of: str) -> str:
     """
     found: str = request.path_params[of]
     if not ID.fullmatch(found):
-        raise NoSuchThing(of, f"there is no {found!r:.40}", "the id of a home of yours" if of == "home" else "the id of a job of yours")
+        raise NoSuchThing(of, f"there is no {found!r:.40}", _id_of(of))
     return found
 
 
