@@ -143,9 +143,9 @@ def test_a_crowd_whose_search_was_ended_is_repaired_no_worse_again(seed: int) ->
     assert broken == sorted(broken, reverse=True)
 
 
-@pytest.mark.parametrize("seed", [2, 3, 5, 6])
+@pytest.mark.parametrize("seed", [3, 5, 6, 7])
 def test_a_crowd_beyond_the_limit_is_left_as_sent_unless_fewer_are_wrong(seed: int) -> None:
-    """Repaired again, three of these halls came out as another one with as many wrong, or more."""
+    """Repaired again, such halls came out as another one with as many wrong, or more."""
 
     def wrong(scene: Scene) -> set[str]:
         return {label for issue in validate(scene) if issue.severity == "error" for label in issue.ids}
