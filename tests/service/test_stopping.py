@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import sys
 import tempfile
 from io import StringIO
+from multiprocessing import get_context
 from pathlib import Path
-
-import pytest
 
 from catalogs import load_catalogs
 from service.server import serve
@@ -29,11 +27,21 @@ class _StoppingReader(StringIO):
         return super().write(words)
 
 
-def test_a_service_stopped_as_it_says_where_it_answers_leaves_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def _stopped_as_it_answers(temporary: str, heard: Path) -> None:
     said = _StoppingReader()
-    monkeypatch.setattr(sys, "stderr", said)
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    monkeypatch.setattr(Workers, "start", Here.start)
+    sys.stderr, tempfile.tempdir = said, temporary
+    Workers.start = Here.start  # type: ignore[method-assign,assignment]
     serve(Settings(port=0, store=TEMPORARY), load_catalogs())
-    assert said.getvalue().splitlines()[-1] == "Compose has stopped."
-    assert os.listdir(tmp_path) == []
+    heard.write_text(said.getvalue())
+
+
+def test_a_service_stopped_as_it_says_where_it_answers_leaves_nothing(tmp_path: Path) -> None:
+    """In a process of its own: the tests' may have a loop of events already, in which no other can run."""
+    temporary, heard = tmp_path / "temporary", tmp_path / "heard"
+    temporary.mkdir()
+    service = get_context("spawn").Process(target=_stopped_as_it_answers, args=(str(temporary), heard))
+    service.start()
+    service.join()
+    assert service.exitcode == 0
+    assert heard.read_text().splitlines()[-1] == "Compose has stopped."
+    assert list(temporary.iterdir()) == []
