@@ -1,6 +1,7 @@
 """What a person does on the page, as issue by issue it is promised: each act is done in every way, and this is the matrix of both.
 
-`pytest --collect-only -q tests/browser/test_every_way_*.py` prints it.
+`SWEEPS=all pytest --collect-only -q tests/browser/test_every_way_*.py` prints it. In `make test` each act is done in the way whose turn it
+is, those that show a sort of control in every way.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from typing import Any, TypeAlias
 import pytest
 
 from tests.browser.ways import WAYS, Way
+from tests.sweeps import ALL
 
 Do: TypeAlias = Callable[[Way], None]
 MOST_STEPS = 12
@@ -20,11 +22,24 @@ MOST_STEPS = 12
 
 @dataclass(frozen=True)
 class Act:
-    """Something to be done, and in which ways it cannot be, with what one does in place of it."""
+    """Something to be done, and in which ways it cannot be, with what one does in place of it.
+
+    `always`: in all its ways whatever is dealt, as it shows a sort of control.
+    """
 
     name: str
     do: Do
     instead: dict[str, str]
+    always: bool
+
+    def has(self, way: type[Way]) -> bool:
+        """Whether it can be done in a way."""
+        return way.name not in self.instead
+
+    def dealt(self, turn: int) -> list[type[Way]]:
+        """The ways in which it is done in `make test`: of those that it has, the one whose turn it is."""
+        own = [way for way in WAYS[turn % len(WAYS) :] + WAYS if self.has(way)]
+        return own if self.always else own[:1]
 
 
 @dataclass
@@ -33,20 +48,20 @@ class Acts:
 
     all: list[Act] = field(default_factory=list)
 
-    def act(self, name: str, **instead: str) -> Callable[[Do], Do]:
+    def act(self, name: str, *, always: bool = False, **instead: str) -> Callable[[Do], Do]:
         """Takes a function as an act; `instead` says of a way that has none what is done in place of it."""
 
         def take(do: Do) -> Do:
-            self.all.append(Act(name, do, instead))
+            self.all.append(Act(name, do, instead, always))
             return do
 
         return take
 
     def by_every_way(self) -> pytest.MarkDecorator:
-        """Parametrizes a test with every act that each way has."""
-        pairs = [(way, act) for way in WAYS for act in self.all if way.name not in act.instead]
+        """Parametrizes a test with every act that each way has, or with those that are dealt to it."""
+        done = [(way, act) for way in WAYS for at, act in enumerate(self.all) if (act.has(way) if ALL else way in act.dealt(at))]
         return pytest.mark.parametrize(
-            ("way", "act"), [pytest.param(way, act, id=f"{way.name}: {act.name}") for way, act in pairs], indirect=["way"], scope="module"
+            ("way", "act"), [pytest.param(way, act, id=f"{way.name}: {act.name}") for way, act in done], indirect=["way"], scope="module"
         )
 
 

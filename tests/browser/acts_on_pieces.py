@@ -65,7 +65,7 @@ def _distance(way: Way) -> None:
         expect(field).to_have_count(0)
 
 
-@doing("4 a piece is moved")
+@doing("4 a piece is moved", always=True)
 def move_piece(way: Way) -> None:
     way.choose(OTHER)
     if isinstance(way, Keyboard):
@@ -156,7 +156,7 @@ def _resized(way: Way) -> None:
         assert resized["x"] - resized["width"] / 2 == pytest.approx(2.8, abs=1e-3), "the far edge stays"
 
 
-@doing("4 size and angle are typed")
+@doing("4 size and angle are typed", always=True)
 def _sized(way: Way) -> None:
     _unfolded(way, OTHER)
     way.changed(lambda: way.write(way.page.locator("#piece [name=depth]"), "70 cm"))
@@ -213,7 +213,7 @@ def _moved_together(way: Way) -> None:
     assert moved[0] < -0.04 and moved[0] == pytest.approx(moved[1], abs=1e-6)
 
 
-@doing("4 several pieces are lined up, moved, and deleted together")
+@doing("4 several pieces are lined up, moved, and deleted together", always=True)
 def _several(way: Way) -> None:
     way.choose(ONE)
     for wanted in ({ONE, OTHER}, {ONE}):

@@ -134,7 +134,7 @@ def _asked(way: Way) -> None:
     assert scene(way)["request"]["program"] == "studio"
 
 
-@doing("7 the view is switched")
+@doing("7 the view is switched", always=True)
 def _views(way: Way) -> None:
     for name in ("plan", "top", "corner"):
         way.view(name)
@@ -175,7 +175,7 @@ def _tour(way: Way) -> None:
     expect(way.page.locator("#tour")).to_be_hidden()
 
 
-@doing("8 pieces and decorations are named")
+@doing("8 pieces and decorations are named", always=True)
 def _named(way: Way) -> None:
     unfold(way, "view")
     few = way.page.locator(".labels > *:visible").count()
@@ -240,7 +240,7 @@ def _tap(way: Way, x: float, y: float) -> None:
     (way.page.touchscreen.tap if isinstance(way, Touch) else way.page.mouse.click)(x, y)
 
 
-@doing("8 the house is turned, come nearer to, and looked aside of")
+@doing("8 the house is turned, come nearer to, and looked aside of", always=True)
 def _turned(way: Way) -> None:
     def looks() -> Any:
         way.visit.settle()
@@ -327,7 +327,7 @@ def _large(way: Way) -> None:
 
 
 doing("1 the page is left with a change, asks nothing, and comes back with it")(left_and_come_back_to)
-doing("8 a home is lit as at another time of day, which is kept")(lit_at_another_hour)
+doing("8 a home is lit as at another time of day, which is kept", always=True)(lit_at_another_hour)
 doing("1 the file that is offered in place of a link, where changes are too many, holds the home")(offered_a_file)
 
 
