@@ -15,15 +15,18 @@ from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 from hypothesis.internal.constants_ast import Constants
 
+from tests.sweeps import times
+
 if TYPE_CHECKING:
     from starlette.testclient import TestClient
 
-# `repeatable` draws the same examples every time, so that a change is what a failure speaks of; `make targets` draws new ones.
+# The same examples are drawn every time, so that a change is what a failure speaks of; `make targets` draws 25 times as many.
 # A busy machine draws slowly, which is no fault of a test.
 SLOW = [HealthCheck.too_slow]
-settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=60, database=None, suppress_health_check=SLOW)
-settings.register_profile("targets", deadline=None, max_examples=2000, suppress_health_check=SLOW)
-settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeatable"))
+settings.register_profile(
+    "repeatable", derandomize=True, deadline=None, max_examples=times(600, 24), database=None, suppress_health_check=SLOW
+)
+settings.load_profile("repeatable")
 
 NO_CONSTANTS = Constants()
 """Hypothesis mixes in constants of the modules loaded so far, which other tests of a worker decide: then examples would not repeat."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import statistics
 import subprocess
 import sys
@@ -62,6 +63,8 @@ UNASKED = (
 """What is measured where nothing is asked for."""
 PRESET_SETS: Mapping[str, dict[str, object]] = {name: {"program": name} for name in ("studio", "one_bed", "family", "large")}
 TESTS = Path(__file__).parent
+SLICED = re.compile(r"^from (tests\.sweeps|hypothesis|tests\.browser\.acts) import", re.MULTILINE)
+"""What a file of tests imports of which the suite runs a slice."""
 In = TypeVar("In")
 Out = TypeVar("Out")
 MISSING_TARGET = 0.01
@@ -194,8 +197,8 @@ def generated_calls() -> bool:
 
 
 def sweeps(workers: int) -> bool:
-    """Runs all seeds of the tests of which the suite runs every so many, the page's among them; returns whether all passed."""
-    files = [str(path) for path in sorted(TESTS.rglob("test_*.py")) if "from tests.sweeps import" in path.read_text(encoding="utf-8")]
+    """Runs all of the tests of which the suite runs a slice, the page's among them; returns whether all passed."""
+    files = [str(path) for path in sorted(TESTS.rglob("test_*.py")) if SLICED.search(path.read_text(encoding="utf-8"))]
     python = ["-m", "pytest", "-q", "-n", str(workers), "--dist", "loadgroup", *files]
     page = [str(TESTS.parent / "scripts" / "page.py"), "test"]
     ended = [subprocess.run([sys.executable, *one], env={**os.environ, "SWEEPS": "all"}, check=False) for one in (python, page)]

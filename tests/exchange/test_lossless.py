@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from jsonschema import Draft202012Validator
 
 from catalogs.misfits import reader_of
@@ -29,6 +29,7 @@ from solver.exchange import (
 from solver.request import Request
 from solver.scene import Flooring, Furniture, Room, Scene
 from tests.exchange.documents import PLAIN, SCENES, piece, room, scene
+from tests.sweeps import examples
 
 SCHEMA = Draft202012Validator(scene_schema())
 
@@ -51,7 +52,7 @@ def test_the_schema_accepts_what_the_writer_writes(drawn: Scene) -> None:
     assert [error.message for error in SCHEMA.iter_errors(write_scene(drawn))] == []
 
 
-@settings(max_examples=200)
+@examples(80)
 @given(PLAIN)
 def test_any_document_survives_every_format(document: Any) -> None:
     for name in FORMATS:
@@ -60,7 +61,7 @@ def test_any_document_survives_every_format(document: Any) -> None:
         assert dump_text(load_text(text, name), name) == text
 
 
-@settings(max_examples=200)
+@examples(80)
 @given(PLAIN)
 def test_readers_of_others_understand_our_texts(document: Any) -> None:
     """The standard library's JSON, and PyYAML, which reads YAML 1.1 with its `yes`, `on` and dates."""

@@ -278,7 +278,7 @@ WHOLE_SCENE = write_scene(
 JUNK = PLAIN | st.sampled_from([math.nan, math.inf, -1, 0, 1e9, 10**400, True, "\ud800", b"", (), set(), object()])
 
 
-@examples(250)
+@examples(100)
 @given(st.sampled_from(nodes(WHOLE_SCENE)), JUNK)
 def test_a_scene_with_anything_anywhere_is_read_or_refused(path: tuple[Any, ...], junk: Any) -> None:
     """Never another error; and what is refused is named at the place, or inside it."""

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from catalogs import yaml_reading
@@ -18,6 +18,7 @@ from solver.core import CoreFailed
 from solver.errors import SceneError, SyntaxFault
 from solver.exchange import FORMATS, dump_text, load_text, read_scene
 from tests.every import every
+from tests.sweeps import examples
 
 PATIENCE_S = 60.0
 """What a refusal may take of the processor: they take less than a second; what they guard against would take hours."""
@@ -219,7 +220,7 @@ def test_yaml_is_the_same_with_and_without_the_c_library(loader: Any, monkeypatc
     assert refused("a: [" * 3000, "yaml")
 
 
-@settings(max_examples=300)
+@examples(120)
 @given(st.sampled_from(sorted(FORMATS)), st.text() | st.binary() | st.text("{}[]:,\"'- \n&*!|>%#?a1.~", max_size=40))
 def test_any_text_is_a_document_or_refused(name: str, text: bytes | str) -> None:
     try:

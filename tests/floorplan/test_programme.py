@@ -87,7 +87,7 @@ def test_any_programme_is_sound_or_says_why_not(seed: int, counts: dict[str, int
     assert plan.notes or not any(homes.short(room) for room in plan.rooms)
 
 
-@examples(20)
+@examples(8)
 @given(st.integers(0, 2**53 - 1), st.integers(40, 300), st.integers(40, 300), st.sampled_from(sorted(CATALOGS.presets)), st.booleans())
 def test_any_outline_is_kept_and_its_shortfalls_are_named(seed: int, width: int, depth: int, preset: str, outdoor: bool) -> None:
     plan = planned(seed=seed, program=preset, width=width / 10, depth=depth / 10, outdoor=outdoor)

@@ -96,7 +96,7 @@ def told(scene: Scene, *rules: str) -> set[tuple[str, str | None, tuple[str, ...
 STANDING = ("out_of_bounds", "overlap", "wall_far", "blocks_door", "blocks_window")
 
 
-@examples(150)
+@examples(60)
 @given(rooms("a", 0.0, 0.0, shapes=True), st.sampled_from([0.0, 0.1]))
 def test_standing_agrees_with_the_raster(room: Room, thickness: float) -> None:
     scene = Scene(rooms=(room,), wall_thickness=thickness)
@@ -141,7 +141,7 @@ def unreached(scene: Scene) -> set[tuple[str, str, tuple[str, ...]]]:
     return found
 
 
-@examples(50)
+@examples(20)
 @given(houses())
 def test_walking_agrees_with_the_raster(scene: Scene) -> None:
     assert told(scene, "unreachable") == unreached(scene)

@@ -53,7 +53,7 @@ def changes(draw: st.DrawFn) -> Change:
     return lambda scene: replace(scene, wall_thickness=thickness, certificate=reasons)
 
 
-@examples(60)
+@examples(24)
 @given(houses(), st.lists(changes(), min_size=1, max_size=6))
 def test_what_is_checked_again_is_as_if_all_had_been(scene: Scene, edits: list[Change]) -> None:
     scene = replace(

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import Opening, Room, Scene
 from solver.validator import floors, walk
 from solver.validator.world import world_of
+from tests.sweeps import examples
 from tests.validator.test_against_raster import houses, told, unreached
 from tests.validator.worlds import piece, room, scene
 
 
-@settings(max_examples=40)
+@examples(16)
 @given(houses(), st.sampled_from([8, 14, 25]))
 def test_tiles_do_not_show(house: Scene, most: int) -> None:
     with pytest.MonkeyPatch.context() as patch:
@@ -58,7 +59,7 @@ def test_a_hall_of_thousands_of_pieces_takes_cells_in_proportion() -> None:
     assert walked.cells < 500 * len(crates)
 
 
-@settings(max_examples=60)
+@examples(24)
 @given(st.lists(st.lists(st.booleans(), min_size=7, max_size=7), min_size=1, max_size=7), st.sampled_from([6, 400]))
 def test_what_is_come_to_is_what_a_flood_finds(taken: list[list[bool]], most: int) -> None:
     """A hall of squares of 1 m, some of them taken by crates; one comes in at the first."""

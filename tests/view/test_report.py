@@ -7,12 +7,13 @@ from collections import Counter
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from catalogs import load_catalogs
 from service.calls import validate_scene
 from solver.errors import FieldError, SceneError
+from tests.sweeps import examples
 
 Document = dict[str, Any]
 TEXTS = st.text(st.characters(codec="utf-8"), min_size=1, max_size=8)
@@ -163,7 +164,7 @@ def test_a_scene_that_says_next_to_nothing_has_a_report() -> None:
     assert wrong(lines) == []
 
 
-@settings(max_examples=60, deadline=None)
+@examples(24)
 @given(st.lists(TEXTS, min_size=6, max_size=6, unique=True), TEXTS)
 def test_whatever_names_hold_they_stay_on_their_line(names: list[str], word: str) -> None:
     room, door, one, other, item, person = names

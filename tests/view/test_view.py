@@ -6,11 +6,12 @@ from dataclasses import replace
 from typing import Any
 
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import Decoration, Dynamic, Flooring, Furniture, Level, Opening, Room, Scene, Size
 from solver.view import report, view
+from tests.sweeps import examples
 
 TEXTS = st.text(st.characters(codec="utf-8"), max_size=8)
 
@@ -174,7 +175,7 @@ def test_things_on_things_end_somewhere() -> None:
     assert sorted(shown) == sorted(["sofa_1", *(item.id for item in (*tower, *ring))])
 
 
-@settings(max_examples=150)
+@examples(60)
 @given(st.lists(TEXTS, min_size=12, max_size=12, unique=True), st.floats(-1e6, 1e6))
 def test_whatever_names_hold_it_stays_yaml_line_by_line(names: list[str], place: float) -> None:
     room, kind, door, target, wall_piece, name, second, parent, label, person, under, version = names
