@@ -8,8 +8,9 @@ from playwright.sync_api import Browser
 from solver import Request, generate
 from tests.core.engines import frames_of_drags, in_chromium, in_node, recording_of
 from tests.core.recording import recorded
+from tests.sweeps import times
 
-FRAMES = 300
+FRAMES = times(300, 120)
 
 
 @pytest.fixture(scope="module")
@@ -21,7 +22,7 @@ def recordings() -> list[bytes]:
 
 @pytest.fixture(scope="module")
 def frames() -> bytes:
-    """What the core was asked for 300 frames of drags, over the rooms of a home."""
+    """What the core was asked for many frames of drags, over the rooms of a home."""
     scene = generate(Request(seed=3, program="family", decorate=True)).scene
     with recorded() as recorder:
         frames_of_drags(scene, FRAMES // len(scene.rooms) + 1)
