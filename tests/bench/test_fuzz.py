@@ -12,8 +12,9 @@ from solver.placement import place
 from tests.bench.fuzz import fuzz
 from tests.bench.fuzz_rooms import fuzz_room
 from tests.oracles.rules import faults, unreached
+from tests.sweeps import times
 
-ROOMS = 300
+ROOMS = times(300, 120)
 
 
 @pytest.mark.parametrize("block", range(4))

@@ -69,7 +69,7 @@ def test_the_tables_say_what_the_document_says(tmp_path: Path, capfdbinary: Capt
 
 
 def test_the_number_of_processes_changes_nothing(capfdbinary: Captured) -> None:
-    asked = ("-n", "5", "--seed", "3", *SMALL)
+    asked = ("-n", "3", "--seed", "3", *SMALL)
     assert main(["stats", *asked, "--workers", "2"]) == 0
     assert capfdbinary.readouterr().out.decode() == stats(capfdbinary, *asked)
 

@@ -52,7 +52,7 @@ def both(room: Room, catalogs: Catalogs, seed: int) -> tuple[Any, Any]:
 
 @pytest.mark.parametrize("name", sorted(KNOWN.rooms))
 def test_our_room_types_are_furnished_as_by_the_reference(name: str) -> None:
-    for seed in seeds(range(40), 10):
+    for seed in seeds(range(40), 27):
         core, reference = both(random_room(Random(f"{name} {seed}"), name), KNOWN, seed)
         assert core == reference, seed
 
@@ -60,7 +60,7 @@ def test_our_room_types_are_furnished_as_by_the_reference(name: str) -> None:
 @pytest.mark.parametrize("block", range(4))
 def test_random_room_types_are_furnished_as_by_the_reference(block: int) -> None:
     wanted = 0
-    for seed in seeds(range(400), 16):
+    for seed in seeds(range(400), 41):
         rng = Random(f"{block} {seed}")
         catalogs = KNOWN.model_copy(update={"rooms": {"den": for_small_rooms(Random(seed), random_type(rng, KNOWN))}})
         core, reference = both(random_room(rng, "den"), catalogs, seed)

@@ -31,5 +31,5 @@ def answer(known: bytes, room: bytes) -> bytes:
 
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
-    asked = [request(seed) for seed in seeds(range(1200), 4)]
+    asked = [request(seed) for seed in seeds(range(1200), 9)]
     assert native.answers("decorate", asked) == b"".join(answer(*one) for one in asked)

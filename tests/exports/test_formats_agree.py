@@ -5,6 +5,8 @@ Each format is read by its consumer's library (`readers`); what it says is held 
 
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 
 from catalogs import load_catalogs
@@ -12,12 +14,14 @@ from solver.export_formats import EXPORTERS
 from solver.exports import describe, home_picture, written_as
 from solver.exports.writers import ExportSettings
 from solver.scene import Room, Scene
-from tests.exports.agreement import NOT_READ, READ_AS, differences, reader_of
+from tests.exports.agreement import NOT_READ, differences, reader_of
 from tests.exports.homes import SCENES, described
+from tests.sweeps import pairs
 
 READ = [format for format in EXPORTERS if format not in NOT_READ]
-PAIRS = [(home, format) for home in SCENES for format in READ if home != "default" or format not in READ_AS]
-"""What is read of which home: of the largest each content once, packed in other ways of the smaller ones; `make targets` reads all."""
+OTHERS = [home for home in SCENES if home != "own"]
+PAIRS = [*product(["own"], READ), *pairs(OTHERS, READ)]
+"""What is read of which home: all formats of the one that was made by hand, and each of one of the others."""
 
 
 def test_every_format_is_read_or_is_said_why_not() -> None:

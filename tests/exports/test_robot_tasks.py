@@ -23,7 +23,7 @@ from tests.sweeps import seeds
 STEP = 0.05
 SLACK = 1e-6
 TASKS_OF_A_HOME = 12
-HOMES = seeds(range(84), 7)
+HOMES = seeds(range(84), 13)
 """A thousand tasks in `make targets`."""
 TURNED = {"north": 180, "south": 0, "east": 90, "west": 270}
 

@@ -8,8 +8,9 @@ import pytest
 
 from catalogs import load_catalogs
 from tests.floorplan.targets import PLAIN_ROOMS, floorplan_table, measure
+from tests.sweeps import times
 
-SEEDS = 25
+SEEDS = times(25, 11)
 
 
 @pytest.mark.parametrize("request_of", sorted(PLAIN_ROOMS), ids=str)

@@ -54,7 +54,7 @@ def test_costs_are_found_again_and_a_line_that_was_cut_off_is_made_anew(tmp_path
 
 @pytest.mark.parametrize("format", ["json", "yaml"])
 def test_no_spoilt_text_is_answered_by_a_fault(format: str) -> None:
-    assert list(faults(seeds(range(5000), 25), format)) == []
+    assert list(faults(seeds(range(5000), 61), format)) == []
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_no_header_of_a_request_becomes_one_of_the_answer(client: TestClient) ->
 
 def test_no_request_that_is_spoilt_on_the_wire_is_taken_for_another_or_answered_by_a_fault() -> None:
     with running(0, "--processes", "1", "--light-processes", "1", *SHORT) as service:
-        assert wire_faults(service, seeds(range(6000), 20)) == []
+        assert wire_faults(service, seeds(range(6000), 53)) == []
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from functools import cache
 from io import BytesIO, StringIO
+from itertools import product
 from zipfile import ZipFile
 
 import ezdxf
@@ -16,6 +17,7 @@ from solver import Request, export, generate
 from solver.answers import PlanImport
 from solver.scene import EXTERIOR, Decoration, Level, Opening, Room, Scene
 from tests.imports.plans import read, text_of
+from tests.sweeps import pairs
 
 HOMES = {
     "studio": Request(seed=5, program="studio"),
@@ -26,6 +28,10 @@ HOMES = {
     "with a garden": Request(seed=13, program="one_bed", outdoor=True),
 }
 PROGRAMMES = tuple(HOMES)
+WHOLE = ("procthor", "sh3d", "ifc", "svg")
+"""Formats that read back whole."""
+THICKNESSES = [(0.02, None), (0.08, None), (0.12, 0.24), (0.1, 0.36)]
+"""Of inner and outer walls, m; None: as inner ones."""
 NOT_READ = ("DIMENSIONS", "RAILINGS", "WALLS")
 """Layers of our drawings that hold neither rooms nor openings."""
 CLOSE = 0.0101
@@ -74,8 +80,7 @@ def openings_of(scene: Scene, swings: bool) -> set[tuple[object, ...]]:
     }
 
 
-@pytest.mark.parametrize("program", PROGRAMMES)
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
+@pytest.mark.parametrize(("program", "format"), pairs(PROGRAMMES, WHOLE))
 def test_a_house_reads_back(program: str, format: str) -> None:
     before, answer = home(program), again(program, format)
     after = answer.scene
@@ -165,8 +170,7 @@ def named(scene: Scene) -> Scene:
     return replace(scene, rooms=(replace(rooms[0], type="balcony", outdoor=False), *rooms[1:]), certificate=None)
 
 
-@pytest.mark.parametrize("program", ["studio", "a U"])
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+@pytest.mark.parametrize(("program", "format"), pairs(["studio", "a U"], (*WHOLE, "dxf")))
 def test_rooms_that_people_named_read_back(program: str, format: str) -> None:
     before = named(home(program))
     (name, content), *_ = export(before, format).items()
@@ -211,8 +215,7 @@ def test_a_piece_that_another_program_renamed_is_called_so() -> None:
     assert {id for id, name in called.items() if name == "Cot"} == beds
 
 
-@pytest.mark.parametrize("program", PROGRAMMES)
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg", "dxf"])
+@pytest.mark.parametrize(("program", "format"), pairs(PROGRAMMES, (*WHOLE, "dxf")))
 def test_its_furniture_reads_back(program: str, format: str) -> None:
     before, after = (
         {piece.id: piece for room in scene.rooms for piece in room.furniture} for scene in (home(program), again(program, format).scene)
@@ -239,10 +242,9 @@ def test_what_lies_and_hangs_there_reads_back(format: str) -> None:
     assert [issue.message for issue in answer.issues if issue.severity == "error"] == []
 
 
-@pytest.mark.parametrize("program", ["studio", "a U"])
-@pytest.mark.parametrize("format", ["procthor", "sh3d", "ifc", "svg"])
-@pytest.mark.parametrize(("inner", "outer"), [(0.02, None), (0.08, None), (0.12, 0.24), (0.1, 0.36)])
-def test_walls_of_other_thickness_read_back(program: str, format: str, inner: float, outer: float | None) -> None:
+@pytest.mark.parametrize(("home_in", "walls"), pairs([*product(WHOLE, ["studio", "a U"])], THICKNESSES))
+def test_walls_of_other_thickness_read_back(home_in: tuple[str, str], walls: tuple[float, float | None]) -> None:
+    (format, program), (inner, outer) = home_in, walls
     before = thick(home(program), inner, outer)
     (name, content), *_ = export(before, format).items()
     after = read(content, name).scene
@@ -281,7 +283,7 @@ def test_doors_of_a_drawing_are_as_wide_as_they_were_in_thin_walls(program: str,
     assert openings_of(read(content, name).scene, swings=True) == openings_of(before, swings=True)
 
 
-@pytest.mark.parametrize(("program", "unit"), [*((one, "m") for one in PROGRAMMES), *((one, "mm") for one in PROGRAMMES[1::2])])
+@pytest.mark.parametrize(("program", "unit"), pairs(PROGRAMMES, ["m", "mm"]))
 def test_a_drawing_reads_back_as_far_as_it_says(program: str, unit: str) -> None:
     """Its doors are arcs, as wide as the gaps in its walls; ids, heights and the entrance are said, also of one that is scaled."""
     before = home(program)

@@ -24,6 +24,7 @@ from solver.imports.steps_inside import connected
 from solver.scene import Scene
 from tests.imports.plans import floor_area, read
 from tests.imports.test_round_trips import home
+from tests.sweeps import pairs
 
 AXES: tuple[Literal["x"], Literal["z"]] = ("x", "z")
 KEPT = ("WALLS", "DOORS", "WINDOWS", "OPENINGS", "NAMES")
@@ -58,10 +59,9 @@ def sizes(scene: Scene) -> list[tuple[Any, ...]]:
     return sorted((room.type, *sorted((room.width, room.depth)), len(room.openings), room.outline is None) for room in scene.rooms)
 
 
-@pytest.mark.parametrize("program", ["studio", "family"])
-@pytest.mark.parametrize(("scale", "degrees"), [(1000.0, 0.0), (39.37007874, 0.0), (100.0, 20.0)])
-def test_walls_of_a_home_enclose_its_rooms(program: str, scale: float, degrees: float) -> None:
-    before, answer = home(program), read(exploded(program, scale, degrees))
+@pytest.mark.parametrize(("program", "drawn"), pairs(["studio", "family"], [(1000.0, 0.0), (39.37007874, 0.0), (100.0, 20.0)]))
+def test_walls_of_a_home_enclose_its_rooms(program: str, drawn: tuple[float, float]) -> None:
+    before, answer = home(program), read(exploded(program, *drawn))
     after = sizes(answer.scene)
     assert len(after) == len(before.rooms)
     for one, other in zip(sizes(before), after, strict=True):

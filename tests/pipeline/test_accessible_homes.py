@@ -16,7 +16,7 @@ from solver.pipeline.own_plan import furnish
 from solver.request import Request
 from solver.scene import Opening, Room, Scene
 from solver.validator import access_of
-from tests.sweeps import seeds
+from tests.sweeps import pairs, seeds
 
 CATALOGS = load_catalogs()
 PROFILES = sorted(CATALOGS.access)
@@ -26,8 +26,7 @@ def family(seed: int, **more: object) -> Generated:
     return generate(Request(seed=seed, program="family", **more))  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("profile", PROFILES)
-@pytest.mark.parametrize("seed", seeds(range(90_000, 90_100), 25))
+@pytest.mark.parametrize(("profile", "seed"), pairs(PROFILES, seeds(range(90_000, 90_100), 25)))
 def test_a_family_home_made_for_a_profile_is_certified(profile: str, seed: int) -> None:
     made = family(seed, access=profile, decorate=seed % 2 == 0)
     certificate: dict[str, Any] = dict(made.scene.certificate or {})
@@ -155,8 +154,7 @@ def test_a_studio_has_room_about_its_bed_and_a_bathroom_one_can_get_out_of() -> 
     assert family_living[0].width * family_living[0].depth <= CATALOGS.access["din_18040_2"].homes["living_room"].area[2]
 
 
-@pytest.mark.parametrize("preset", ["studio", "one_bed"])
-@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize(("preset", "profile"), pairs(["studio", "one_bed"], PROFILES))
 def test_small_homes_made_for_a_profile_are_certified(preset: str, profile: str) -> None:
     scenes = [generate(Request(seed=seed, program=preset, access=profile)).scene for seed in range(60_000, 60_010)]
     assert sum(not access_of(scene, profile, CATALOGS).unmet for scene in scenes) >= 9

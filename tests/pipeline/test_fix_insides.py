@@ -12,6 +12,7 @@ from catalogs import load_catalogs
 from solver import Request, Scene, fix, generate, validate
 from solver.scene import Decoration, Furniture, Level, Room
 from solver.streams import Stream
+from tests.sweeps import pairs
 
 SEEDS = range(3)
 TRIES = 20
@@ -153,8 +154,7 @@ def test_a_cabinet_made_wider_or_narrower_keeps_what_is_inside(by: float) -> Non
     assert coats > 5
 
 
-@pytest.mark.parametrize("by", [0.02, -0.02])
-@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("seed", "by"), pairs(SEEDS, [0.02, -0.02]))
 def test_things_that_float_inside_come_to_lie_inside(seed: int, by: float) -> None:
     """As they do where their cabinet becomes one with other boards: all that lies inside one is so much higher, or lower."""
     tried = 0

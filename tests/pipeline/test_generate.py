@@ -26,9 +26,9 @@ from solver.pipeline.generate import unwanted_in
 from solver.scene import Room
 from solver.streams import Stream
 from tests.architecture.tree import ROOT
-from tests.sweeps import examples, seeds, times
+from tests.sweeps import examples, pairs, seeds, times
 
-SEEDS = seeds(range(1000, 1024), 2)
+SEEDS = seeds(range(1000, 1024), 5)
 """Of default houses; `make targets` makes a thousand more."""
 
 
@@ -77,7 +77,7 @@ def test_cars_stand_right_behind_their_gate(cars: int) -> None:
     assert count > 10 and past * 10 <= count, (past, count)
 
 
-@examples(20)
+@examples(8)
 @given(
     seed=st.integers(0, 2**53 - 1),
     width=st.floats(2, 40).map(lambda x: round(x, 2)),
@@ -97,8 +97,7 @@ def test_any_request_gives_a_house_without_errors(**fields: Any) -> None:
     assert read_scene(load_text(text, "yaml")) == made.scene
 
 
-@pytest.mark.parametrize("robot_width", [1.0, 1.3, 1.6, 2.0])
-@pytest.mark.parametrize("program", ["family", "studio", None])
+@pytest.mark.parametrize(("robot_width", "program"), pairs([1.0, 1.3, 1.6, 2.0], ["family", "studio", None]))
 def test_doors_are_as_wide_as_what_has_to_pass_them(program: str | None, robot_width: float) -> None:
     for seed in seeds(range(500, 512), 12):
         made = generate(Request(seed=seed, program=program, robot_width=robot_width))
@@ -110,7 +109,7 @@ def test_doors_are_as_wide_as_what_has_to_pass_them(program: str | None, robot_w
 
 def test_the_same_request_gives_the_same_bytes_in_this_process_and_in_company() -> None:
     first = scene_bytes(seed=42)
-    for seed in range(times(100, 30)):
+    for seed in range(times(100, 10)):
         scene_bytes(seed=seed, width=6.0 + seed % 3, depth=5.0, outdoor=seed % 2 == 0)
     assert scene_bytes(seed=42) == first
 
@@ -156,7 +155,7 @@ def test_a_door_is_shifted_where_a_required_piece_would_not_fit_otherwise(monkey
         made = generate(Request(seed=seed, width=width, depth=depth, min_room_size=1.8))
         return sum(issue.rule == "missing_required" for issue in made.issues)
 
-    small = seeds(range(300), 6)
+    small = seeds(range(300), 11)
     shifted = sum(map(missing, small))
     monkeypatch.setattr(flow, "SHIFTS", 0)
     assert shifted < sum(map(missing, small))  # not in each house: a door may be in the way of the room behind it

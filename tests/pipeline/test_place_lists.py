@@ -46,7 +46,7 @@ def test_all_of_it_stands_and_can_be_walked_to(name: str) -> None:
     assert found.best.relations == ()
 
 
-@pytest.mark.parametrize("seed", seeds(range(300), 20))
+@pytest.mark.parametrize("seed", seeds(range(300), 41))
 def test_drawn_lists_stand_whole(seed: int) -> None:
     room, wanted = drawn(seed)
     found = place(room, wanted).best

@@ -55,7 +55,7 @@ def missing(name: str, wishes: bool) -> set[str]:
     return {one.id for one in answer(name, wishes).best.unplaced}
 
 
-@pytest.mark.parametrize("name", TIGHT)
+@pytest.mark.parametrize("name", seeds([*reversed(TIGHT)], len(TIGHT)))
 def test_wishes_leave_nothing_out_where_all_stands_without_them(name: str) -> None:
     assert missing(name, True) == set() or missing(name, False) != set()
     assert [one for one in answer(name, True).best.issues if one.severity == "error"] == []
@@ -313,7 +313,7 @@ def test_a_call_whose_work_is_spent_tries_no_other_ways_to_place_its_list(monkey
 def test_of_two_that_cannot_both_stand_the_first_does_where_it_can_alone() -> None:
     """The list is in order of importance; the larger one went, wherever it stood in it."""
     kinds, both = ("bed", "single_bed", "sofa", "wardrobe", "desk", "bathtub", "dining_table", "dresser", "piano", "bookshelf"), 0
-    for seed in seeds(range(150), 5):
+    for seed in seeds(range(150), 11):
         chance = Random(seed)
         width, depth = round(chance.uniform(1.8, 3), 2), round(chance.uniform(1.8, 3), 2)
         first, second = (PieceRequest(kind) for kind in chance.sample(kinds, 2))
@@ -328,7 +328,7 @@ def test_of_two_that_cannot_both_stand_the_first_does_where_it_can_alone() -> No
 def test_of_three_none_is_left_out_that_could_stand_instead_of_a_later_one_or_beside_the_others() -> None:
     """Where a later one had no place, either, the first went."""
     kinds, some = ("bed", "single_bed", "sofa", "wardrobe", "desk", "bathtub", "dining_table", "dresser", "piano", "bookshelf"), 0
-    for seed in seeds(range(400), 16):
+    for seed in seeds(range(400), 31):
         chance = Random(seed)
         room = Room("den", width=round(chance.uniform(1.9, 3.2), 2), depth=round(chance.uniform(1.9, 3.2), 2))
         listed = [PieceRequest(kind) for kind in chance.sample(kinds, 3)]
@@ -345,7 +345,7 @@ def test_of_optional_pieces_as_many_stand_as_can_in_nearly_every_room() -> None:
     """They were tried once, each in its turn: one had gone where two others had their only places."""
     kinds, some, more = ("bed", "single_bed", "sofa", "wardrobe", "desk", "bathtub", "dining_table", "dresser", "piano", "bookshelf"), 0, 0
     door = Opening("d", wall="south", position=1.0, width=0.8, connects_to="EXTERIOR")
-    for seed in range(times(300, 30)):
+    for seed in range(times(300, 17)):
         chance = Random(seed)
         room = Room("den", width=round(chance.uniform(2.2, 3.4), 2), depth=round(chance.uniform(2.2, 3.4), 2), openings=(door,))
         listed = [PieceRequest(kind, required=False) for kind in chance.sample(kinds, 4)]

@@ -28,7 +28,7 @@ TOLD_OTHERWISE: list[Callable[[Request], Request]] = [turned, lambda request: tu
 HANDED = ("desk", "workbench")
 """What has drawers on one side, where something reaches under it."""
 CATALOGS = load_catalogs()
-SEEDS = seeds(range(1000), 90)
+SEEDS = seeds(range(1000), 221)
 EXACT = 1e-6
 
 
@@ -111,7 +111,7 @@ def test_a_mirrored_room_is_the_same_room(seed: int) -> None:
     assert other.errors == 0
 
 
-@pytest.mark.parametrize("seed", seeds(range(200), 20))
+@pytest.mark.parametrize("seed", seeds(range(200), 47))
 def test_a_list_without_relations_told_otherwise_is_the_same(seed: int) -> None:
     request = without_relations(seed)
     own = verdict(request)
@@ -119,7 +119,7 @@ def test_a_list_without_relations_told_otherwise_is_the_same(seed: int) -> None:
     assert [verdict(one(request)) for one in told] == [own] * len(told)
 
 
-@pytest.mark.parametrize("seed", seeds(range(200), 20))
+@pytest.mark.parametrize("seed", seeds(range(200), 47))
 def test_what_is_taken_away_leaves_no_less_room(seed: int) -> None:
     """All still stand where one piece that nobody refers to is not asked for, and where the room is longer."""
     request, own = of_seed(seed)
@@ -132,7 +132,7 @@ def test_what_is_taken_away_leaves_no_less_room(seed: int) -> None:
         assert verdict(longer).left_out == 0
 
 
-@pytest.mark.parametrize("seed", range(0, 40, 4))
+@pytest.mark.parametrize("seed", seeds(range(0, 40, 4), 3))
 def test_the_pieces_stand_where_they_stood(seed: int) -> None:
     """Turned four times, pose by pose."""
     request, _ = of_seed(seed)

@@ -10,7 +10,7 @@ from solver import reroll
 from solver.pipeline.own_plan import furnish
 from solver.scene import Opening, Room, Scene
 from tests.pipeline.stepped_rooms import stepped_room
-from tests.sweeps import seeds
+from tests.sweeps import pairs, seeds
 
 PROVEN = "cannot stand"
 """In the reason for a required piece that is missing."""
@@ -69,8 +69,7 @@ def _halves(neck: float, kind: str, second_leads_out: bool) -> Scene:
     return Scene(wall_thickness=0.1, rooms=rooms)
 
 
-@pytest.mark.parametrize("kind", ["bedroom", "living_room", "kitchen", "office"])
-@pytest.mark.parametrize("second_leads_out", [False, True])
+@pytest.mark.parametrize(("kind", "second_leads_out"), pairs(["bedroom", "living_room", "kitchen", "office"], [False, True]))
 def test_where_the_doors_of_a_room_are_not_joined_all_can_be_used_from_that_by_which_one_comes_in(
     kind: str, second_leads_out: bool
 ) -> None:

@@ -20,7 +20,7 @@ from tests.validator.worlds import CATALOGS, TURNED
 
 STEP = 0.05
 SEEDS = range(150)
-FURNISHED = seeds(range(40), 2)
+FURNISHED = seeds(range(40), 7)
 WIDE, DEEP = 8, 12
 """Of a piece that is used from its front, in steps."""
 

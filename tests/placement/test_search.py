@@ -22,6 +22,7 @@ from tests.every import every
 from tests.oracles import sums, twin
 from tests.oracles.problems import Outcome, anchor, apart, choose, new_variable, on_lattice, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
+from tests.sweeps import seeds
 
 TWINS = 160
 BLOCKS = 8
@@ -195,7 +196,7 @@ def three_boxes(seed: int) -> Problem:
     return problem
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", seeds(range(12), 5))
 def test_the_optimum_is_the_best_of_all_combinations(seed: int) -> None:
     problem = three_boxes(seed)
     outcome = solve(problem)

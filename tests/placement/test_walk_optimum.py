@@ -12,7 +12,7 @@ from tests.every import every
 from tests.oracles.walk import missed
 from tests.sweeps import seeds
 
-SEEDS = seeds(range(320), 16)
+SEEDS = seeds(range(320), 31)
 RASTER = 100
 DOOR = 800
 QPS = range(400), 32_800

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from schemathesis import Case, CheckContext, Response
     from schemathesis.schemas import BaseSchema
 
-CASES = int(os.environ.get("CASES", "5"))
+CASES = int(os.environ.get("CASES", "3"))
 """Generated calls of each kind."""
 BEYOND_A_SCHEMA = (
     "runs at an angle",  # outlines
