@@ -86,7 +86,7 @@ OUTLINE = st.tuples(SIZES, SIZES).filter(lambda size: min(size) > 1e-3).map(lamb
 @st.composite
 def rooms(draw: st.DrawFn) -> types.Room:
     outline = draw(OUTLINE)
-    openings = tuple(draw(st.lists(OPENINGS, max_size=2)))
+    openings = tuple(draw(st.lists(OPENINGS, max_size=2, unique_by=lambda one: one.id)))
     has_outline = draw(st.booleans()) or any(opening.edge is not None for opening in openings)
     parts = record(
         types.Room,
