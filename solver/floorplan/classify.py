@@ -81,9 +81,11 @@ class _Draft:
         self.fixed: set[int] = set()
         self.group = dict(zip(fitness.rooms, fitness.rooms, strict=True)) | dict.fromkeys(fitness.cars, "garage")
         """Garages of any size count as one type."""
-        self.counts = Counter(self.group[t] for t in self.types if t is not None)
+        none = dict.fromkeys((*self.group.values(), *PROGRAMME), 0)
+        self.counts = none | Counter(self.group[t] for t in self.types if t is not None)
         self.households = 1 + (len(layout.rooms) - layout.hallways) // 40
-        self.wish = self._wishes(len(layout.rooms) - layout.hallways)
+        self.most = {group: self.households * MOST.get(group, MAX_ROOMS) for group in none}
+        self.wish = none | self._wishes(len(layout.rooms) - layout.hallways)
         self.names = sorted({name for name in PROGRAMME if name in fitness.rooms} | fitness.cars.keys())
 
     def _wishes(self, count: int) -> Counter[str]:
@@ -157,7 +159,7 @@ class _Draft:
             return FOYER[bool(self.fitness.outside[room])]
         group = self.group[name]
         there, over = self.counts[group], self.counts[group] + 1 - self.wish[group]
-        if there >= self.households * MOST.get(group, MAX_ROOMS):
+        if there >= self.most[group]:
             return TOO_MANY
         if over <= 0:
             asked = self.fitness.rooms[name].area

@@ -56,6 +56,7 @@ class Books:
         self.floor = outline.width * outline.depth * HALLWAY_SHARE
         self.capped = False
         self._count = {"0": 0, "1": 0}
+        """Plots in the queue and rooms, by the side of the spine on which they lie."""
         self._queue: list[tuple[tuple[bool, int, str], Plot]] = []
 
     def push(self, plot: Plot) -> None:
@@ -77,7 +78,7 @@ class Books:
 
     def spare(self, plot: Plot) -> int:
         """Returns how many rooms a plot that has been taken from the queue may become."""
-        total = MAX_ROOMS - len(self.hallways) - sum(self._count.values()) - 1
+        total = MAX_ROOMS - len(self.hallways) - self._count["0"] - self._count["1"] - 1
         self.capped = self.capped or (total <= 1 and self.most >= MAX_ROOMS // 2)
         return min(total, self.most - self._count[plot.half])
 

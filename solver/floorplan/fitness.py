@@ -3,7 +3,7 @@
 All area, side and access numbers are the catalog's; the weights are our choice.
 """
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Sequence
 from functools import lru_cache
 from math import log
 from typing import Final
@@ -11,6 +11,7 @@ from typing import Final
 from catalogs.schema import Catalogs, RoomType
 from solver.floorplan.access import THROUGH_OTHER, AccessPlan, is_private, passing_cost
 from solver.floorplan.tiling import Joint, Layout, neighbours
+from solver.records import MadeOnce
 
 CAR_DOOR_MM: Final = 2400
 """Width of a garage door, mm a car."""
@@ -25,6 +26,8 @@ MISFIT: Final = 6.0
 WET_APART: Final = 0.4
 TABLE_APART: Final = 1.0
 """Costs of a wet room without a wet neighbour and of a dining room away from the kitchen."""
+_MOST_KEPT: Final = 10_000
+"""Pairs of types of which it is kept what they are to each other."""
 
 
 def cars_of(kind: RoomType) -> int:
@@ -34,11 +37,35 @@ def cars_of(kind: RoomType) -> int:
     return max((*asked, *held, 1))
 
 
-@lru_cache(maxsize=64)
-def _wet_and_garages(catalogs: Catalogs) -> tuple[Set[str], Mapping[str, int]]:
-    """Returns the types that are wet, and how many cars those hold that have a garage door."""
-    rooms = catalogs.rooms
-    return {name for name in rooms if rooms[name].plan.wet}, {name: cars_of(rooms[name]) for name in rooms if rooms[name].plan.garage_door}
+class _Types:
+    """What room types are to each other, whatever the layout.
+
+    `wet` are those with pipes, `cars` tells how many those hold that have a garage door, `behind` which may be entered through one alone.
+    `leads` tells whether the first of two may be come through to the second, `past` what it costs that the second lies behind the first.
+    """
+
+    def __init__(self, catalogs: Catalogs) -> None:
+        self._rooms = rooms = catalogs.rooms
+        self.wet = {name for name, kind in rooms.items() if kind.plan.wet}
+        self.cars = {name: cars_of(kind) for name, kind in rooms.items() if kind.plan.garage_door}
+        self.behind = {name: [own for own, kind in rooms.items() if name in kind.plan.behind] for name in rooms}
+        self.leads = MadeOnce[tuple[str, str], bool](self._leads, _MOST_KEPT)
+        self.past = MadeOnce[tuple[str, str], float](self._past, _MOST_KEPT)
+
+    def _leads(self, pair: tuple[str, str]) -> bool:
+        """Even where that bedroom becomes the children's."""
+        through, entered = pair
+        becomes = (through, "kids_bedroom") if through == "bedroom" else (through,)
+        return all(passing_cost(name, entered, self._rooms) < THROUGH_OTHER for name in becomes)
+
+    def _past(self, pair: tuple[str, str]) -> float:
+        if not self.leads[pair]:
+            return IMPOSSIBLE
+        front = self._rooms[pair[0]].plan
+        return PAST_LIVING if front.way_through and front.habitable and is_private(pair[1], self._rooms) else 0.0
+
+
+_types_of: Final = lru_cache(maxsize=64)(_Types)
 
 
 class Fitness:
@@ -57,7 +84,8 @@ class Fitness:
         self._sides = [sorted((rect.width - more, rect.depth - more)) for rect in layout.rooms]
         self.area = [short * long / 1e6 for short, long in self._sides]
         self._shape: dict[tuple[int, str], float] = {}
-        self._wet, self.cars = _wet_and_garages(catalogs)
+        self._types = _types_of(catalogs)
+        self.cars = self._types.cars
 
     def shape(self, room: int, name: str) -> float:
         """Cost of a type by the room's size, form and outside walls alone."""
@@ -86,7 +114,7 @@ class Fitness:
         """Cost of a type by who is entered through whom; rooms without a type yet are taken as willing."""
         parent, children = self.access_plan.parent[room], self.children.get(room)
         through = types[parent] if parent is not None else None
-        cost = 0.0 if through is None else self._behind(through, name)
+        cost = 0.0 if through is None else self._types.past[through, name]
         if not children or self.rooms[name].plan.way_through:
             return cost
         return cost + sum(0.0 if self._may_own(name, child, types[child]) else IMPOSSIBLE for child in children)
@@ -96,26 +124,13 @@ class Fitness:
         if child in self.access_plan.through:
             return False
         if given is not None:
-            return self._leads(name, given)
-        return any(name in kind.plan.behind and self.shape(child, own) < MISFIT for own, kind in self.rooms.items())
-
-    def _behind(self, through: str, name: str) -> float:
-        """Cost of a type behind a room of another."""
-        if not self._leads(through, name):
-            return IMPOSSIBLE
-        front = self.rooms[through].plan
-        return PAST_LIVING if front.way_through and front.habitable and is_private(name, self.rooms) else 0.0
-
-    def _leads(self, through: str, entered: str) -> bool:
-        """Tells whether one type may be entered through another, even where that bedroom becomes the children's."""
-        becomes = (through, "kids_bedroom") if through == "bedroom" else (through,)
-        return all(passing_cost(name, entered, self.rooms) < THROUGH_OTHER for name in becomes)
+            return self._types.leads[name, given]
+        return any(self.shape(child, own) < MISFIT for own in self._types.behind[name])
 
     def company(self, room: int, name: str, types: Sequence[str | None]) -> float:
         """Cost of a type by its neighbours: pipes together, the table by the kitchen."""
-        if name in self._wet:
-            beside = (types[i] for i in self.beside[room])
-            return WET_APART if self._wet.isdisjoint(beside) else 0.0
+        if name in self._types.wet:
+            return WET_APART if self._types.wet.isdisjoint([types[i] for i in self.beside[room]]) else 0.0
         if name == "dining_room":
             return 0.0 if any(types[i] == "kitchen" for i in self.beside[room]) else TABLE_APART
         return 0.0

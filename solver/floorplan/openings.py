@@ -159,5 +159,5 @@ def _cut_row(cut: Cut) -> bytes:
 
 def _cut(row: Sequence[int]) -> Cut:
     kind, number, room, wall, other, centre, width, leaf, main = row
-    sides = (None if one == _NONE else one for one in (other, leaf))
-    return Cut(KINDS[kind], number, room, WALLS[wall], next(sides), centre, width, next(sides), bool(main))
+    beyond, swept = None if other == _NONE else other, None if leaf == _NONE else leaf
+    return Cut(KINDS[kind], number, room, WALLS[wall], beyond, centre, width, swept, bool(main))

@@ -104,11 +104,12 @@ def _room(drawing: Drawing, index: int, flags: Sides, openings: tuple[Opening, .
     )
 
 
-def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike: Opening) -> Opening:
+def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike: Mapping[str, Any]) -> Opening:
     """Writes an opening as one of its rooms sees it; `alike` is what both say."""
     wall, partner = cut.wall_of(room), cut.other if room == cut.room else cut.room
     return changed(
-        alike,
+        _OPENING,
+        **alike,
         wall=wall,
         position=to_m(cut.centre - drawing.rects[room].along(wall)[0]),
         connects_to=ids[partner] if partner is not None else EXTERIOR,
@@ -117,15 +118,15 @@ def _opening(drawing: Drawing, cut: Cut, room: int, ids: tuple[str, ...], alike:
     )
 
 
-def _alike(drawing: Drawing, cut: Cut) -> Opening:
-    """Returns an opening with what all rooms at it say."""
+def _alike(drawing: Drawing, cut: Cut) -> dict[str, Any]:
+    """Returns what all rooms at an opening say of it."""
     height, sill = (GARAGE_DOOR_HEIGHT if cut.kind == "garage_door" else DOOR_HEIGHT), 0.0
     if cut.kind == "window":
         pane = pane_of(drawing.catalogs.rooms[drawing.types[cut.room]])
         height, sill = to_m(pane.height), to_m(pane.sill)
     hinge = _hinge(cut, drawing) if cut.kind == "door" else None
     sizes = {"width": to_m(cut.width), "height": height, "sill": sill}
-    return changed(_OPENING, id=cut.id, kind=cut.kind, **sizes, hinge=hinge, main_entrance=cut.main)
+    return {"id": cut.id, "kind": cut.kind, **sizes, "hinge": hinge, "main_entrance": cut.main}
 
 
 def _hinge(cut: Cut, drawing: Drawing) -> str:

@@ -55,13 +55,14 @@ class _Carver:
             or self.columns.build(plot)
         )
 
-    def margin(self, plot: Plot, axis: str, end: int) -> int:
-        """Least length of a child along the axis: so that it is not too slim, unless it can be cut the other way."""
-        across = plot.length(OTHER[axis])
-        side = self.books.side(plot)
-        if self.books.spare(plot) > 2 and across >= 2 * side and plot.child(plot.rect, axis, end).keeps(OTHER[axis]):
-            return side
-        return max(self.least, -(-across // ASPECT))
+    def margins(self, plot: Plot, axis: str) -> tuple[int, int]:
+        """Least lengths of both children along the axis: so that none is too slim, unless it can be cut the other way."""
+        across, side = plot.length(OTHER[axis]), self.books.side(plot)
+        slim = max(self.least, -(-across // ASPECT))
+        if self.books.spare(plot) <= 2 or across < 2 * side:
+            return slim, slim
+        first, second = (side if plot.child(plot.rect, axis, end).keeps(OTHER[axis]) else slim for end in (0, 1))
+        return first, second
 
     def part(self, plot: Plot, axis: str, first: int, margins: tuple[int, int]) -> tuple[Rect, Rect]:
         """Cuts `first` mm off the west or north end, rounded to where a person would draw the line."""
@@ -71,8 +72,7 @@ class _Carver:
 
     def plain(self, plot: Plot, axis: str) -> bool:
         """Cuts in two where both children stay on a hallway and fit."""
-        margins = self.margin(plot, axis, 0), self.margin(plot, axis, 1)
-        length = plot.length(axis)
+        margins, length = self.margins(plot, axis), plot.length(axis)
         if length < sum(margins):
             return False
         dark = [not exterior_sides(rect, self.outline) for rect in self.part(plot, axis, length // 2, margins)]
