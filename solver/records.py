@@ -51,22 +51,20 @@ def changed(record: Value, **values: object) -> Value:
     Unlike `dataclasses.replace`, which takes eight times as long, it makes nothing that is made later, and calls no `__init__`.
     """
     made: Any = object.__new__(record.__class__)
-    own = made.__dict__
-    own.update(record.__dict__)
-    own.update(values)
-    if values and LATER in own:
+    own = record.__dict__ | values
+    if LATER in own:
         own[LATER] = {name: maker for name, maker in own[LATER].items() if name not in values}
+    object.__setattr__(made, "__dict__", own)  # as a whole, which takes half the time of filling it; a frozen record refuses its own
     return cast(Value, made)
 
 
 def made_later(record: Value, **makers: Callable[[], object]) -> Value:
     """Returns a record like another one, of which some fields are made when somebody first asks for them."""
     made: Any = object.__new__(record.__class__)
-    own = made.__dict__
-    own.update(record.__dict__)
+    own = record.__dict__ | {LATER: record.__dict__.get(LATER, {}) | makers}
     for name in makers:
         own.pop(name, None)
-    own[LATER] = {**own[LATER], **makers} if LATER in own else makers
+    object.__setattr__(made, "__dict__", own)
     return cast(Value, made)
 
 

@@ -49,7 +49,9 @@ def wanted_rows(room: Room, space: Space, catalogs: Catalogs, stream: Stream, in
 
 def _copy_called(label: str | None, known: CompiledType) -> tuple[int, int]:
     """Returns the place of a label's piece in a room's type, and the number of its copy."""
-    copies = ((at, number) for at, spec in enumerate(known.specs) for number in range(1, spec.count + 1) if label)
+    if label is None:
+        return NOBODY
+    copies = ((at, number) for at, spec in enumerate(known.specs) for number in range(1, spec.count + 1))
     return next(((at, number) for at, number in copies if f"{known.specs[at].piece}_{number}" == label), NOBODY)
 
 

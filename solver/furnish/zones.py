@@ -47,7 +47,7 @@ def space_of(room: Room, wall_thickness: float, robot_width: float = 0.6, others
         if zone is None:
             continue
         if opening.kind != "garage_door":
-            zones.append(zone._replace(rect=zone.rect.shrunk(-between)))
+            zones.append(zone._replace(rect=zone.rect.shrunk(-between)) if between else zone)
         if opening.kind != "window":
             swings_in = opening.kind == "door" and opening.swing == "in"
             doorways.append(Doorway(opening.id, line[0], zone.rect, opening.connects_to or "", swings_in=swings_in))

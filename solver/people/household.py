@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Final
 
 from catalogs import Catalogs
@@ -13,7 +13,7 @@ from solver.free_floor import FreeFloor, Goal
 from solver.free_places import Block, block_of, decoration_blocks, footprint
 from solver.geometry import OPPOSITE, Rect, half_m, rotate, strip, to_mm, wall_faced
 from solver.pieces import Space
-from solver.records import changed
+from solver.records import changed, kept
 from solver.scene import Dynamic, Furniture, Room
 from solver.streams import Stream
 
@@ -92,7 +92,7 @@ class Surroundings:
     floor: FreeFloor
     catalogs: Catalogs
 
-    @cached_property
+    @kept
     def things(self) -> Sequence[Block]:
         """What its decorations take up."""
         return decoration_blocks(self.room)

@@ -25,6 +25,7 @@ from solver.pipeline.room_spaces import as_joined, cover_mm2, spaces_in
 from solver.pipeline.staying import Staying, around, refuse, rejoined, staying_in, with_things
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import place, place_wanted
+from solver.records import changed
 from solver.request import MAX_SEED, Request
 from solver.scene import ROBOT_WIDTH, Level, Room, Scene, Size, robot_width_of
 from solver.scene_bodies import check_ids, check_scene, storey_height
@@ -92,16 +93,16 @@ def generate(
     known = catalogs or load_catalogs()
     asked = Request() if request is None else checked_request(request)
     seed = secrets.randbelow(MAX_SEED + 1) if asked.seed is None else asked.seed
-    asked = with_walker(replace(asked, seed=seed, style=chosen_style(asked.style, known, seed)), known)
+    asked = with_walker(changed(asked, seed=seed, style=chosen_style(asked.style, known, seed)), known)
     setting = _Setting(seed, known, engine, wall_thickness_of(asked), asked.robot_width, known.styles.get(asked.style or ""))
     timing = Timing(clock)
     made_for = known.for_access(asked.access)
     plan = draw(asked, made_for)
-    setting = replace(setting, catalogs=made_for.of_home([room.type for room in plan.rooms], asked.planned))
+    setting = changed(setting, catalogs=made_for.of_home([room.type for room in plan.rooms], asked.planned))
     timing.lap("floorplan")
     setting, arrangements = _furnished_rooms(plan.rooms, setting)
     plan, arrangements = _shifted(plan, arrangements, setting)
-    scene = replace(_scene(plan, arrangements, asked, setting), generator=generator(known))
+    scene = changed(_scene(plan, arrangements, asked, setting), generator=generator(known))
     timing.lap("furniture")
     spaces = {room.id: _space(room, setting) for room in plan.rooms}
     scene = decorated(scene, {room.id for room in scene.rooms}, known, seed, lambda room: spaces[room.id])
@@ -119,7 +120,7 @@ def _furnished_rooms(rooms: Sequence[Room], setting: _Setting) -> tuple[_Setting
     first, last = parted(rooms, setting.catalogs)
     made = _arrangements(first, setting)
     if last:
-        setting = replace(setting, catalogs=setting.catalogs.holding(arranged(made, setting.catalogs)))
+        setting = changed(setting, catalogs=setting.catalogs.holding(arranged(made, setting.catalogs)))
         asked, alone = _arrangements(last, setting), len(setting.others or rooms) == 1
         for room in last:
             gone = {label for label, _ in asked[room.id].left_out}
@@ -281,7 +282,7 @@ def _scene(plan: FloorPlan, arrangements: Mapping[str, Arrangement], request: Re
     }
     return Scene(
         seed=setting.seed,
-        request=write_request(request if request.planned else replace(request, width=request.extents[0], depth=request.extents[1])),
+        request=write_request(request if request.planned else changed(request, width=request.extents[0], depth=request.extents[1])),
         size=Size(to_m(outline.width), to_m(outline.depth), STOREY_HEIGHT),
         wall_thickness=setting.thickness,
         levels=(Level(0, 0.0, STOREY_HEIGHT),),
