@@ -49,6 +49,12 @@ _flooring, _finish = lru_cache(maxsize=1024)(Flooring), lru_cache(maxsize=1024)(
 """Each flooring and finish is one object, which rooms share."""
 
 
+@lru_cache(maxsize=1024)
+def _floor_drawn(seed: int, flooring: str, count: int) -> int:
+    """Draws which of so many floors a house has in rooms with the same flooring."""
+    return Stream(seed, "floor", flooring).below(count)
+
+
 def furnished(room: Room, arrangement: Arrangement, catalogs: Catalogs, stream: Stream, style: Style | None = None) -> Room:
     """Returns the room with the arrangement's pieces as its furniture.
 
@@ -149,7 +155,7 @@ def with_materials(room: Room, catalogs: Catalogs, style: Style | None, seed: in
     floors, walls = style.floors.get(known.flooring, ()), style.walls.get(known.flooring, ())
     flooring, finish = room.flooring, room.walls
     if floors:
-        floor = Stream(seed, "floor", known.flooring).pick(floors)
+        floor = floors[_floor_drawn(seed, known.flooring, len(floors))]
         flooring = _flooring(floor.type or known.flooring, floor.color)
     if walls:
         wall = Stream(seed, "wall", room.index).pick(walls)

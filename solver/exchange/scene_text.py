@@ -3,13 +3,14 @@
 The fields' types say how values are written, as in writer.py.
 """
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
-from itertools import accumulate, chain, pairwise
+from itertools import accumulate, chain, count, pairwise
 from json.encoder import encode_basestring as quoted
 from operator import call
 from struct import Struct, pack, unpack_from
-from typing import Any, Final, NamedTuple, TypeVar
+from typing import Any, Final, NamedTuple
 
 from solver.body_rows import BodyRows, DecorationRows, FurnitureRows, Look, furniture_ids, rows_in
 from solver.exchange import json_text
@@ -20,7 +21,6 @@ from solver.plain import Wrong, plain
 from solver.records import LATER, MadeOnce
 from solver.scene import Decoration, Flooring, Furniture, Opening, Scene, Sides, WallFinish
 
-Key = TypeVar("Key", bound=Hashable)
 MOST_TEXTS: Final = 4096
 """Texts whose JSON is kept."""
 _TOLD: Final = "\0"
@@ -104,7 +104,7 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
         return ()
     from solver.core import ask  # noqa: PLC0415 - whoever has rows has loaded it
 
-    looks, texts = _Numbered[Look](), _Numbered[str | None]()
+    looks, texts = defaultdict[Look, int](count().__next__), defaultdict[str | None, int](count().__next__)  # numbers, as they come
     worn = [*map(looks.__getitem__, chain.from_iterable([one.looks for one in told]))]
     worn += map(texts.__getitem__, chain.from_iterable([one.colours for one in told]))
     rows = [_as_asked(one, before, texts) for before, one in zip([None, *told[:-1]], told, strict=True)]
@@ -116,15 +116,7 @@ def _texts_told(scene: Scene) -> Iterable[bytes]:
     return [answer[start:end] for start, end in pairwise(ends)]
 
 
-class _Numbered(dict[Key, int]):
-    """Numbers for keys, as they come."""
-
-    def __missing__(self, key: Key) -> int:
-        number = self[key] = len(self)
-        return number
-
-
-def _as_asked(told: BodyRows, before: BodyRows | None, texts: _Numbered[str | None]) -> bytes:
+def _as_asked(told: BodyRows, before: BodyRows | None, texts: dict[str | None, int]) -> bytes:
     """Returns bodies as the core reads them, `before` are those that it reads before them; texts are numbered as they come."""
     carried_by_those = before is not None and rows_in(told.room, FurnitureRows) is before
     carriers = () if carried_by_those or isinstance(told, FurnitureRows) else furniture_ids(told.room)

@@ -4,6 +4,7 @@ Doors are closed.
 """
 
 import math
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from itertools import chain, count
@@ -141,14 +142,14 @@ class Floors(NamedTuple):
     deepest_wall: int
 
 
-class NumberedKinds(dict[KindKey, int]):
+class NumberedKinds(defaultdict[KindKey, int]):
     """The kinds of a house's bodies, each once, by what they are looked up by; one that is not there yet is added.
 
     Without kinds nothing is said of surfaces, shapes and use.
     """
 
     def __init__(self, kinds: Kinds | None) -> None:
-        super().__init__()
+        super().__init__(count().__next__)
         self._kinds = kinds
 
     @property
@@ -156,10 +157,6 @@ class NumberedKinds(dict[KindKey, int]):
         """What the catalogs say."""
         assert self._kinds is not None
         return self._kinds
-
-    def __missing__(self, key: KindKey) -> int:
-        at = self[key] = len(self)
-        return at
 
     def sent(self) -> Iterable[bytes]:
         """Returns the kinds."""

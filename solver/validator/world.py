@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, NamedTuple, TypeAlias
 
 from solver.body_rows import KindKey, count_decorations, count_furniture, decoration_ids, furniture_ids, furniture_keys
-from solver.records import kept
+from solver.records import MadeOnce, kept
 from solver.scene import Decoration, Dynamic, Furniture, Opening, Room, Scene, robot_width_of
 from solver.scene_bodies import home_of, said_height
 from solver.validator.lattice import Outline, WallEdge, exact, outline_of
@@ -25,6 +25,8 @@ WAYS: Final = ("door", "passage", "garage_door")
 """Openings one can walk through."""
 _OPEN_SKY: Final = 1 << 60
 """As high as this is a room outdoors, and one whose height is not said."""
+_EXACT: Final = MadeOnce[float, int](exact, 20_000)
+"""Lengths of walls and openings, which are often met again."""
 
 
 class Hole(NamedTuple):
@@ -135,7 +137,7 @@ def world_of(scene: Scene, before: World | None = None) -> World:
 
 
 def _place(room: Room, people: tuple[Dynamic, ...], height: int) -> PlacedRoom:
-    outline = outline_of([(exact(x), exact(z)) for x, z in room.corners])
+    outline = outline_of([(_EXACT[x], _EXACT[z]) for x, z in room.corners])
     holes = tuple(hole for opening in room.openings if (hole := _hole(opening, outline)) is not None)
     return PlacedRoom(room, exact(room.x), exact(room.z), _OPEN_SKY if room.outdoor else height, outline, holes, people)
 
@@ -152,7 +154,7 @@ def side_of(rotation: float, name: str) -> str:
 
 def _hole(opening: Opening, outline: Outline) -> Hole | None:
     """Finds an opening's place; None where the document does not say in which wall it is."""
-    centre, half, sill = exact(opening.position), exact(opening.width) // 2, exact(opening.sill)
+    centre, half, sill = _EXACT[opening.position], _EXACT[opening.width] // 2, _EXACT[opening.sill]
     if opening.edge is not None:
         edge = outline.edges[opening.edge] if opening.edge < len(outline.edges) else None
         centre += edge.start if edge else 0
@@ -160,7 +162,7 @@ def _hole(opening: Opening, outline: Outline) -> Hole | None:
         edge = _edge_at(outline, opening.wall, centre)
     if edge is None:
         return None
-    return Hole(opening, WallEdge(edge.side, edge.line, centre - half, centre + half), sill, sill + exact(opening.height))
+    return Hole(opening, WallEdge(edge.side, edge.line, centre - half, centre + half), sill, sill + _EXACT[opening.height])
 
 
 def _edge_at(outline: Outline, wall: str | None, position: int) -> WallEdge | None:
