@@ -61,7 +61,8 @@ def changed(record: Value, **values: object) -> Value:
 def made_later(record: Value, **makers: Callable[[], object]) -> Value:
     """Returns a record like another one, of which some fields are made when somebody first asks for them."""
     made: Any = object.__new__(record.__class__)
-    own = record.__dict__ | {LATER: record.__dict__.get(LATER, {}) | makers}
+    own = record.__dict__.copy()
+    own[LATER] = own[LATER] | makers if LATER in own else makers
     for name in makers:
         own.pop(name, None)
     object.__setattr__(made, "__dict__", own)
