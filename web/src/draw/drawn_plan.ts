@@ -1,4 +1,5 @@
 /** The plan that is being drawn, its history, and what of it is chosen. */
+import { Steps } from "../state/steps";
 import type { Draft } from "./draft";
 
 export interface Chosen {
@@ -7,30 +8,27 @@ export interface Chosen {
 }
 
 const NOTHING: Chosen = { room: null, opening: null };
-const MOST_STEPS = 500;
 
 export class DrawnPlan {
   /** Called after each change: of the plan (`moment` while something is dragged), or of what is chosen. */
   onChange: (what: "plan" | "moment" | "chosen") => void = () => undefined;
-  #draft: Draft;
+  #steps: Steps<Draft>;
   /** The plan while something is dragged. */
   #moment: Draft | null = null;
-  #past: Draft[] = [];
-  #future: Draft[] = [];
   #chosen: Chosen = NOTHING;
 
   constructor(draft: Draft) {
-    this.#draft = draft;
+    this.#steps = new Steps([draft]);
   }
 
   /** The plan as it is seen. */
   get draft(): Draft {
-    return this.#moment ?? this.#draft;
+    return this.#moment ?? this.settled;
   }
 
   /** The plan as the last step left it. */
   get settled(): Draft {
-    return this.#draft;
+    return this.#steps.now;
   }
 
   get chosen(): Chosen {
@@ -38,11 +36,11 @@ export class DrawnPlan {
   }
 
   get canUndo(): boolean {
-    return this.#past.length > 0;
+    return this.#steps.canUndo;
   }
 
   get canRedo(): boolean {
-    return this.#future.length > 0;
+    return this.#steps.canRedo;
   }
 
   choose(chosen: Partial<Chosen>): void {
@@ -59,54 +57,46 @@ export class DrawnPlan {
   /** Begins anew with a plan; where something was drawn that nobody was shown, undo leads back to it. */
   open(draft: Draft): void {
     if (this.canUndo) return this.step(draft);
-    this.#future = [];
-    this.#goTo(draft);
+    this.#steps = new Steps([draft]);
+    this.#changed();
   }
 
   /** Forgets the steps: what was drawn is shown as a home, which keeps its own. */
   finish(): void {
-    [this.#past, this.#future] = [[], []];
+    this.#steps = new Steps([this.settled]);
   }
 
   /** Makes a step; what was shown last, where no plan is given. */
   step(draft: Draft | null = this.#moment): void {
-    this.#moment = null;
-    if (draft && draft !== this.#draft) {
-      this.#past = [...this.#past, this.#draft].slice(-MOST_STEPS);
-      this.#future = [];
-      this.#draft = draft;
-    }
-    this.#goTo(this.#draft);
+    if (draft && draft !== this.settled) this.#steps = this.#steps.with(draft);
+    this.#changed();
   }
 
   /** Puts in the place of the last step what has come of it. */
   amend(draft: Draft): void {
-    this.#goTo(draft);
+    this.#steps = this.#steps.amended(draft);
+    this.#changed();
   }
 
   /** Forgets what is shown of a drag. */
   cancel(): void {
-    if (this.#moment) this.#goTo(this.#draft);
+    if (this.#moment) this.#changed();
   }
 
   undo(): void {
-    const before = this.#past.pop();
-    if (!before) return;
-    this.#future.push(this.#draft);
-    this.#goTo(before);
+    this.#steps = this.#steps.undone();
+    this.#changed();
   }
 
   redo(): void {
-    const next = this.#future.pop();
-    if (!next) return;
-    this.#past.push(this.#draft);
-    this.#goTo(next);
+    this.#steps = this.#steps.redone();
+    this.#changed();
   }
 
-  #goTo(draft: Draft): void {
-    this.#draft = draft;
+  /** What was shown of a drag is over, and what is no longer there no longer chosen. */
+  #changed(): void {
     this.#moment = null;
-    const { room, opening } = this.#chosen;
+    const [draft, { room, opening }] = [this.settled, this.#chosen];
     const isThere = draft.rooms.some(({ id }) => id === room) || draft.openings.some(({ id }) => id === opening);
     if (!isThere) this.#chosen = NOTHING;
     this.onChange("plan");

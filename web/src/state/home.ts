@@ -1,6 +1,7 @@
 /** The one copy of what is shown: the scene with the service's verdict on it, its history, and what is pointed out. */
 import type { Conflict, Furniture, GenerateAnswer, HouseRequest, Issue, Room, Scene } from "../contract";
 import { sharing } from "../memory/changes";
+import { Steps } from "./steps";
 
 /** Where a home comes from. */
 export interface Origin {
@@ -47,10 +48,8 @@ function isSameHome(before: Shown, after: Shown): boolean {
 
 export class Home {
   #shown: Shown | null = null;
-  /** The last state that is a step of its own: `#shown`, but for the moments of an edit. */
-  #settled: Shown | null = null;
-  #past: Shown[] = [];
-  #future: Shown[] = [];
+  /** Its states but for the moments of an edit, which are only shown. */
+  #steps: Steps<Shown> | null = null;
   #beyond: () => Beyond = () => ({ back: null, forth: null });
   #selected: string | null = null;
   #also: ReadonlySet<string> = new Set();
@@ -77,47 +76,41 @@ export class Home {
 
   /** The last state that is whole: what an edit under way goes back to. */
   get settled(): Shown | null {
-    return this.#settled;
+    return this.#steps?.now ?? null;
   }
 
   show(shown: Shown, how: Showing): void {
-    const before = this.#settled;
-    if (how === "new") [this.#past, this.#future] = [[], []];
-    if (how === "step" && before) {
+    const [steps, before] = [this.#steps, this.settled];
+    if (how === "step" && steps && before) {
       const after = { made: before.made ?? null, file: before.file ?? null, ...shown, scene: sharing(before.scene, shown.scene) };
       if (isSameHome(before, after)) return this.#present(before, how); // nothing that undo could take back
-      [this.#past, this.#future] = [[...this.#past, before], []];
-      this.#settled = after;
+      this.#steps = steps.with(after);
       this.#present(after, how);
       return;
     }
-    if (how !== "live") this.#settled = shown;
+    if (how !== "live") this.#steps = new Steps([shown]);
     this.#present(shown, how);
   }
 
   /** Shows a home with all its steps, at one of them. */
   restore(steps: readonly Shown[], at: number): void {
-    const shown = steps[at];
-    if (!shown) throw new RangeError(`step ${at} of ${steps.length}`);
-    this.#past = steps.slice(0, at);
-    this.#future = steps.slice(at + 1).reverse();
-    this.#settled = shown;
-    this.#present(shown, "new");
+    this.#steps = new Steps(steps, at);
+    this.#present(this.#steps.now, "new");
   }
 
   /** All steps of the home, from the first on. */
   get steps(): readonly Shown[] {
-    return [...this.#past, ...(this.#settled ? [this.#settled] : []), ...[...this.#future].reverse()];
+    return this.#steps?.all ?? [];
   }
 
   /** Which of the steps is shown. */
   get at(): number {
-    return this.#past.length;
+    return this.#steps?.at ?? 0;
   }
 
   /** Whether the home differs from what it began as. */
   get isEdited(): boolean {
-    return this.#past.length > 0;
+    return this.#steps?.canUndo ?? false;
   }
 
   /** Learns of the homes before and after this one. */
@@ -131,22 +124,21 @@ export class Home {
   }
 
   get canUndo(): boolean {
-    return this.#past.length > 0 || this.#beyond().back !== null;
+    return this.isEdited || this.#beyond().back !== null;
   }
 
   get canRedo(): boolean {
-    return this.#future.length > 0 || this.#beyond().forth !== null;
+    return this.#steps?.canRedo === true || this.#beyond().forth !== null;
   }
 
   undo(): void {
-    const before = this.#past.pop();
-    if (!before || !this.#settled) {
+    if (!this.#steps?.canUndo) {
       this.#beyond().back?.();
       return;
     }
-    this.#future.push(this.#settled);
+    this.#steps = this.#steps.undone();
     const [left, rooms] = [this.#bodyIds(), this.#roomIds()];
-    this.#goTo(before);
+    this.#present(this.#steps.now, "step");
     if (this.#selected === null && this.#roomIds() === rooms) this.choose(this.#broughtBack(left));
   }
 
@@ -164,15 +156,9 @@ export class Home {
       forth();
       return;
     }
-    const next = this.#future.pop();
-    if (!next || !this.#settled) return;
-    this.#past.push(this.#settled);
-    this.#goTo(next);
-  }
-
-  #goTo(shown: Shown): void {
-    this.#settled = shown;
-    this.#present(shown, "step");
+    if (!this.#steps?.canRedo) return;
+    this.#steps = this.#steps.redone();
+    this.#present(this.#steps.now, "step");
   }
 
   #present(shown: Shown, how: Showing): void {
