@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import Page, Route, expect
 
 from tests.browser.test_diagnose import errors, spoiled
@@ -91,6 +92,22 @@ def test_what_was_asked_of_a_house_is_done_to_that_and_not_to_the_next(visit: Vi
     assert piece not in shown(visit)
     visit.page.keyboard.press("Control+z")
     expect(visit.line_of(piece)).to_be_visible()
+
+
+@pytest.mark.own_page
+def test_an_edit_that_finds_no_answer_holds_the_next_home_up_only_so_long(visit: Visit) -> None:
+    page = visit.page
+    page.clock.install()
+    piece = roomy(visit.open(SMALL.format(3)), 3)[0]["furniture"][0]["id"]
+    visit.line_of(piece).click()
+    held(page, "fix", lambda: page.keyboard.press("Delete"))
+    with page.expect_response(lambda response: response.url.endswith("/generate")):
+        page.locator("#random").click()
+    assert page.evaluate("compose.scene.seed") == 3
+    page.clock.fast_forward("00:10")
+    page.wait_for_function("() => compose.scene.seed !== 3")
+    expect(page.get_by_role("alert")).to_contain_text("The last change was not made")
+    visit.settle()
 
 
 def test_the_copied_link_opens_the_house_that_is_shown(visit: Visit) -> None:

@@ -48,6 +48,9 @@ type History = "push" | "keep";
 
 const FORKED = new ServiceProblem("This home is kept as one of its own from here on", "Another window has opened it, or has forgotten it: what each changes is its own.");
 
+/** How long the next home waits for the edits of the one before. */
+const LONGEST_EDIT_MS = 10_000;
+
 class Page {
   readonly #home = new Home();
   readonly #controls = new Controls(element<HTMLFormElement>("request"));
@@ -60,7 +63,7 @@ class Page {
   readonly #files = new Files(element("files"), element("drop"), async () => (await this.#landed())?.scene ?? null, this.#asking.beside);
   readonly #link = new Link(element("copy_link"), element("said"), element("save_instead"), this.#asking.beside, () => this.#findLink());
   readonly #stage = new Stage(element("stage"));
-  readonly #diagnose = new Diagnose(this.#home, (change) => this.#workbench.editor.inTurn(change));
+  readonly #diagnose = new Diagnose(this.#home, (change, withdrawn) => this.#workbench.editor.wish("repair", change, withdrawn));
   readonly #others = new OtherRooms(element("others"), {
     ask: (scene, room, seed, signal) => reroll(scene, [room], signal, seed),
     portray: (scene, into) => this.#stage.portrayRoom(scene, into),
@@ -166,6 +169,11 @@ class Page {
     return this.#home.settled;
   }
 
+  /** Waits for the edits of the home that is left, unless they find no answer. */
+  async #left(): Promise<void> {
+    await Promise.race([this.#landed(), new Promise((resolve) => { setTimeout(resolve, LONGEST_EDIT_MS); })]);
+  }
+
   /** Opens what the page of history holds: a home as it was left, a file's scene, else the address' request. */
   #openAddress(): void {
     const { home } = entry();
@@ -186,7 +194,7 @@ class Page {
   /** Shows a home that the browser keeps, as it was left; where it does not, what the address asks for. */
   #openKept(id: string, history: History, open = (kept: LeftHome): void => this.#keeping.homes.open(kept)): void {
     void this.#asking.run(say("Opening the home"), async (signal) => {
-      const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal), this.#landed()]);
+      const [kept] = await Promise.all([this.#keeping.homes.read(id), this.#learn(signal), this.#left()]);
       if (signal.aborted) return;
       this.#entries.expect(history === "push");
       this.#home.select(null);
@@ -220,7 +228,7 @@ class Page {
   #ask(request: HouseRequest, history: History, carried: string | null = null, unread: readonly string[] = []): Promise<void> {
     this.#wanted = request;
     return this.#asking.run(say("Laying out the house"), async (signal) => {
-      const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal), this.#landed()]);
+      const [{ scene, issues, timing_ms: timing }] = await Promise.all([generate(request, signal), this.#learn(signal), this.#left()]);
       if (signal.aborted) return;
       this.#entries.expect(history === "push");
       this.#home.select(null);
@@ -279,7 +287,7 @@ class Page {
   }
 
   async #openGiven(file: GivenFile, history: History, signal: AbortSignal, saved: SavedHead | null = null): Promise<void> {
-    const [read] = await Promise.all([readFile(file, signal), this.#learn(signal), this.#landed()]);
+    const [read] = await Promise.all([readFile(file, signal), this.#learn(signal), this.#left()]);
     if (signal.aborted) return;
     this.#entries.expect(history === "push", file);
     this.#home.select(null);

@@ -214,11 +214,11 @@ export function fix(request: FixRequest, signal?: AbortSignal): Promise<FixAnswe
 }
 
 /** How a piece of a kind would stand in a room beside what stands there: the places that are found, the best first. */
-export async function placesFor(scene: Scene, roomId: string, kind: { readonly key: string; readonly size: readonly [number, number, number] }, id: string, alternatives: number): Promise<Furniture[]> {
+export async function placesFor(scene: Scene, roomId: string, kind: { readonly key: string; readonly size: readonly [number, number, number] }, id: string, alternatives: number, signal?: AbortSignal): Promise<Furniture[]> {
   const room = scene.rooms.find((one) => one.id === roomId);
   const [width, depth, height] = kind.size;
   const pieces = [{ id, name: kind.key, width, depth, height }];
-  const answer = await post<PlaceAnswer>("place", { room, pieces, alternatives, wall_thickness: scene.wall_thickness });
+  const answer = await post<PlaceAnswer>("place", { room, pieces, alternatives, wall_thickness: scene.wall_thickness }, signal);
   const scenes = [answer, ...answer.alternatives].filter(({ unplaced }) => unplaced.length === 0).map((one) => one.scene);
   return scenes.flatMap((one) => one.rooms.flatMap(({ furniture }) => furniture.filter((piece) => piece.id === id)));
 }

@@ -17,6 +17,8 @@ export interface Call {
   /** Answers as sent, but for what is changed. */
   answer(change?: (sent: Scene) => Scene, conflicts?: readonly Conflict[]): Promise<void>;
   lose(): Promise<void>;
+  /** Ends as a call does that is withdrawn. */
+  withdrawn(): void;
 }
 
 export function house(): Scene {
@@ -28,7 +30,7 @@ export function house(): Scene {
 export function bench(frames: Frames | null = null) {
   const home = new Home();
   const calls: Call[] = [];
-  const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], again: [] as (() => void)[], settled: 0, lifted: 0, answered: 0 };
+  const said = { busy: [] as boolean[], refused: [] as (Refusal | null)[], failed: [] as unknown[], again: [] as (() => void)[], givenUp: 0, settled: 0, lifted: 0, answered: 0 };
   const editor = new Editor(home, (request, signal) => new Promise((resolve, reject) => {
     calls.push({
       request, signal: signal ?? new AbortController().signal,
@@ -40,9 +42,10 @@ export function bench(frames: Frames | null = null) {
         reject(new Error("lost"));
         await turn();
       },
+      withdrawn: () => reject(new DOMException("withdrawn", "AbortError")),
     });
   }), {
-    busy: (busy) => said.busy.push(busy), failed: (reason, again) => { said.failed.push(reason); said.again.push(again); }, refused: (refusal) => said.refused.push(refusal),
+    busy: (busy) => said.busy.push(busy), failed: (reason, again) => { said.failed.push(reason); said.again.push(again); }, givenUp: () => { said.givenUp += 1; }, refused: (refusal) => said.refused.push(refusal),
     lifted: () => { said.lifted += 1; }, answered: () => { said.answered += 1; }, settled: () => { said.settled += 1; },
   }, () => Promise.resolve(frames));
   home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");

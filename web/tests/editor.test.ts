@@ -203,6 +203,25 @@ describe("single edits", () => {
     expect([editor.busy, said.busy.at(-1), at(OTHER)]).toEqual([false, false, [3.5, 2]]);
   });
 
+  it("whose answer does not come are given up once another home is shown, which is said, and hold up nothing there", async () => {
+    const { editor, call, calls, said, home, at } = bench();
+    editor.remove(ONE);
+    editor.rotate(OTHER, 90);
+    await turn();
+    home.show({ scene: house(), issues: [], conflicts: [], timing: 1 }, "new");
+    editor.forget();
+    expect([call(0).signal.aborted, said.givenUp, editor.busy]).toEqual([true, 1, false]);
+    call(0).withdrawn();
+    await turn();
+    expect([calls.length, said.failed, at(ONE)]).toEqual([1, [], [1, 1]]);
+    editor.nudge(OTHER, 0.5, 0);
+    await turn();
+    await call(1).answer();
+    expect(at(OTHER)).toEqual([3.5, 2]);
+    editor.forget();
+    expect(said.givenUp).toBe(1);
+  });
+
   it("wait for other changes in their turn, and those for them", async () => {
     const { editor, calls, call } = bench();
     const done: string[] = [];

@@ -15,7 +15,7 @@ export class Acts {
   #clips: readonly Clip[] = [];
 
   /** `decorated` asks for a scene with other decorations. */
-  constructor(readonly home: Home, readonly editor: Editor, readonly decorated: (scene: Scene) => Promise<Scene>) {}
+  constructor(readonly home: Home, readonly editor: Editor, readonly decorated: (scene: Scene, signal: AbortSignal) => Promise<Scene>) {}
 
   /** A decoration and its room. */
   thing(id: string | null, scene: Scene | null = this.home.scene): { readonly room: Room; readonly thing: Decoration } | null {
@@ -135,11 +135,11 @@ export class Acts {
    * what hangs at a wall over those that move hangs where the service would hang it.
    */
   stand(id: string, way: OtherWay, room: string): void {
-    this.editor.change(async (before) => {
+    this.editor.change(async (before, signal) => {
       const there = stoodSo(before, way.moves, way.left_out);
       const [resized, moved] = [resizedIn(before, there), way.moves.map((move) => move.id)];
       const over = new Set(moved);
-      const scene = resized.length > 0 || hungOver(there, over).length > 0 ? laidAs(there, await this.decorated(there), resized, over) : there;
+      const scene = resized.length > 0 || hungOver(there, over).length > 0 ? laidAs(there, await this.decorated(there, signal), resized, over) : there;
       return { scene, id, room, moved };
     });
   }

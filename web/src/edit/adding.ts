@@ -63,7 +63,7 @@ export class Adding {
       over: (kind, at) => this.#preview(at && this.#wishedAt(kind, at)),
       drop: (kind, at) => this.#drop(kind, at),
     });
-    this.#places = new Places(hosts.places, editor, (scene, room, kind, id) => placesFor(scene, room, kind, id, PLACES));
+    this.#places = new Places(hosts.places, editor, (scene, room, kind, id, signal) => placesFor(scene, room, kind, id, PLACES, signal));
     this.#palette.onChoose = (kind) => this.#choose(kind);
     home.on("shown", (how) => {
       if (how === "live") return;

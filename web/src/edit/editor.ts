@@ -2,6 +2,7 @@
 import type { Conflict, FixAnswer, FixRequest, Repair, Room, Scene } from "../contract";
 import type { Home, Shown } from "../state/home";
 import { roomHolding } from "../house/room_at";
+import { isAbort } from "../service";
 import { answerOf, drawn, samePlaces, type TakeInHand } from "./frames";
 import { conflictsIn } from "./judging";
 import { Live } from "./live";
@@ -28,6 +29,8 @@ export interface EditorWords {
   busy(busy: boolean): void;
   /** The home is as it was before the edit; `again` does that once more. */
   failed(reason: unknown, again: () => void): void;
+  /** Another home is shown before what was asked for was answered: it is not done. */
+  givenUp(): void;
   /** Null: nothing is in conflict. */
   refused(refusal: Refusal | null): void;
   /** The dragged piece and all it carries are seen at a wish, the rest of its room where the answer has it. */
@@ -167,12 +170,15 @@ export class Editor {
 
   /** Another house is shown: what was under way is about none of it, and nothing waits for it. */
   forget(): void {
+    const isUnderWay = this.#turns.size > 0;
     for (const turn of [...this.#turns.keys()]) this.#leave(turn);
     this.#queue = Promise.resolve();
+    this.#shifted = null;
     this.#live.stop();
     if (this.#held) this.#end();
     this.words.busy(false);
     this.words.refused(null);
+    if (isUnderWay) this.words.givenUp();
   }
 
   #goBack(): void {
@@ -261,8 +267,8 @@ export class Editor {
   }
 
   /** Makes any other change, in turn with the others, what it has to ask first included; null: none is wished. */
-  change(make: (scene: Scene) => Drafted): void {
-    this.#edit(() => (this.home.settled ? make(this.home.settled.scene) : null));
+  change(make: (scene: Scene, signal: AbortSignal) => Drafted): void {
+    this.#edit((signal) => (this.home.settled ? make(this.home.settled.scene, signal) : null));
   }
 
   toggleLock(id: string): void {
@@ -318,14 +324,16 @@ export class Editor {
     return found && scene && !found.piece.locked ? make(scene, found.room, found.piece) : null;
   }
 
-  #edit(make: () => Drafted): void {
+  #edit(make: (signal: AbortSignal) => Drafted): void {
     if (this.#inHand) return;
     this.#shifted = null;
-    this.inTurn(() => this.#carryOut(make)).catch((reason: unknown) => this.words.failed(reason, () => this.#edit(make)));
+    this.inTurn((signal) => this.#carryOut(make, signal)).catch((reason: unknown) => {
+      if (!isAbort(reason)) this.words.failed(reason, () => this.#edit(make));
+    });
   }
 
   /** Changes the home in turn: one change after the other, each on what the one before left, none of another house. */
-  inTurn(change: () => Promise<void>): Promise<void> {
+  inTurn(change: (signal: AbortSignal) => Promise<void>): Promise<void> {
     if (this.#inHand) this.cancel();
     return this.#enqueue(change);
   }
@@ -336,13 +344,13 @@ export class Editor {
     for (const [turn, other] of [...this.#turns]) if (other === name) this.#leave(turn);
     const turn = new AbortController();
     withdrawn.addEventListener("abort", () => this.#leave(turn), { once: true });
-    return this.#enqueue(() => change(turn.signal), name, turn);
+    return this.#enqueue(change, name, turn);
   }
 
-  #enqueue(change: () => Promise<void>, wish: string | null = null, turn = new AbortController()): Promise<void> {
+  #enqueue(change: (signal: AbortSignal) => Promise<void>, wish: string | null = null, turn = new AbortController()): Promise<void> {
     this.#turns.set(turn, wish);
     this.words.busy(true);
-    const done = this.#queue.then(() => (this.#turns.has(turn) ? change() : undefined)).finally(() => this.#leave(turn));
+    const done = this.#queue.then(() => (this.#turns.has(turn) ? change(turn.signal) : undefined)).finally(() => this.#leave(turn));
     this.#queue = done.catch(() => undefined);
     return done;
   }
@@ -354,11 +362,11 @@ export class Editor {
     if (this.#turns.size === 0) this.words.busy(false);
   }
 
-  async #carryOut(make: () => Drafted): Promise<void> {
+  async #carryOut(make: (signal: AbortSignal) => Drafted, signal: AbortSignal): Promise<void> {
     const before = this.home.settled;
-    const draft = await make();
+    const draft = await make(signal);
     if (!draft || !before || this.home.settled !== before) return;
-    const answer = await this.#judge(draft, before);
+    const answer = await this.#judge(draft, before, signal);
     const conflicts = conflictsIn(answer, [draft.room, ...(draft.rooms ?? [])], before);
     if (this.home.settled !== before) return;
     const { scene: sent, room, id } = draft;
@@ -370,12 +378,12 @@ export class Editor {
   }
 
   /** Asks with the draft's own locks first, then without. */
-  async #judge({ scene, moved: ids = [], locked: held, room }: Draft, before: Shown): Promise<FixAnswer> {
+  async #judge({ scene, moved: ids = [], locked: held, room }: Draft, before: Shown, signal: AbortSignal): Promise<FixAnswer> {
     const request: FixRequest = { scene, moved: ids, on_conflict: "report", previous: posesOf(before.scene, room) };
     if (held) {
-      const answer = await this.fix({ ...request, locked: held });
+      const answer = await this.fix({ ...request, locked: held }, signal);
       if (conflictsIn(answer, [room], before).length === 0) return answer;
     }
-    return this.fix(request);
+    return this.fix(request, signal);
   }
 }

@@ -11,7 +11,7 @@ import { say } from "../words/language";
 export const PLACES = 3;
 
 /** Asks where a piece of a kind belongs in a room; the pieces it would be, the best first. */
-export type AskPlaces = (scene: Scene, room: string, kind: FurnitureKind, id: string) => Promise<readonly Furniture[]>;
+export type AskPlaces = (scene: Scene, room: string, kind: FurnitureKind, id: string, signal: AbortSignal) => Promise<readonly Furniture[]>;
 
 interface Offer {
   readonly room: string;
@@ -29,17 +29,17 @@ export class Places {
   /** Puts a piece where it belongs, in the first of rooms with such a place; else where it can stand in the first: beside what stands there if it can, else what stands there gives way. */
   add(rooms: readonly [string, ...string[]], kind: FurnitureKind): void {
     this.hide();
-    this.editor.change(async (before) => {
-      const offer = await this.#found(before, rooms, kind);
+    this.editor.change(async (before, signal) => {
+      const offer = await this.#found(before, rooms, kind, signal);
       if (this.editor.home.settled?.scene !== before) return null;
       this.#offer = offer ?? { room: rooms[0], pieces: [added(before, rooms[0], kind).piece], at: 0, belongs: false };
       return this.#taken(this.#offer, before);
     });
   }
 
-  async #found(scene: Scene, rooms: readonly string[], kind: FurnitureKind): Promise<Offer | null> {
+  async #found(scene: Scene, rooms: readonly string[], kind: FurnitureKind, signal: AbortSignal): Promise<Offer | null> {
     for (const room of rooms) {
-      const pieces = await this.ask(scene, room, kind, freshId(scene, `${room}/${kind.name}`));
+      const pieces = await this.ask(scene, room, kind, freshId(scene, `${room}/${kind.name}`), signal);
       if (pieces.length > 0) return { room, pieces: pieces.map((piece) => ({ ...piece, color: kind.color ?? piece.color ?? null })), at: 0, belongs: true };
     }
     return null;

@@ -5,7 +5,7 @@ import { CoreThread } from "../core/core_thread";
 import { LocalDrag } from "../core/local_drag";
 import { bodiesOf, isOver, type PlacedBody } from "../house/frame";
 import type { House } from "../house/house";
-import { catalog, coreUrl, drag, explain, fix, floor, restyle } from "../service";
+import { catalog, coreUrl, drag, explain, fix, floor, restyle, ServiceProblem } from "../service";
 import type { Stage } from "../stage";
 import { timed } from "../timing";
 import type { Home, Showing } from "../state/home";
@@ -32,6 +32,8 @@ const SMALL_STEP = 0.01;
 const QUARTER = Math.PI / 2;
 /** Where arrows go from line to line, or change what is typed or chosen. */
 const ARROWED = ".yaml, input:not([type=checkbox]), select, textarea";
+
+const GIVEN_UP = new ServiceProblem("The last change was not made", "It found no answer before the next home was shown. The home that was left is as it was before the change.");
 
 export interface WorkbenchWords {
   busy(busy: boolean): void;
@@ -69,12 +71,13 @@ export class Workbench {
         this.#offer(); // what is under way can be taken back
       },
       failed: (reason, again) => words.failed(reason, again, say("The home is as it was before the change.")),
+      givenUp: () => words.failed(GIVEN_UP),
       refused: (refusal) => this.#refuse(refusal),
       lifted: (id, scene) => this.#carry(id, scene),
       answered: (id, scene) => this.#frameGoal(id, scene),
       settled: () => this.#settled(),
     }, (scene, id) => this.#frames(scene, id));
-    this.#acts = new Acts(home, this.editor, async (scene) => (await restyle(scene, { decorate: true })).scene);
+    this.#acts = new Acts(home, this.editor, async (scene, signal) => (await restyle(scene, { decorate: true }, signal)).scene);
     this.#thing = new ThingDrag(home, stage, this.#acts);
     const hosts = { gaps: element("gaps"), piece: element("piece") as HTMLDetailsElement, tape: element("tape") };
     this.#numbers = new Numbers(home, stage, this.editor, this.#acts, hosts);

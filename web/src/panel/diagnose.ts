@@ -28,7 +28,7 @@ export class Diagnose {
   readonly #asked = new Newest();
   readonly #repair = new Newest();
 
-  constructor(readonly home: Home, readonly inTurn: (change: () => Promise<void>) => Promise<void>) {
+  constructor(readonly home: Home, readonly wish: (change: (signal: AbortSignal) => Promise<void>, withdrawn: AbortSignal) => Promise<void>) {
     this.#list = new LineList(element("report"));
     this.#list.onChoose = (id) => this.#choose(id);
     element("diagnose").addEventListener("click", () => this.open());
@@ -80,13 +80,13 @@ export class Diagnose {
 
   /** Repairs what is shown, as one step that can be undone, in turn with the edits. */
   async #mend(onConflict: NonNullable<FixRequest["on_conflict"]>): Promise<void> {
-    const signal = this.#repair.next();
+    const withdrawn = this.#repair.next();
     this.#say([say("Fixing…")]);
     this.#fix.disabled = true;
     try {
-      await this.inTurn(async () => {
+      await this.wish(async (signal) => {
         const scene = this.home.settled?.scene;
-        if (!scene || signal.aborted) return;
+        if (!scene) return;
         const answer = await fix({ scene, on_conflict: onConflict }, signal);
         if (this.home.settled?.scene !== scene) return;
         const { issues, conflicts, timing_ms: timing } = answer;
@@ -95,7 +95,7 @@ export class Diagnose {
         this.#say(fixWords(answer));
         this.#remove.hidden = onConflict === "remove" || conflicts.every(({ ids }) => ids.length === 0);
         this.#plan.hidden = conflicts.every(({ ids }) => ids.length > 0);
-      });
+      }, withdrawn);
     } catch (reason) {
       this.#explain(reason, () => void this.#mend(onConflict));
       this.#fix.disabled = false;
