@@ -15,7 +15,7 @@ from starlette.concurrency import run_in_threadpool
 from starlette.exceptions import HTTPException
 from starlette.middleware.cors import CORSMiddleware
 from starlette.requests import Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import Response
 
 from catalogs import Catalogs, load_catalogs
 from service import calls, page, problems
@@ -42,6 +42,8 @@ from solver.fields import OneOf
 
 EMBEDDED: Final = Settings(allow_host=(ANY,), store=TEMPORARY)
 """The settings of an application that another server runs."""
+OPENAPI: Final = "openapi"
+"""What asks for the OpenAPI document."""
 
 
 def _in_worker(name: str) -> Answering:
@@ -140,9 +142,10 @@ class ComposeApp(Starlette):
         return done
 
     def told(self, question: str, wanted: str) -> tuple[bytes, str]:
-        """Returns the answer to one of `calls.QUESTIONS`, always the same, and its entity tag: both are made once."""
+        """Returns the answer to one of `calls.QUESTIONS`, or `OPENAPI`, always the same, and its entity tag: both are made once."""
         if (question, wanted) not in self._told:
-            text = dump_plain(calls.QUESTIONS[question].answer(self.catalogs), wanted)
+            answer = self.openapi() if question == OPENAPI else calls.QUESTIONS[question].answer(self.catalogs)
+            text = dump_plain(answer, wanted)
             self._told[question, wanted] = text, f'"{sha256(text).hexdigest()[:32]}"'
         return self._told[question, wanted]
 
@@ -167,11 +170,6 @@ async def _started(app: ComposeApp) -> AsyncIterator[None]:
     app.is_ready = False
     app.workers.stop()
     app.store.close()
-
-
-async def openapi(request: Request) -> Response:
-    """Answers with the OpenAPI document."""
-    return JSONResponse(await run_in_threadpool(request.app.openapi))
 
 
 async def readyz(request: Request) -> Response:
@@ -201,7 +199,7 @@ def create_app(catalogs: Catalogs | None = None, settings: Settings = EMBEDDED, 
     for kind in problems.ALL_STATUS:
         app.add_exception_handler(kind, problems.of_error)
     app.add_exception_handler(HTTPException, problems.of_http)
-    app.add_route("/openapi.json", openapi)
+    app.add_route("/openapi.json", _at_once(OPENAPI))
     app.add_route("/", page.index)
     app.add_route("/embed", page.embed)
     app.add_route("/favicon.ico", page.icon)

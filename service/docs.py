@@ -33,7 +33,7 @@ POLICY: Final = (
 async def docs(request: Request) -> Response:
     """Serves the page."""
     document = await run_in_threadpool(request.app.openapi)
-    html = _page(document, str(request.base_url))
+    html = await run_in_threadpool(_page, document, str(request.base_url))
     return HTMLResponse(html, headers={"Content-Security-Policy": POLICY})
 
 

@@ -20,8 +20,10 @@ from solver.core import WASM
 STATIC: Final = Path(__file__).parent / "static"
 WORKER: Final = "core_worker-"
 """How the name of the worker's file begins."""
-LOADED: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm"})
-"""What the page loads beside its files."""
+ALIKE: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm", "/openapi.json", "/docs"})
+"""What is the same for all who ask, beside the page's files: it is packed once."""
+ONCE: Final = "/export/"
+"""How the path of what is asked for once begins: files, packed for each who asks, so as quickly as can be."""
 WHOLE: Final = 1 << 24
 """Files of fewer bytes are sent in one go, so that they can be packed once for all."""
 SMALL: Final = 500
@@ -106,17 +108,20 @@ class Assets(WholeFiles):
 
 
 class Packed:
-    """Packs what the page loads for who takes it so; other answers go as they are: some are streams, which packing would hold back."""
+    """Packs what is alike for all, and files, for who takes it so; other answers go as they are: some are streams, which packing would hold back."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answers."""
-        answer = self._app
-        if scope["type"] == "http" and (scope["path"] in LOADED or scope["path"].startswith("/assets/")):
-            takes_packed = "gzip" in Headers(scope=scope).get("accept-encoding", "")
-            answer = (_Packing if takes_packed else IdentityResponder)(answer, SMALL)
+        answer, path = self._app, scope.get("path", "")
+        is_alike = path in ALIKE or path.startswith("/assets/")
+        if scope["type"] == "http" and (is_alike or path.startswith(ONCE)):
+            if "gzip" not in Headers(scope=scope).get("accept-encoding", ""):
+                answer = IdentityResponder(answer, SMALL)
+            else:
+                answer = _Packing(answer, SMALL) if is_alike else GZipResponder(answer, SMALL, compresslevel=1)
         await answer(scope, receive, send)
 
 

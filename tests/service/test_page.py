@@ -61,8 +61,8 @@ def test_the_files_of_the_page_may_be_kept(built: TestClient) -> None:
     assert built.get("/assets/%2e%2e/index.html").status_code == 404
 
 
-@pytest.mark.parametrize("path", ["/", "/assets/long-1a2b.js", "/catalog", "/core.wasm"])
-def test_what_the_page_loads_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
+@pytest.mark.parametrize("path", ["/", "/assets/long-1a2b.js", "/catalog", "/core.wasm", "/openapi.json", "/docs"])
+def test_what_is_alike_for_all_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
     (page.STATIC / "assets" / "long-1a2b.js").write_text("export const house = 1;\n" * 10_000)
     (page.STATIC / "index.html").write_text(HTML + " " * 10_000)
     plain, packed = (built.get(path, headers={"accept-encoding": coding}) for coding in ("identity", "br, gzip"))
@@ -102,6 +102,14 @@ def test_what_a_browser_has_is_not_sent_again_until_it_changes(
     file.write_text("after" * 1000)
     changed = built.get(path, headers=known)
     assert (changed.status_code, changed.text) == (200, "after" * 1000)
+
+
+def test_files_come_packed_to_who_takes_them_so_unless_they_are_archives(client: TestClient) -> None:
+    scene = {"rooms": [{"width": 4, "depth": 3}]}
+    for format, coding in (("mjcf", "gzip"), ("ifc", "gzip"), ("boxes", None)):
+        plain, packed = (client.post(f"/export/{format}", json=scene, headers={"accept-encoding": one}) for one in ("identity", "gzip"))
+        assert (plain.headers.get("content-encoding"), packed.headers.get("content-encoding")) == (None, coding), format
+        assert packed.content == plain.content, format
 
 
 def test_answers_to_calls_come_as_they_are(client: TestClient) -> None:
