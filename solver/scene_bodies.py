@@ -1,18 +1,19 @@
 """Questions about everything in a scene at once: how much there is, under which ids, what moved."""
 
-from collections.abc import Collection, Iterator, Sequence
-from functools import partial
+from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import cache, partial
 from itertools import chain, islice
 from numbers import Real
 from operator import attrgetter
-from typing import Final
+from typing import Annotated, get_args, get_origin, get_type_hints
+
+from annotated_types import Ge, Le
 
 from catalogs.misfits import called
 from solver.answers import Move
 from solver.body_rows import DecorationRows, FurnitureRows, count_decorations, count_furniture, rows_in
 from solver.errors import MOST_TOLD, FieldError, SceneError, all_of
-from solver.fields import MAX_LENGTH, MAX_MAGNITUDE
-from solver.scene import Decoration, Dynamic, Furniture, Level, Room, Scene
+from solver.scene import Decoration, Dynamic, Furniture, Level, Opening, Room, Scene, Size
 
 MOVED = 0.001
 """A body that moved by more, m, is listed in `moves` (docs/fix.md)."""
@@ -113,14 +114,6 @@ def check_is(field: str, given: object, of: type | tuple[type, ...], called_so: 
         raise error(field, f"is {called(given)}", called_so)
 
 
-_SIZES: Final = frozenset({"width", "depth", "height"})
-"""What is above 0, wherever it stands."""
-_OF_BODIES: Final = ("x", "y", "z", "rotation", "width", "depth", "height")
-_OF_LEVELS: Final = ("elevation", "height")
-_OF_ROOMS: Final = ("x", "z", "width", "depth")
-_OF_OPENINGS: Final = ("position", "width", "height", "sill")
-
-
 def check_scene(scene: object) -> None:
     """Refuses what is no scene, and numbers of one made in Python that no reader takes: nothing can be said of what is at no place.
 
@@ -129,42 +122,63 @@ def check_scene(scene: object) -> None:
     """
     check_is("scene", scene, Scene, "a Scene, as `load` or `generate` gives it")
     assert isinstance(scene, Scene)
-    _check_number("wall_thickness", scene.wall_thickness, 0, 1)
-    for key in sorted(_SIZES) if scene.size is not None else ():
-        _check_number(f"size.{key}", getattr(scene.size, key), None, MAX_LENGTH)
-    for field, records, keys in _numbered(scene):
-        values, sizes = attrgetter(*keys), attrgetter(*(key for key in keys if key in _SIZES))
-        try:
-            total, lengths = (
-                sum(map(abs, chain.from_iterable(map(values, records)))),
-                [*chain.from_iterable(map(sizes, records)), MAX_LENGTH],
-            )
-            is_sound = total <= MAX_MAGNITUDE and min(lengths) > 0 and max(lengths) <= MAX_LENGTH
-        except (TypeError, OverflowError):
-            is_sound = False
-        if not is_sound:  # one may be wrong
+    _check_numbers("", Scene, scene)
+    if scene.size is not None:
+        _check_numbers("size.", Size, scene.size)
+    for field, kind, records in _numbered(scene):
+        if not _are_sound(kind, records):
             for number, one in enumerate(records):
-                for key, value in zip(keys, values(one), strict=True):
-                    limits = (None, MAX_LENGTH) if key in _SIZES else (-MAX_MAGNITUDE, MAX_MAGNITUDE)
-                    _check_number(f"{field}[{number}].{key}", value, *limits)
+                _check_numbers(f"{field}[{number}].", kind, one)
 
 
-def _check_number(field: str, value: object, least: float | None, most: float) -> None:
-    """Refuses what is no number in a range; `least` None: above 0."""
-    if not (isinstance(value, Real) and (value > 0 if least is None else value >= least) and value <= most):  # type: ignore[operator]
-        told = f"a number above 0, up to {most:g}" if least is None else f"a number from {least:.0f} to {most:.0f}"
-        raise SceneError(field, f"is {called(value)}", told)
+@cache
+def _limits_of(kind: type) -> dict[str, tuple[float | None, float]]:
+    """Returns the least and the most that each number of a kind of record may be, as its type says; least None: above 0."""
+    found = {}
+    for name, hint in get_type_hints(kind, include_extras=True).items():
+        if get_origin(hint) is Annotated and get_args(hint)[0] is float:
+            marks = {type(mark): mark for mark in get_args(hint)[1:]}
+            found[name] = (marks[Ge].ge if Ge in marks else None, marks[Le].le)
+    return found
 
 
-def _numbered(scene: Scene) -> Iterator[tuple[str, Sequence[object], Sequence[str]]]:
-    """Yields what of a scene has numbers, those of bodies that the core told left aside, with its field and the names of its numbers."""
-    yield "levels", scene.levels, _OF_LEVELS
-    yield "rooms", scene.rooms, _OF_ROOMS
+@cache
+def _reading_of(kind: type) -> tuple[Callable[[object], tuple[float, ...]], Callable[[object], tuple[float, ...]], float, float]:
+    """Returns what reads a record's numbers, and what those above 0, several both; and the most that others and these may be."""
+    limits = _limits_of(kind)
+    most_place, most_size = (min(most for least, most in limits.values() if (least is None) is is_size) for is_size in (False, True))
+    return attrgetter(*limits), attrgetter(*(key for key, (least, _) in limits.items() if least is None)), most_place, most_size
+
+
+def _are_sound(kind: type, records: Sequence[object]) -> bool:
+    """Tells quickly whether all numbers of records are surely such as may be; else one may be wrong."""
+    values, sizes, most_place, most_size = _reading_of(kind)
+    try:
+        total = sum(map(abs, chain.from_iterable(map(values, records))))
+        lengths = [*chain.from_iterable(map(sizes, records)), most_size]
+        return total <= most_place and min(lengths) > 0 and max(lengths) <= most_size
+    except (TypeError, OverflowError):
+        return False
+
+
+def _check_numbers(prefix: str, kind: type, record: object) -> None:
+    """Refuses a number of a record that is none, or out of its range."""
+    for key, (least, most) in _limits_of(kind).items():
+        value = getattr(record, key)
+        if not (isinstance(value, Real) and (value > 0 if least is None else value >= least) and value <= most):  # type: ignore[operator]
+            told = f"a number above 0, up to {most:g}" if least is None else f"a number from {least:.0f} to {most:.0f}"
+            raise SceneError(prefix + key, f"is {called(value)}", told)
+
+
+def _numbered(scene: Scene) -> Iterator[tuple[str, type, Sequence[object]]]:
+    """Yields what of a scene has numbers, those of bodies that the core told left aside, with its field and what kind of record it is."""
+    yield "levels", Level, scene.levels
+    yield "rooms", Room, scene.rooms
     for number, room in enumerate(scene.rooms):
-        yield f"rooms[{number}].openings", room.openings, _OF_OPENINGS
-        yield f"rooms[{number}].furniture", () if rows_in(room, FurnitureRows) else room.furniture, _OF_BODIES
-        yield f"rooms[{number}].decorations", () if rows_in(room, DecorationRows) else room.decorations, _OF_BODIES
-    yield "dynamic", scene.dynamic, _OF_BODIES
+        yield f"rooms[{number}].openings", Opening, room.openings
+        yield f"rooms[{number}].furniture", Furniture, () if rows_in(room, FurnitureRows) else room.furniture
+        yield f"rooms[{number}].decorations", Decoration, () if rows_in(room, DecorationRows) else room.decorations
+    yield "dynamic", Dynamic, scene.dynamic
 
 
 def check_ids(known: Sequence[str], **wanted: Sequence[str]) -> None:
