@@ -15,6 +15,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from service.guard import EMBED_POLICY, WORKER_POLICY
+from service.wire import takes_gzip
 from solver.core import WASM
 
 STATIC: Final = Path(__file__).parent / "static"
@@ -118,7 +119,7 @@ class Packed:
         answer, path = self._app, scope.get("path", "")
         is_alike = path in ALIKE or path.startswith("/assets/")
         if scope["type"] == "http" and (is_alike or path.startswith(ONCE)):
-            if "gzip" not in Headers(scope=scope).get("accept-encoding", ""):
+            if not takes_gzip(Headers(scope=scope)):
                 answer = IdentityResponder(answer, SMALL)
             else:
                 answer = _Packing(answer, SMALL) if is_alike else GZipResponder(answer, SMALL, compresslevel=1)

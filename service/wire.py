@@ -2,9 +2,11 @@
 
 import asyncio
 import re
+from collections.abc import Iterator
 from typing import Any, Final
 from urllib.parse import quote
 
+from starlette.datastructures import Headers
 from starlette.requests import Request
 from starlette.responses import Response
 
@@ -67,12 +69,24 @@ def format_sent(request: Request, takes_files: bool = False) -> str:
 def format_wanted(request: Request) -> str:
     """Tells the format a caller accepts: YAML where it is named and liked better than JSON, else JSON."""
     liked = {"json": 0.0, "yaml": 0.0}
-    for item in request.headers.get("accept", "").split(","):
-        name, _, parameters = item.partition(";")
-        found = ACCEPTED.get(name.strip().lower())
+    for name, quality in _ranges(request.headers.get("accept", "")):
+        found = ACCEPTED.get(name)
         if found is not None:
-            liked[found] = max(liked[found], _quality(parameters))
+            liked[found] = max(liked[found], quality)
     return "yaml" if liked["yaml"] > liked["json"] else "json"
+
+
+def takes_gzip(headers: Headers) -> bool:
+    """Tells whether a caller accepts an answer that is packed by gzip."""
+    liked = dict(_ranges(headers.get("accept-encoding", "")))
+    return liked.get("gzip", liked.get("*", 0.0)) > 0
+
+
+def _ranges(accepted: str) -> Iterator[tuple[str, float]]:
+    """Yields what a header accepts, in small letters, and how well each is liked, 0 to 1."""
+    for item in accepted.split(","):
+        name, _, parameters = item.partition(";")
+        yield name.strip().lower(), _quality(parameters)
 
 
 def _quality(parameters: str) -> float:

@@ -65,8 +65,8 @@ def test_the_files_of_the_page_may_be_kept(built: TestClient) -> None:
 def test_what_is_alike_for_all_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
     (page.STATIC / "assets" / "long-1a2b.js").write_text("export const house = 1;\n" * 10_000)
     (page.STATIC / "index.html").write_text(HTML + " " * 10_000)
-    plain, packed = (built.get(path, headers={"accept-encoding": coding}) for coding in ("identity", "br, gzip"))
-    assert "content-encoding" not in plain.headers
+    plain, refused, packed = (built.get(path, headers={"accept-encoding": coding}) for coding in ("identity", "gzip;q=0, *", "br, gzip"))
+    assert "content-encoding" not in {**plain.headers, **refused.headers}
     assert packed.headers["content-encoding"] == "gzip"
     assert "accept-encoding" in packed.headers["vary"].lower()
     assert packed.content == plain.content
