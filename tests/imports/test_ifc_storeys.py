@@ -87,6 +87,7 @@ def test_a_hole_in_what_is_no_wall_is_no_opening() -> None:
     made = home.read(0)
     assert openings(made) == set()
     assert not any("hole" in one["reason"] for one in made.unread)
+    assert {type(piece.y) for room in made.scene.rooms for piece in room.furniture} == {float}, "numpy's numbers are written otherwise"
 
 
 def test_a_building_of_a_schema_that_is_not_read_is_told_its_name_and_which_are() -> None:

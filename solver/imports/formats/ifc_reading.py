@@ -117,7 +117,7 @@ class _ReadBuilding:
         self.metres = float(import_module("ifcopenshell.util.unit").calculate_unit_scale(file))
         storeys = sorted(file.by_type("IfcBuildingStorey"), key=lambda one: (one.Elevation or 0.0, one.id()))
         self.storeys = {one.id(): number for number, one in enumerate(storeys)}
-        self.floors = [self.shapes.world_of(one)[2][3] for one in storeys] or [0.0]
+        self.floors = [float(self.shapes.world_of(one)[2][3]) for one in storeys] or [0.0]
         self.levels = [DrawnLevel(number, one.Name or "", self.floors[number]) for number, one in enumerate(storeys)]
 
     def plan(self) -> DrawnPlan:
@@ -152,7 +152,7 @@ class _ReadBuilding:
             holder = self._holder(holder)
         if holder is not None:
             return self.storeys[holder.id()]
-        height = self.shapes.world_of(element)[2][3]
+        height = float(self.shapes.world_of(element)[2][3])
         return max((number for number, floor in enumerate(self.floors) if floor <= height + 0.5 / self.metres), default=0)
 
     def _solid(self, element: Element, where: str) -> IfcOutline | None:
