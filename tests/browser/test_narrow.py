@@ -30,6 +30,14 @@ OF_LINES = """id => {
 }"""
 """How far a piece's line is from the ends of the text's region [CSS pixels]."""
 
+MUCH_TOLD = """() => {
+    document.querySelector('.verdict').className = 'verdict has-issues has-errors';
+    document.querySelector('[data-count=issues]').nextSibling.textContent = ' verletzte Regeln, 12 Warnungen';
+    document.querySelector('[data-count=unfurnished]').textContent = '11 Räume noch nicht eingerichtet';
+    document.querySelector('.unfurnished').hidden = false;
+}"""
+"""The foot of a home in which much is wrong, and much to be done."""
+
 COVERED = """() => {
     const sizeOf = one => one.getBoundingClientRect().width * one.getBoundingClientRect().height;
     const names = [...document.querySelectorAll('.room-label:not(.crowded-out)')].map(sizeOf);
@@ -220,5 +228,9 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
     visit.page.evaluate("window.scrollTo(0, 0)")
     for tool in ("undo", "delete"):
         expect(visit.page.locator(f"#tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
+    visit.page.evaluate(MUCH_TOLD)
+    expect(visit.page.get_by_role("button", name="Furnish now")).to_be_in_viewport(ratio=0.99)
+    button, line = (visit.page.locator(one).bounding_box() for one in ("#furnish_empty", "#shortfall_line"))
+    assert button and line and button["x"] + button["width"] <= line["x"]
     assert before
     visit.page.set_viewport_size(before)

@@ -10,7 +10,7 @@ beforeEach(() => {
   document.body.innerHTML = `
     <button aria-keyshortcuts="Q">left</button><button aria-keyshortcuts="Control+Shift+Z Control+Y">redo</button><button aria-keyshortcuts="Control+Z">undo</button>
     <button aria-keyshortcuts="?">keys</button><button aria-keyshortcuts="K" disabled>lock</button><button aria-keyshortcuts="M">tape</button>
-    <div hidden><button aria-keyshortcuts="V">hidden</button></div><input type="text"><input type="range"><dialog open><a tabindex="0">in a dialog</a></dialog>`;
+    <div hidden><button aria-keyshortcuts="V">hidden</button></div><button aria-keyshortcuts="5" style="display: none">split</button><input type="text"><input type="range"><dialog open><a tabindex="0">in a dialog</a></dialog>`;
   for (const one of document.querySelectorAll("button")) one.addEventListener("click", () => pressed.push(one.textContent ?? ""));
 });
 
@@ -31,7 +31,7 @@ test("a key presses the control that has it, whatever case a letter comes in", (
 
 test("a key is another one with Shift, and none of what is off, away or unknown", () => {
   expect(press("k")).toBe(false); // the browser does nothing else with it
-  expect([press("Q", { shiftKey: true }), press("v"), press("w"), press("q", { altKey: true })]).toEqual([true, true, true, true]);
+  expect([press("Q", { shiftKey: true }), press("v"), press("w"), press("5"), press("q", { altKey: true })]).toEqual([true, true, true, true, true]);
   expect(pressed).toEqual([]);
 });
 

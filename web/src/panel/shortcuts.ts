@@ -10,11 +10,16 @@ function nameOf({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): string {
   return [...(ctrlKey || metaKey ? ["Control"] : []), ...(shiftKey && isNamed ? ["Shift"] : []), key.length > 1 ? key : key.toUpperCase()].join("+");
 }
 
+/** Whether a control is nowhere: it is put away, or has no place in a window of this width. What is off, or folded away, is there. */
+function isAway(control: HTMLElement): boolean {
+  return control.closest("[hidden]") !== null || (!control.matches(":disabled") && getComputedStyle(control).display === "none");
+}
+
 /** What presses the control of a key, and nothing more where that is off; null where no control that is there has it. */
 export function pressing(event: KeyboardEvent, within: ParentNode): (() => void) | null {
   const name = nameOf(event);
   const all = within.querySelectorAll<HTMLElement>(`:is(button, input)[aria-keyshortcuts~="${CSS.escape(name)}"]`);
-  const control = [...all].find((one) => !one.closest("[hidden]"));
+  const control = [...all].find((one) => !isAway(one));
   return control ? () => { if (!event.repeat || REPEATED.has(name)) control.click(); } : null;
 }
 
