@@ -109,7 +109,7 @@ class Assets(WholeFiles):
 
 
 class Packed:
-    """Packs what is alike for all, and files, for who takes it so; other answers go as they are: some are streams, which packing would hold back."""
+    """Packs what is alike for all, and files, for who takes it so; other answers go as they are: streams would be held back."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
