@@ -16,8 +16,8 @@ STRAIGHT: Final = 15
 """A line may leave its axis by so much from end to end, mm."""
 SAME_LINE: Final = 5
 """Coordinates no farther apart, mm, are one."""
-CRACK: Final = 150
-"""A gap in a wall's line that is no longer, mm, is none."""
+CRACK: Final = 250
+"""A gap in a wall's line that is no longer, mm, is none: half an outer wall, by which single lines may fail to meet."""
 NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
 THICKEST: Final = 600
