@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from solver.geometry import gaps_between
-from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes
+from solver.imports.drawn import DrawnOpening, DrawnPlan, DrawnWall, PlanNotes, Spot
 from solver.imports.joining import Joined
 from solver.imports.rectilinear import FloorCorner, FloorCorners, PlanEdge, tidied
 from solver.imports.shape_openings import between, to_lines
@@ -23,6 +23,8 @@ NICHE: Final = 200
 """A niche at a door is no deeper, mm, or than to the middle of the wall that is drawn there, if that is more."""
 SHALLOW: Final = 40
 """A niche that is no deeper, mm, is none, whether there is a door or not."""
+MOVED: Final = 90
+"""No farther, mm, are straightened corners from where they are drawn; steps before slanted walls are deeper."""
 AlongWall = tuple[int, int]
 
 
@@ -75,15 +77,17 @@ def _left(span: AlongWall, taken: Iterable[AlongWall]) -> list[AlongWall]:
     return [(low, high - (high - low) % 2) for low, high in gaps_between(span, taken)]
 
 
-def without_niches(corners: FloorCorners, openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]) -> tuple[FloorCorners, int]:
+def without_niches(
+    corners: FloorCorners, drawn: Sequence[Spot], openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]
+) -> tuple[FloorCorners, int]:
     """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm.
 
-    The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
+    Steps before the slanted walls of a bay are none: `drawn` are the corners of the outline as it is drawn. The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
     """
     deepest = 0
     for _ in range(len(corners)):
         count = len(corners)
-        found = [at for at in range(count) if count > 4 and _is_niche(corners, at, openings, walls)]
+        found = [at for at in range(count) if count > 4 and _is_niche(corners, at, drawn, openings, walls)]
         if not found:
             break
         niche = min(found, key=lambda at: math.dist(corners[at], corners[(at + 1) % count]))
@@ -93,7 +97,9 @@ def without_niches(corners: FloorCorners, openings: Sequence[DrawnOpening], wall
     return corners, deepest
 
 
-def _is_niche(corners: FloorCorners, at: int, openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]) -> bool:
+def _is_niche(
+    corners: FloorCorners, at: int, drawn: Sequence[Spot], openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]
+) -> bool:
     """Tells whether the edge from a corner on is the bottom of a niche: its sides lead back to one line, no deeper than a reveal."""
     count = len(corners)
     a, b, c, d = (corners[(at + step) % count] for step in (-1, 0, 1, 2))
@@ -102,7 +108,10 @@ def _is_niche(corners: FloorCorners, at: int, openings: Sequence[DrawnOpening], 
     depth = abs(inwards[0]) + abs(inwards[1])
     if inwards != (d[0] - c[0], d[1] - c[1]) or depth == 0 or way[0] * inwards[1] - way[1] * inwards[0] <= 0:
         return False
-    return depth <= SHALLOW or any(depth <= _reveal(one, walls) for one in openings if _lies_in(one, b, c))
+    if depth <= SHALLOW:
+        return True
+    are_drawn = all(any(math.dist(one, spot) <= MOVED for spot in drawn) for one in (a, d))
+    return are_drawn and any(depth <= _reveal(one, walls) for one in openings if _lies_in(one, b, c))
 
 
 def _reveal(opening: DrawnOpening, walls: Sequence[DrawnWall]) -> float:

@@ -160,7 +160,7 @@ def _straight_rooms(plan: DrawnPlan, catalogs: Catalogs, notes: PlanNotes) -> li
 def _without_niches(plan: DrawnPlan, rooms: list[NamedRoom], notes: PlanNotes) -> list[NamedRoom]:
     found = []
     for room in rooms:
-        corners, depth = without_niches(room.corners, plan.openings, plan.walls)
+        corners, depth = without_niches(room.corners, room.drawn.points, plan.openings, plan.walls)
         if depth:
             words = f"niches up to {depth} mm deep, such as a door's reveal, are taken as parts of the wall"
             notes.change("wall_lines", room.id, depth / 1000, words)

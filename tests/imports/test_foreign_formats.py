@@ -167,7 +167,7 @@ def test_a_niche_is_shallow_or_a_doors_reveal_and_leads_outwards(depth: int, doo
     ends = (east, 1500), (east, south)
     openings = [DrawnOpening("door", *ends, "here")] if door else []
     bare, walls = [(0, 0), (4000, 0), (4000, 4000), (0, 4000)], [DrawnWall((east, 0), (east, 4000), wall)]
-    assert without_niches(corners, openings, walls) == ((corners, 0) if is_left else (bare, depth))
+    assert without_niches(corners, corners, openings, walls) == ((corners, 0) if is_left else (bare, depth))
 
 
 def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
@@ -176,7 +176,7 @@ def test_what_is_between_two_doors_reveals_and_a_wall_is_floor() -> None:
     corners = [(0, 0), (4000, 0), *east, (4000, 3000), (0, 3000), *west]
     ends = [((4050, 110), (4050, 900)), ((-50, 110), (-50, 900)), ((500, 0), (3500, 0))]
     openings = [DrawnOpening("door", *two, "here") for two in ends]
-    assert without_niches(corners, openings, []) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
+    assert without_niches(corners, corners, openings, []) == ([(0, 0), (4000, 0), (4000, 3000), (0, 3000)], 50)
 
 
 def test_storeys_are_told_apart() -> None:

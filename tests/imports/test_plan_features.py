@@ -187,6 +187,13 @@ def test_a_slanted_room_is_taken_as_the_steps_inside_it() -> None:
     assert any("steps" in str(change["message"]) and change["of"] == room.id for change in answer.changes)
 
 
+def test_the_front_of_a_bay_keeps_its_window_and_its_floor() -> None:
+    """The steps before its slanted walls are no window's reveal."""
+    bay = polygon("Living room", (0, 0), (6, 0), (6, 4), (4.4, 4), (3.8, 4.6), (2.2, 4.6), (1.6, 4), (0, 4))
+    (room,) = read(collection(bay, line("window", (2.3, 4.6), (3.7, 4.6)), unit="m")).scene.rooms
+    assert (room.depth, [one.width for one in room.openings]) == (4.6, [1.4])
+
+
 def test_a_round_wall_is_taken_as_steps_too() -> None:
     arc = [(2 + 2 * math.cos(math.radians(at)), 3 + 2 * math.sin(math.radians(at))) for at in range(0, 181, 5)]
     answer = read(collection(polygon("Living room", (0, 0), (4, 0), *arc), y="down"))
