@@ -82,7 +82,8 @@ def without_niches(
 ) -> tuple[FloorCorners, int]:
     """Returns a room without the niches that its outline makes at doors, and how deep the deepest was, mm.
 
-    Steps before the slanted walls of a bay are none: `drawn` are the corners of the outline as it is drawn. The narrowest goes first: what is between two others, at the ends of a wall, looks like one too.
+    Steps before the slanted walls of a bay are none: `drawn` are the corners of the outline as it is drawn. The narrowest goes first:
+    what is between two others, at the ends of a wall, looks like one too.
     """
     deepest = 0
     for _ in range(len(corners)):
@@ -97,9 +98,7 @@ def without_niches(
     return corners, deepest
 
 
-def _is_niche(
-    corners: FloorCorners, at: int, drawn: Sequence[Spot], openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]
-) -> bool:
+def _is_niche(corners: FloorCorners, at: int, drawn: Sequence[Spot], openings: Sequence[DrawnOpening], walls: Sequence[DrawnWall]) -> bool:
     """Tells whether the edge from a corner on is the bottom of a niche: its sides lead back to one line, no deeper than a reveal."""
     count = len(corners)
     a, b, c, d = (corners[(at + step) % count] for step in (-1, 0, 1, 2))

@@ -20,6 +20,8 @@ CRACK: Final = 250
 """A gap in a wall's line that is no longer, mm, is none: half an outer wall, by which single lines may fail to meet."""
 NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
+NARROWEST_NAMED: Final = 400
+"""So it is of a face in which the name of a room stands, such as a closet."""
 THICKEST: Final = 600
 """Of a wall, mm."""
 FAR: Final = 10**9
@@ -52,10 +54,12 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
     return DrawnLine("x" if axis == "x" else "z", round((a[1 - along] + b[1 - along]) / 2), low, far)
 
 
-def faces_between(walls: Sequence[DrawnLine], slants: Sequence[SlantedLine] = (), step: int = STEP) -> list[WallFace] | None:
+def faces_between(
+    walls: Sequence[DrawnLine], names: Sequence[Spot] = (), slants: Sequence[SlantedLine] = (), step: int = STEP
+) -> list[WallFace] | None:
     """Returns the rooms that walls enclose, from north to south; None where the drawing is too intricate.
 
-    Slanted lines enclose, too: rooms reach to the steps before them.
+    Slanted lines enclose, too: rooms reach to the steps before them. `names` are where the names of rooms stand.
     """
     lines = gathered(walls)
     slants = [_lengthened(one) for one in slants]
@@ -71,7 +75,7 @@ def faces_between(walls: Sequence[DrawnLine], slants: Sequence[SlantedLine] = ()
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
-    parts = [one for one in parts_between(_closed(lines), slants, xs, zs) if _is_room(*one)]
+    parts = [one for one in parts_between(_closed(lines), slants, xs, zs) if _is_room(*one, names)]
     found = [WallFace(outline_of_cells(*one), list(_holes(*one))) for one in parts]
     return sorted((one for one in found if one.corners), key=lambda one: (one.corners[0][1], one.corners[0][0]))
 
@@ -202,18 +206,21 @@ def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64
             yield outline_of_cells(hole, xs, zs)
 
 
-def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> bool:
-    """Tells whether a square of NARROWEST fits into cells."""
-    if min(np.ptp(xs), np.ptp(zs)) < NARROWEST:
+def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64], names: Sequence[Spot] = ()) -> bool:
+    """Tells whether a square of NARROWEST fits into cells, or where a name stands in them one of NARROWEST_NAMED."""
+    within = ((int(np.searchsorted(xs, x)), int(np.searchsorted(zs, z))) for x, z in names)
+    is_named = any(0 < at < len(xs) and 0 < row < len(zs) and cells[at - 1, row - 1] for at, row in within)
+    least = NARROWEST_NAMED if is_named else NARROWEST
+    if min(np.ptp(xs), np.ptp(zs)) < least:
         return False
     for start in np.flatnonzero(cells.any(axis=1)).tolist():
-        end = int(np.searchsorted(xs, xs[start] + NARROWEST))
+        end = int(np.searchsorted(xs, xs[start] + least))
         if end >= len(xs):
             return False
         long = 0
         for row, covered in enumerate(np.all(cells[start:end], axis=0)):
             long = long + int(zs[row + 1] - zs[row]) if covered else 0
-            if long >= NARROWEST:
+            if long >= least:
                 return True
     return False
 

@@ -141,7 +141,7 @@ def rooms_between(walls: WallOutlines, fit: Fitted, metres: float | None, names:
     room.
     """
     openings = fit.openings
-    found = _enclosed(walls, openings, metres, fit.filled)
+    found = _enclosed(walls, openings, metres, fit.filled, names)
     if metres:
         found = found._replace(rooms=[one for one in found.rooms if not _is_ground(one, found.rooms, names, openings, metres)])
     wide = _empty(fit.left, openings, metres)
@@ -152,12 +152,12 @@ def rooms_between(walls: WallOutlines, fit: Fitted, metres: float | None, names:
     within = INSIDE / metres
     parted = [room for room in found.rooms if room not in kept]
     if names:
-        rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide]).rooms
+        rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide], names).rooms
         wide = [gap for gap in wide if gap.in_line or _parts([_names_in(room, names) for room in _beside(gap, rooms, within)])]
     else:
         wide = [gap for gap in wide if gap.in_line or gap.width * metres * 1000 <= UP_TO_WALLS]
     added = [
-        room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide]) if wide else found).rooms
+        room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide], names) if wide else found).rooms
         if not any(overlap(room.points, other.points, within) for other in kept)
         and (not found.rooms or _names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
     ]  # fmt: skip
@@ -228,7 +228,9 @@ def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
         yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if encloses(points, *spot))
 
 
-def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None, filled: Sequence[WallGap]) -> Between:
+def _enclosed(
+    walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None, filled: Sequence[WallGap], names: Sequence[NamedSpot]
+) -> Between:
     """Returns what walls and the gaps that openings fill enclose, but for what is in walls."""
     if metres is None:
         return Between([], None, [Unread("walls", NO_UNIT)], [])
@@ -243,13 +245,14 @@ def _enclosed(walls: WallOutlines, openings: Sequence[DrawnOpening], metres: flo
     pairs = [(there(a), there(b)) for points in walls.lines for a, b in pairwise(points)]
     lines = [line for a, b in pairs if (line := line_between(a, b))]
     across = [(there(one.start), there(one.end)) for one in openings]
+    named = [there((one.x, one.z)) for one in names]
     closing = [(there(a), there(b)) for gap in filled for a, b in gap.faces]
     closed = [*lines, *(line for a, b in closing if (line := line_between(a, b)))]
     slants = [(a, b) for a, b in (*pairs, *across) if min(abs(a[0] - b[0]), abs(a[1] - b[1])) > STRAIGHT]
-    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(closed, slants, step)) is not None), None)
+    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(closed, named, slants, step)) is not None), None)
     unread = [Unread("walls", SLANTED.format(len(slants)))] if slants and found is None else []
     if found is None and slants:
-        found = faces_between(closed)
+        found = faces_between(closed, named)
     if found is None:
         return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
     rooms = [

@@ -222,6 +222,12 @@ def test_a_wall_that_ends_short_of_one_across_its_way_reaches_it(gap: int, is_cl
     assert told == ([] if is_closed else ["names a room, but no wall is drawn between it and 'Kitchen'"])
 
 
+@pytest.mark.parametrize(("name", "count"), [("<text x='780' y='200'>Storage</text>", 3), ("", 2)])
+def test_a_room_as_narrow_as_a_wall_may_be_thick_is_one_if_it_is_named(name: str, count: int) -> None:
+    around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400), (750, 0, 750, 400))
+    assert len(single_lines(*around, more=name).scene.rooms) == count
+
+
 @pytest.mark.parametrize(("gap", "is_closed"), [(25, True), (26, False)])
 def test_walls_that_end_short_of_their_corner_meet_there(gap: int, is_closed: bool) -> None:
     """The eastern room's corner is left open: its name is told, where nothing encloses it."""
