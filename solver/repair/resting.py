@@ -292,9 +292,8 @@ def _rect_of(surface: CarryingSurface, carrier: Body) -> Rect:
     rect, (left, right, back, front) = footprint(carrier), map(_up, (surface.left, surface.right, surface.back, surface.front))
     if carrier.rotation % 90:
         return rect.shrunk(min(left, right, back, front))
-    west, north, east, south = {
-        0: (left, back, right, front), 90: (back, right, front, left), 180: (right, front, left, back), 270: (front, left, back, right),
-    }[squared(carrier.rotation)]  # fmt: skip
+    quarters = squared(carrier.rotation) // 90
+    west, north, east, south = (left, back, right, front, left, back, right)[quarters : quarters + 4]
     return Rect(rect.x0 + west, rect.z0 + north, rect.x1 - east, rect.z1 - south)
 
 

@@ -126,7 +126,7 @@ static Size filled(const Rect& area, const SurfaceSpot& spot, const Share& fill,
 // Puts a thing at a spot or as near as it can; tells whether it found a place.
 static bool put(DecoratedRoom& room, const SurfaceSpot& spot, const Lies& row, const Choice& choice) {
   const Carrier& carrier = room.carriers[spot.carrier];
-  const Rect area = carrier.area_of(spot.surface);
+  const Rect area = drawn_in(carrier.rect, spot.surface, floor_mod(carrier.rotation, 360) / 90);
   const i64 low = carrier.low + spot.surface.height;
   const i64 askew = row.upright ? 0 : room.jitter(room.known.kind_of(choice));
   Span<Size> tried = room.known.sizes_of(choice);

@@ -59,15 +59,6 @@ void DecoratedRoom::open_fronts(const Piece& piece) {
   }
 }
 
-Rect Carrier::area_of(const Surface& surface) const {
-  const i64 left = surface.left, right = surface.right, back = surface.back, front = surface.front;
-  const Point ahead = facing(rotation);
-  if (ahead.z > 0) return {rect.x0 + left, rect.z0 + back, rect.x1 - right, rect.z1 - front};
-  if (ahead.z < 0) return {rect.x0 + right, rect.z0 + front, rect.x1 - left, rect.z1 - back};
-  if (ahead.x > 0) return {rect.x0 + back, rect.z0 + right, rect.x1 - front, rect.z1 - left};
-  return {rect.x0 + front, rect.z0 + left, rect.x1 - back, rect.z1 - right};
-}
-
 Turns DecoratedRoom::wanted(const Row& row) {
   const Span<Choice> choices = part_of(known.choices, row.choices);
   const Span<i32> rooms = part_of(known.words, row.rooms);

@@ -99,9 +99,6 @@ struct Carrier {
   i64 word;
   Span<Surface> surfaces;
   i64 parent;
-
-  // The rectangle of one of its surfaces.
-  Rect area_of(const Surface& surface) const;
 };
 
 // Kinds that take turns; empty where there are to be none.

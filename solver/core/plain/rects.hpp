@@ -130,6 +130,13 @@ struct Rect {
   }
 };
 
+// What of the rectangle of a body lies within its margins, the body turned by so many right angles.
+template <typename Margins> constexpr Rect drawn_in(const Rect& body, const Margins& by, i64 quarters) {
+  const i64 round[] = {by.left, by.back, by.right, by.front};
+  const auto at = [&](i64 edge) { return round[(edge + quarters) % 4]; };
+  return {body.x0 + at(0), body.z0 + at(1), body.x1 - at(2), body.z1 - at(3)};
+}
+
 // A door or passage as the host sends it: its wall, whether its leaf opens over its square (of what is decorated alone), its square, mm.
 struct Doorway {
   Wall wall;

@@ -63,12 +63,7 @@ struct Miss {
 Rect area_of(const Body& carrier, const Surface& one) {
   const Rect& box = carrier.box;
   if (carrier.row->turn == Turn::between) return grown(box, -least(least(one.left, one.right), least(one.back, one.front)));
-  switch (carrier.row->quarters) {
-    case 0: return {box.x0 + one.left, box.z0 + one.back, box.x1 - one.right, box.z1 - one.front};
-    case 1: return {box.x0 + one.back, box.z0 + one.right, box.x1 - one.front, box.z1 - one.left};
-    case 2: return {box.x0 + one.right, box.z0 + one.front, box.x1 - one.left, box.z1 - one.back};
-    default: return {box.x0 + one.front, box.z0 + one.left, box.x1 - one.back, box.z1 - one.right};
-  }
+  return drawn_in(box, one, carrier.row->quarters);
 }
 
 // The least miss of a body; the first of those that are alike.
