@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from math import nan
@@ -115,6 +115,23 @@ def test_neighbours_never_jump(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
+def test_no_answer_is_farther_from_the_wishes_than_the_last_one(seed: int) -> None:
+    """What was in hand at one side of a bed does not jump behind the pointer to the other end of the room."""
+    for scene, label, steps in drags(seed):
+        ways = {piece.label: piece.candidates[0] for piece in asked(scene, label)[1].pieces}
+        bodies = [(number, one, ways[one.id].weights) for number, one in enumerate(bodies_of(scene)) if one.id in ways]
+        free = [(number, one, weights) for number, one, weights in bodies if ways[one.id].attach is None]
+        for step in steps:
+            wishes = [(number, step.wish if one.id == label else (one.x, one.z), weights) for number, one, weights in free]
+            assert _far(step.answer.spots, wishes) <= _far(step.before, wishes) + 0.01
+
+
+def _far(spots: Sequence[float], wishes: Sequence[tuple[int, tuple[float, float], tuple[float, float]]]) -> float:
+    """What the distances of bodies, by their numbers, from where they are wished cost."""
+    return sum(weights[axis] * (spots[2 * number + axis] - wish[axis]) ** 2 for number, wish, weights in wishes for axis in (0, 1))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
 def test_the_work_is_bounded_by_a_count(seed: int) -> None:
     work = [step.answer.work for _, _, step in answers(seed)]
     assert 1 < statistics.median(work) <= USUAL_WORK
@@ -122,10 +139,10 @@ def test_the_work_is_bounded_by_a_count(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_nearly_every_frame_moves_something_and_most_are_answered_by_the_search(seed: int) -> None:
+def test_nearly_every_frame_moves_something_and_many_are_answered_by_the_search(seed: int) -> None:
     outcomes = [step.answer.outcome for _, _, step in answers(seed)]
     assert outcomes.count(NO_ANSWER) == 0
-    assert outcomes.count(PLACED) > 0.6 * len(outcomes)
+    assert outcomes.count(PLACED) > 0.4 * len(outcomes)
     assert outcomes.count(STAYED) < 0.1 * len(outcomes)
     assert outcomes.count(PLACED) + outcomes.count(STAYED) + outcomes.count(DRAWN) == len(outcomes)
 

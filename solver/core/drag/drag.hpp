@@ -2,8 +2,9 @@
 //
 // Opened once a drag with all that does not change (`Opening`); then a frame is poses in, poses out. Of the room's placement problem every
 // neighbour may go no farther than its reach from where it was in the last frame, so that nearly all choices of the last frame hold and
-// the search is short. Work is counted, never timed. What it finds is put on whole millimetres and judged by the rules of validate/; where
-// that fails, everything goes from the last frame towards its wish as far as it can; else nothing moves.
+// the search is short; what costs more than staying does not count. Work is counted, never timed. What it finds is put on whole
+// millimetres and judged by the rules of validate/; where that fails, everything goes from the last frame towards its wish as far as it
+// can; else nothing moves.
 #pragma once
 
 #include "placement/space.hpp"

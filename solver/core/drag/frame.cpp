@@ -66,10 +66,10 @@ static bool aim(const Drag& drag, const Frame& frame) {
   return placement::assemble(room, drag.desk->engine.work, drag.desk->decisions);
 }
 
-// Searches; leaves the places on whole millimetres. False where none is found within the count.
-static bool find_best(const Drag& drag) {
+// Searches for what costs less; leaves the places on whole millimetres. False where none is found within the count.
+static bool find_best(const Drag& drag, f64 ceiling) {
   const placement::Desk& desk = *drag.desk;
-  placement::search(desk.engine, MOST_QPS, ANY_COST, true);
+  placement::search(desk.engine, MOST_QPS, ceiling, true);
   if (desk.engine.nodes.result->found != 1) return false;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < desk.engine.work.sizes[axis]; v++) {
@@ -131,11 +131,14 @@ static bool write_valid(const Drag& drag, Frame& frame) {
 // Answers the frame; `walks` comes in as how many are allowed and goes out as how many are left.
 static Outcome outcome_of(const Drag& drag, const Frame& last, Frame& frame, i64& walks) {
   if (!aim(drag, last)) return Outcome::none;
-  if (find_best(drag) && write_valid(drag, frame)) return Outcome::placed;
+  const auto is_better = [&](f64 ceiling) { return find_best(drag, ceiling) && write_valid(drag, frame); };
+  put_back(drag, last);
+  if (is_better(placement::movement(drag.desk->engine.work, drag.desk->engine.grid.positions))) return Outcome::placed;
   put_back(drag, last);
   if (placement::pull_back(drag.desk->engine, walks) && write_valid(drag, frame)) return Outcome::drawn;
   put_back(drag, last);
-  return write_valid(drag, frame) ? Outcome::stayed : Outcome::none;
+  if (write_valid(drag, frame)) return Outcome::stayed;
+  return is_better(ANY_COST) ? Outcome::placed : Outcome::none;  // all stood wrongly when the drag began
 }
 
 void answer(const Drag& drag, Frame& frame) {
