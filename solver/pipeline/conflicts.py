@@ -14,7 +14,7 @@ from solver.answers import Conflict
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
 from solver.pipeline.left_over import is_shut_by_itself, judged_again
-from solver.pipeline.reasons import at_limit
+from solver.pipeline.reasons import at_limit, cannot
 from solver.pipeline.repair_room import RoomRepair, is_repaired, least_moved, missing_length, repair_room
 from solver.placement import Budget, charge, feasible, is_call_spent, minimal_conflict, work_of_call
 from solver.placement.lengths import Shortfall, centimetres, least_that, metres, sentence
@@ -96,10 +96,18 @@ def _by_itself(goal: "RepairGoal", verdicts: Sequence[_Verdict]) -> list[_Verdic
 
 
 def _offered(goal: "RepairGoal", one: _Verdict, verdicts: Sequence[_Verdict]) -> tuple[Repair, ...]:
-    """Returns what helps; of one of several: to leave out what it is about, and what helps where what others are about is left out."""
+    """Returns what helps; of one of several: to leave out what it is about, and what helps where what others are about is left out.
+
+    What would go with one of these, as it stands on that, is helped where they are unlocked.
+    """
     if len(verdicts) == 1:
         return repairs_of(goal, one.ids, one.short)
-    rest = _without(goal, {other.label for other in verdicts} - {one.label})
+    others = {other.label for other in verdicts} - {one.label}
+    rest = _without(goal, others)
+    if one.label not in rest.bodies:
+        for other in others:
+            goal = replace(goal, problems=tuple(_with(problem, {"action": "unlock", "id": other}) for problem in goal.problems))
+        rest = goal
     return (_leaving(one), *(other for other in repairs_of(rest, one.ids, one.short) if other != _leaving(one)))[:HANDFUL]
 
 
@@ -187,22 +195,13 @@ class _WhyNot:
         stay = all(_still(piece) is not None for piece in members)
         short = None if stay else missing_length(space, members, self.budget, walk, prove=False)
         why = ("" if walk else _where_they_stay(space, members)) or (sentence(short) if short else NO_WAY[walk])
-        what = f"{' and '.join(self._names[member] for member in ids)} {_cannot(ids, walk, stay)} in {room}{_as_turned(members)}"
+        what = f"{' and '.join(self._names[member] for member in ids)} {cannot(ids, walk, stay)} in {room}{_as_turned(members)}"
         return _Verdict(label, ids, f"{what}: {why}", short)
 
     @cached_property
     def _names(self) -> Mapping[str, str]:
         """What each body is called, with its size, by id."""
         return {body.id: f"{body.name.strip() or body.id} {body.width:.2f} x {body.depth:.2f} m" for body in all_bodies(self.repair.asked)}
-
-
-def _cannot(ids: Sequence[str], walk: bool, stay: bool) -> str:
-    """Says what some pieces cannot: of one that stays as sent, no more than that it cannot stand there."""
-    if walk:
-        return "can stand but cannot be reached" if len(ids) == 1 else "can stand but cannot all be reached"
-    if len(ids) > 1:
-        return "cannot stand together"
-    return "cannot stand" if stay else "cannot stand anywhere"
 
 
 def _as_turned(members: Sequence[Piece]) -> str:

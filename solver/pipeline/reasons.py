@@ -46,3 +46,12 @@ def at_limit(name: str, walk: bool, where: str = "") -> str:
     if walk:
         return f"not found: ways{where} by which somebody can get to {name}: it can stand there, but {AT_LIMIT}"
     return f"not found: a place for {name}{where} beside all else: {AT_LIMIT}"
+
+
+def cannot(ids: Sequence[str], walk: bool, stay: bool) -> str:
+    """Says what some pieces cannot: of one that stays as sent, no more than that it cannot stand there."""
+    if walk:
+        return "can stand but cannot be reached" if len(ids) == 1 else "can stand but cannot all be reached"
+    if len(ids) > 1:
+        return "cannot stand together"
+    return "cannot stand" if stay else "cannot stand anywhere"

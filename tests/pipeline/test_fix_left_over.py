@@ -255,6 +255,16 @@ def test_what_one_locked_piece_keeps_outside_with_it_is_told_with_that_one(x: fl
         assert (errors(repaired.scene), repaired.conflicts) == ([], ())
 
 
+def test_of_a_lamp_locked_on_a_locked_table_outside_each_unlocked_helps_with_the_other() -> None:
+    table = body("side_table", -0.1, 3.0, (0.6, 0.6, 0.5), locked=True)
+    lamp = replace(body("table_lamp", -0.1, 3.0, (0.4, 0.4, 0.4), on=table.id, locked=True), y=0.5)
+    sent = room_of(table, lamp, openings=(FRONT,))
+    told = {conflict.ids: [repair for repair in conflict.repairs if repair["action"] == "unlock"] for conflict in fix(sent).conflicts}
+    assert [[(one["id"], one["dx"]) for one in unlocks] for unlocks in told.values()] == [[(table.id, 0.4)], [(lamp.id, 0.4)]]
+    repaired = fix(with_repair(with_repair(sent, told[table.id,][0]), told[lamp.id,][0]))
+    assert (errors(repaired.scene), repaired.conflicts) == ([], ())
+
+
 @pytest.mark.parametrize("on_conflict", ["report", "remove"])
 def test_of_a_piece_locked_with_its_front_at_a_wall_others_do_not_pay_for(on_conflict: str) -> None:
     """In front of the sink there are 0.52 m; the table shuts the door, so nobody can say yet what is out of reach."""
