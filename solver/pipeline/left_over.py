@@ -263,5 +263,5 @@ def _by_importance(scene: Scene, settings: RepairSettings) -> list[str]:
     """Returns the ids of all bodies, the least important first: people, then loose before locked, wished before required, small ones."""
     people = [person.id for person in scene.dynamic if person.id not in settings.locked]
     bodies = [body for room in scene.rooms for body in all_bodies(room)]
-    bodies.sort(key=lambda body: (settings.is_locked(body), body.name in settings.required_names, body.width * body.depth))
+    bodies.sort(key=lambda body: (settings.is_locked(body), body.name in settings.required_names, body.width * body.depth, body.id))
     return [*people, *(body.id for body in bodies)]

@@ -85,11 +85,11 @@ def holders(room: Room, settings: RepairSettings) -> dict[str, tuple[str, ...]]:
     return {label: tuple(ids) for label, ids in found.items()}
 
 
-def _importance(body: Body, settings: RepairSettings) -> tuple[bool, bool, bool, bool, float]:
-    """Sorts locked before moved before required before large; what is tucked under something comes after it."""
+def _importance(body: Body, settings: RepairSettings) -> tuple[bool, bool, bool, bool, float, str]:
+    """Sorts locked before moved before required before large; what is tucked under something comes after it; ids tell equal ones apart."""
     tucked = isinstance(body, Furniture) and body.under is not None
     required = body.name in settings.required_names
-    return (not settings.is_locked(body), tucked, body.id not in settings.moved, not required, -body.width * body.depth)
+    return (not settings.is_locked(body), tucked, body.id not in settings.moved, not required, -body.width * body.depth, body.id)
 
 
 def _piece(body: Body, candidates: tuple[Candidate, ...], settings: RepairSettings) -> Piece:
@@ -106,7 +106,7 @@ def _pieces_on_others(floor: _Floor, bodies: Mapping[str, Body]) -> list[Piece]:
     crowded = {parents[label] for ids in floor.crossing for label in ids if label in parents}
     upon = [piece for piece in room.furniture if root_of(piece.id, parents) in bodies.keys() - {piece.id}]
     known, pieces = {**bodies, **{piece.id: piece for piece in upon}}, []
-    for piece in sorted(upon, key=lambda piece: len(below(piece.id, parents))):
+    for piece in sorted(upon, key=lambda piece: (len(below(piece.id, parents)), piece.id)):
         own = piece if settings.is_locked(piece) else replace(piece, rotation=squared(piece.rotation))
         carrier = known[parents[piece.id]]
         ways = _ways_upon(own, carrier)

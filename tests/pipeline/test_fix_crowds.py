@@ -49,6 +49,16 @@ def test_a_crowd_is_repaired_as_far_as_repairing_it_again_would(seed: int) -> No
     assert fix(fixed.scene, repairs=False).moves == ()
 
 
+def test_the_order_in_which_equal_pieces_are_listed_decides_nothing() -> None:
+    """Twelve boxes of three sizes in a room of 3.0 x 3.0 m, listed one way round and the other."""
+    stream, sizes = Stream(2, "listed"), ((0.5, 0.5, 0.4), (0.9, 0.6, 0.4), (0.45, 0.5, 0.9))
+    spots = [(0.3 + stream.below(2400) / 1000, 0.3 + stream.below(2400) / 1000, sizes[stream.below(3)]) for _ in range(12)]
+    boxes = [body(f"box_{k}", *spot) for k, spot in enumerate(spots)]
+    both = [fix(room_of(*some, width=3.0, depth=3.0, openings=(DOOR,)), on_conflict="remove") for some in (boxes, boxes[::-1])]
+    here, there = ({piece.id: piece for piece in fixed.scene.rooms[0].furniture} for fixed in both)
+    assert here == there
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_each_conflict_of_a_crowd_is_about_a_piece_that_breaks_a_rule(seed: int) -> None:
     """Where they shut the door, nothing else is said of any."""
