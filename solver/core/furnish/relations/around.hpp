@@ -9,8 +9,6 @@ namespace furnish {
 constexpr f64 SLOT_COST = 0.01;
 // Free width between neighbours around a table.
 constexpr i64 ELBOW_MM = 100;
-// More than any side has places: the ends of a table come last.
-constexpr i32 END_RANK = 100;
 
 constexpr Side ALL_SIDES[] = {Side::front, Side::back, Side::left, Side::right};
 
@@ -24,48 +22,76 @@ struct Guest {
   Span<const Side> sides;
 };
 
-// Where each sits, those with the fewest sides first: they share the long sides evenly, and the ends what is left. Nobody sits where there
-// is no room, or at a closed side, bit by Side. Where some are left over, all sit closer.
-inline List<Setting> settings(const Kind& parent, i32 closed, Span<Guest> guests, i64 elbow = ELBOW_MM) {
+// The places around a piece while they are dealt, one after the other: those who come share the long sides evenly, and the ends have what is
+// left. Nobody sits where there is no room, or at a closed side, bit by Side.
+class Seating {
+ public:
+  Seating(const Kind& parent, i32 closed, i64 elbow) : parent_(parent), closed_(closed), elbow_(elbow) {}
+
+  // Adds a place for one more, at the end of its side; false where none has room.
+  bool add(const Guest& guest) {
+    Place best;
+    for (Side side : guest.sides) {
+      const bool is_full = at(side).count > 0 && at(side).width + guest.width + elbow_ > length(side);
+      if (closed_ >> static_cast<i32>(side) & 1 || is_full) continue;
+      if (best.width == 0 || is_better(side, best.side)) best = {side, guest.width + elbow_, at(side)};
+    }
+    if (best.width == 0) return false;
+    at(best.side) = {best.before.width + best.width, best.before.count + 1};
+    places_.add(best);
+    return true;
+  }
+
+  i32 size() const { return places_.size(); }
+
+  // Where the place added so is, when all are: spare length is shared.
+  Setting operator[](i32 number) const {
+    const Place& own = places_[number];
+    const Laid& all = at(own.side);
+    const i64 spare = length(own.side) - all.width;
+    const i64 middle = 2 * own.before.width + own.width - length(own.side) + floor_div((2 * own.before.count + 1) * spare, all.count);
+    return {true, own.side, middle, own.width + floor_div(spare, all.count)};
+  }
+
+ private:
   struct Laid {
     i64 width = 0;
     i32 count = 0;
   };
-  Laid laid[4];  // by Side
-  List<Setting> found;
-  List<Laid> before;  // each: what was laid at its side
-  const auto at = [&](Side side) -> Laid& { return laid[static_cast<i32>(side)]; };
-  const auto length = [&](Side side) { return is_lateral(side) ? parent.depth : parent.width; };
-  const auto is_better = [&](Side side, Side than) {
-    return length(side) == length(than) ? at(side).width < at(than).width : length(side) > length(than);
+  struct Place {
+    Side side = Side::front;
+    i64 width = 0;
+    Laid before;  // at its side
   };
-  for (i32 i = 0; i < guests.size; i++) {
-    found.add({});
-    before.add({});
+
+  Laid& at(Side side) { return laid_[static_cast<i32>(side)]; }
+  const Laid& at(Side side) const { return laid_[static_cast<i32>(side)]; }
+  i64 length(Side side) const { return is_lateral(side) ? parent_.depth : parent_.width; }
+  bool is_better(Side side, Side than) const {
+    return length(side) == length(than) ? at(side).width < at(than).width : length(side) > length(than);
   }
+
+  const Kind& parent_;
+  i32 closed_;
+  i64 elbow_;
+  Laid laid_[4];
+  List<Place> places_;
+};
+
+// Where each of some guests sits, those with the fewest sides first. Where some are left over, all sit closer.
+inline List<Setting> settings(const Kind& parent, i32 closed, Span<Guest> guests, i64 elbow = ELBOW_MM) {
+  Seating seating(parent, closed, elbow);
+  List<i32> seats;
+  for (i32 i = 0; i < guests.size; i++) seats.add(-1);
   for (i32 choice = 1; choice <= 4; choice++) {
     for (i32 i = 0; i < guests.size; i++) {
       if (guests[i].sides.size != choice) continue;
-      const i64 width = guests[i].width + elbow;
-      Setting& own = found[i];
-      for (Side side : guests[i].sides) {
-        if (closed >> static_cast<i32>(side) & 1 || (at(side).count > 0 && at(side).width + width > length(side))) continue;
-        if (!own.is_laid || is_better(side, own.side)) own = {true, side, {}};
-      }
-      if (!own.is_laid && elbow > 0) return settings(parent, closed, guests, 0);
-      if (!own.is_laid) continue;
-      before[i] = at(own.side);
-      at(own.side) = {before[i].width + width, before[i].count + 1};
+      if (seating.add(guests[i])) seats[i] = seating.size() - 1;
+      else if (elbow > 0) return settings(parent, closed, guests, 0);
     }
   }
-  for (i32 i = 0; i < guests.size; i++) {
-    const Laid& all = at(found[i].side);
-    const auto end = [&](i64 taken, i32 count) {  // doubled, with its share of the spare length
-      const i64 whole = length(found[i].side);
-      return 2 * taken - whole + floor_div(2 * count * (whole - all.width), most(1, all.count));
-    };
-    found[i].part = {end(before[i].width, before[i].count), end(before[i].width + guests[i].width + elbow, before[i].count + 1)};
-  }
+  List<Setting> found;
+  for (i32 seat : seats) found.add(seat < 0 ? Setting{} : seating[seat]);
   return found;
 }
 
@@ -78,10 +104,13 @@ class Around : public AtSide {
     const List<Parent> parents = subject.parents(rule);
     for (const Variant& variant : subject.variants) {
       for (const Parent& parent : parents) {
-        const List<Seat> places = seats(subject, rule, subject.type.kinds[parent.kind], subject.type.kinds[variant.kind]);
-        for (i32 rank = 0; rank < places.size(); rank++) {
-          const Pair pair{parent, variant.kind, towards(places[rank].side), places[rank].side};
-          add_seat(subject, pair, places[rank].shift, slot_gap(rule), variant.cost + SLOT_COST * rank, effect);
+        Seating seats(subject.type.kinds[parent.kind], 0, ELBOW_MM);
+        while (seats.add({subject.type.kinds[variant.kind].width, sides(subject, rule)})) {
+        }
+        for (i32 rank = 0; rank < seats.size(); rank++) {
+          const Setting seat = seats[rank];
+          const Pair pair{parent, variant.kind, towards(seat.side), seat.side};
+          add_seat(subject, pair, floor_div(seat.middle, 2), slot_gap(rule), variant.cost + SLOT_COST * rank, effect);
         }
       }
     }
@@ -99,27 +128,6 @@ class Around : public AtSide {
   }
 
  private:
-  struct Seat {
-    Side side;
-    i32 rank;
-    i64 shift;
-  };
-
-  // The places along all sides, the middles of long sides first.
-  List<Seat> seats(const Subject& subject, const Rule& rule, const Kind& parent, const Kind& own) const {
-    List<Seat> found;
-    for (Side side : sides(subject, rule)) {
-      const i64 length = is_lateral(side) ? parent.depth : parent.width;
-      const i64 number = most<i64>(1, floor_div(length, own.width + ELBOW_MM));
-      const i32 end = length < most(parent.width, parent.depth) ? END_RANK : 0;
-      for (i32 i = 0; i < number; i++) {
-        found.add({side, end + i, floor_div(floor_div((2 * i + 1) * length, number) - length, 2)});
-      }
-    }
-    stable_sort(found.all(), [](const Seat& a, const Seat& b) { return a.rank < b.rank; });
-    return found;
-  }
-
   // Adds the candidates at a place around a parent.
   void add_seat(const Subject& subject, const Pair& pair, i64 shift, Interval gap, f64 cost, Effect& effect) const {
     const Extent parent = subject.type.kinds[pair.parent.kind].size(), own = turned(subject.type.kinds[pair.kind].size(), pair.rotation);

@@ -46,11 +46,11 @@ struct Footing {
   i64 off_wall(Point at) const;
 };
 
-// What of the floor around another piece is for one of those that are asked to stand there: the side, and the part of it, doubled.
+// What of the floor around another piece is for one of those that stand there: the side, and the part of it, doubled.
 struct Setting {
   bool is_laid = false;
   Side side = Side::front;
-  Interval part = {0, 0};
+  i64 middle = 0, half = 0;
 };
 
 // A relation between two pieces: the other's extents, the own ones in the other's frame, and the own rotation there.

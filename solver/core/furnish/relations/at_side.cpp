@@ -53,13 +53,12 @@ void AtSide::add_boxes(const Fit& fit, Side side, List<DoubleBox>& found) const 
 
 void AtSide::add_seat_box(const Fit& fit, List<DoubleBox>& found) const {
   const Side side = fit.setting.side;
-  const i64 spare = 2 * fit.asked.tolerance.inside;
-  const Interval gap = slot_gap(fit.asked.rule), doubled{fit.setting.part.low + spare, fit.setting.part.high - spare};
+  const i64 middle = fit.setting.middle, room = fit.setting.half - 2 * fit.asked.tolerance.inside;
+  const Interval gap = slot_gap(fit.asked.rule), doubled{middle - room, middle + room};
   DoubleBox box = beside(fit.parent, fit.own, side, gap, Align::centre, EXACT);
   (is_lateral(side) ? box.along : box.across) = doubled;
   List<DoubleBox> places;
   add_free(fit, gap, box, places);
-  const i64 middle = doubled.middle();
   for (DoubleBox& place : places) {
     Interval& part = is_lateral(side) ? place.along : place.across;
     const i64 half = least(middle - part.low, part.high - middle);
