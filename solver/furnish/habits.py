@@ -1,6 +1,6 @@
-"""Where pieces usually stand that a list says nothing of: chairs at tables, dealt evenly; plants in corners; the rest spread out.
+"""Where pieces usually stand that a list says nothing of: chairs at tables; plants in corners; the rest spread out.
 
-What a list does say is not touched.
+Who asks for a place at any of several pieces is dealt one of them as who has it there by habit: evenly, by what each has free.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -11,6 +11,7 @@ from typing import Final
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
 from solver.geometry import Rect
+from solver.relations.held import traits
 from solver.relations.subject import Kind, is_tall
 from solver.requested import PieceRequest
 
@@ -34,11 +35,13 @@ _ONE_EACH: Final = {"under": 1, "on": 1, "opposite": 1, "in_front_of": 1, "besid
 class Habits:
     """Where pieces stand that say nothing of it, by label: by which relations, and on which part of the floor.
 
-    That is where a piece stands best that stands free and near nothing.
+    That is where a piece stands best that stands free and near nothing. `dealt` are the relations of pieces that do say something: which
+    of several other pieces one is dealt comes first.
     """
 
     relations: Mapping[str, tuple[RelationSpec, ...]] = field(default_factory=dict)
     cells: Mapping[str, Rect] = field(default_factory=dict)
+    dealt: Mapping[str, tuple[RelationSpec, ...]] = field(default_factory=dict)
 
 
 @dataclass
@@ -54,10 +57,14 @@ class _Hosts:
         for name in spec.of:
             free = [label for label in self.labels.get(name, ()) if self._load(spec, label, own) < 1.0]
             if free:
-                chosen = min(free, key=lambda label: self._load(spec, label, own))
-                self.taken[spec.type, chosen] = self.taken.get((spec.type, chosen), 0) + 1
-                return chosen
+                return self.taking(spec, free, own)
         return None
+
+    def taking(self, spec: RelationSpec, labels: Sequence[str], own: Kind, count: int = 1) -> str:
+        """Returns that of some pieces with the most room left; so many more stand there from now on."""
+        chosen = min(labels, key=lambda label: self._load(spec, label, own))
+        self.taken[spec.type, chosen] = self.taken.get((spec.type, chosen), 0) + count
+        return chosen
 
     def _load(self, spec: RelationSpec, label: str, own: Kind) -> float:
         return self.taken.get((spec.type, label), 0) / _seats(spec.type, self.kinds[label], own)
@@ -81,6 +88,7 @@ def habits_of(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], catal
     for name, labels in copies.items():
         hosts.labels.setdefault(catalogs.name_of(kinds[name].name), []).extend(labels)
         hosts.kinds |= dict.fromkeys(labels, kinds[name])
+    dealt = _dealt(hosts, requests, kinds, copies)
     found: dict[str, tuple[RelationSpec, ...]] = {}
     for label, name in _silent(requests):
         relations = _way(hosts, label, kinds[name], catalogs)
@@ -89,7 +97,37 @@ def habits_of(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], catal
     free = {label: kinds[name] for label, name in _silent(requests) if label not in found and not kinds[name].at_walls}
     seated = {host for relation, host in hosts.taken if relation == "around"}
     rim = any(kind.at_walls for kind in kinds.values()) or any(spec.type == "against_wall" for way in found.values() for spec in way)
-    return Habits(found, _cells(free, seated, clear, rim))
+    return Habits(found, _cells(free, seated, clear, rim), dealt)
+
+
+def _dealt(
+    hosts: _Hosts, requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], copies: Mapping[str, Sequence[str]]
+) -> dict[str, tuple[RelationSpec, ...]]:
+    """Returns by label the relations of who asks to be at any of several pieces: which of them it is dealt comes first.
+
+    It has all it asks for at the same one, where it has its place; those who ask for a single one come before.
+    """
+
+    def others(request: PieceRequest, spec: RelationSpec) -> Sequence[str]:
+        labels = [label for name in spec.of for label in copies.get(name, ())]
+        return labels if not traits(spec.type).with_all and request.id not in spec.of else ()
+
+    for request in requests:
+        for spec in request.relations:
+            if len(only := others(request, spec)) == 1:
+                hosts.taking(spec, only, kinds[request.id], request.count)
+    found: dict[str, tuple[RelationSpec, ...]] = {}
+    for label, request in ((label, request) for request in requests for label in request.labels):
+        at = dict[str, None]()
+        for spec in sorted(request.relations, key=lambda spec: not traits(spec.type).gives_place):
+            if len(several := others(request, spec)) > 1:
+                at[hosts.taking(spec, [one for one in several if one in at] or several, kinds[request.id])] = None
+        if at:
+            firsts = [[one for one in at if one in others(request, spec)][:1] for spec in request.relations]
+            found[label] = tuple(
+                spec.model_copy(update={"of": (*first, *spec.of)}) for spec, first in zip(request.relations, firsts, strict=True)
+            )
+    return found
 
 
 def _silent(requests: Sequence[PieceRequest]) -> Iterator[tuple[str, str]]:

@@ -184,7 +184,7 @@ class _ListTables(KindTables):
             rotation, wall, _ = way.stance or _FREE
             rows.append(_ASKED.pack(word, word, number[piece.label], 1, 0, 0, *(way.within or _NOWHERE), rotation, WALL_NUMBERS[wall]))
         for label, request in listing.listed.items():
-            rules = self._added("rule", listing.relations(label), self._rule)
+            rules = self._added("rule", listing.habits.dealt.get(label) or listing.relations(label), self._rule)
             words = self._word(label), self._word(request.id)
             cell = listing.habits.cells.get(label, _NOWHERE)
             rows.append(_ASKED.pack(*words, number[request.id], request.required, *rules, *cell, _FREE.rotation, WALL_NUMBERS[None]))

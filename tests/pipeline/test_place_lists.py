@@ -66,6 +66,21 @@ def test_seats_are_dealt_evenly_over_the_tables(name: str, seats: int, tables: i
     assert all(min(gap(chair, board) for board in boards) <= 0.3 for chair in chairs)
 
 
+@pytest.mark.parametrize("of", [("table",), ("table_1", "table_2")])
+@pytest.mark.parametrize(("word", "host", "count"), [("around", "dining_table", 8), ("beside", "single_bed", 4), ("under", "desk", 2)])
+def test_places_at_any_of_several_pieces_are_dealt_evenly(of: tuple[str, ...], word: str, host: str, count: int) -> None:
+    """Each piece is there for as many, by whatever names they are called."""
+    own = "small_nightstand" if word == "beside" else "dining_chair"
+    hosts = [PieceRequest("table", host, count=2)] if len(of) == 1 else [PieceRequest(name, host) for name in of]
+    asked = PieceRequest("own", own, count=count, relations=(RelationSpec(type=word, of=of),))
+    found = place(Room("den", width=6.0, depth=6.0), [*hosts, asked]).best
+    assert all(one.held for one in found.relations)
+    stood = found.scene.rooms[0].furniture
+    boards = [piece for piece in stood if "table" in piece.id]
+    nearest = Counter(min(boards, key=lambda board: gap(piece, board)).id for piece in stood if "own" in piece.id)
+    assert [*nearest.values()] == [count // 2] * 2
+
+
 @pytest.mark.parametrize(
     ("name", "word"), [("gallery", "s"), ("restaurant", "dining_table"), ("canteen", "table"), ("shop", "clothes_rail")]
 )

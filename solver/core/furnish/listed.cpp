@@ -86,12 +86,13 @@ class Lister {
 
   Span<Rule> rules_of(i32 piece) const { return part_of(in_.type.rules, in_.rows[piece].rules); }
 
-  // Those of the first pieces but one that a relation names, by their own label or one that copies share.
+  // Those of the first pieces but one that a relation names, by their own label or one that copies share; first which it is dealt.
   List<i32> named(const Rule& rule, i32 first, i32 but) const {
     List<i32> found;
     for (const Name& name : in_.type.of(rule)) {
       for (i32 i = 0; i < first; i++) {
-        if (i != but && (in_.rows[i].name == name.word || in_.rows[i].word == name.word)) found.add(i);
+        const bool is_named = in_.rows[i].name == name.word || in_.rows[i].word == name.word;
+        if (i != but && is_named && !has(found.all(), i)) found.add(i);
       }
     }
     return found;
@@ -107,20 +108,21 @@ class Lister {
     return found;
   }
 
-  // Where a piece sits that is asked to stand around one other, among all that are.
-  Setting setting(const Rule& rule, const List<i32>& parent) const {
+  // Where a piece sits that is asked to stand around another, the first of those named, among all that are.
+  Setting setting(const Rule& rule, i32 parent) const {
     List<Guest> guests;
     i32 own = -1;
-    for (i32 i = 0; i < in_.rows.size && parent.size() == 1 && rule.word == Word::around; i++) {
+    for (i32 i = 0; i < in_.rows.size && rule.word == Word::around; i++) {
       for (const Rule& one : rules_of(i)) {
-        if (one.word != Word::around || one.align != Align::none || named(one, in_.rows.size, i).size() != 1) continue;
-        if (!has(named(one, in_.rows.size, i).all(), parent[0])) continue;
+        if (one.word != Word::around || one.align != Align::none) continue;
+        const List<i32> others = named(one, in_.rows.size, i);
+        if (others.size() == 0 || others[0] != parent) continue;
         if (&one == &rule) own = guests.size();
         guests.add({in_.type.kind(in_.rows[i].kind).width, all_or(part_of(in_.type.sides, one.sides))});
         break;
       }
     }
-    return own < 0 ? Setting{} : settings(in_.type.kind(in_.rows[parent[0]].kind), closed(parent[0]), guests.all())[own];
+    return own < 0 ? Setting{} : settings(in_.type.kind(in_.rows[parent].kind), closed(parent), guests.all())[own];
   }
 
   // The pieces that have to keep to another's relation, those of them that come later: all it is to, or the only one.
@@ -148,7 +150,7 @@ class Lister {
       if (pieces.size() == 0 && to_room) seeker.to_room.add(&rule);
       // To keep away from what has no way to stand is kept.
       if (pieces.size() == 0 || (relation_of(rule.word).with_all && !any_stands(pieces))) continue;
-      seeker.pairs.add({&rule, -1, pieces, setting(rule, pieces)});
+      seeker.pairs.add({&rule, -1, pieces, setting(rule, pieces[0])});
     }
     for (i32 owner = 0; owner < number; owner++) {
       for (const Rule& rule : rules_of(owner)) {

@@ -9,6 +9,8 @@ namespace furnish {
 
 // What a place that slides along an axis costs more than an exact one, or one turned across the other: pieces line up where they can.
 constexpr f64 SLIDING_COST = 0.04;
+// What a place costs more, at most, at another of several pieces than the one that is dealt to whom asks for any of them.
+constexpr f64 NOT_DEALT = 0.5;
 // What halves of odd extents may add up to, mm.
 constexpr i64 SLACK_MM = 2;
 // Most ways of a piece between others that stand.
@@ -30,12 +32,17 @@ static bool suits(const Bond& pair, Wall mine, Wall theirs) {
   return pair.owner < 0 ? pair.relation().suits(pair.rule->wall, mine, theirs) : pair.relation().suits(pair.rule->wall, theirs, mine);
 }
 
-static List<DoubleBox> boxes(const Listing& in, const Bond& pair, const Kind& own, const Kind& other, i32 turn) {
+static List<DoubleBox> boxes(const Listing& in, const Bond& pair, const Kind& own, const Kind& other, i32 turn, const Setting& setting = {}) {
   const Asked asked = in.asked(*pair.rule);
   List<DoubleBox> found;
   pair.relation().boxes({asked, other.size(), turned(own.size(), turn), turn, own.height, in.type.levels_of(other),
-                         in.type.parts_of(other), in.type.parts_of(own), pair.setting}, found);
+                         in.type.parts_of(other), in.type.parts_of(own), setting}, found);
   return found;
+}
+
+// What it costs to have the place that a relation gives at a piece: it is dealt the first of those it is to.
+static f64 dealt_cost(const Bond& pair, i32 other) {
+  return pair.earlier[0] != other && pair.relation().gives_place ? least(NOT_DEALT, 0.5 * pair.rule->missed()) : 0.0;
 }
 
 static f64 sliding_cost(const Bond& pair, const Rect& box, i32 turn) {
@@ -44,20 +51,22 @@ static f64 sliding_cost(const Bond& pair, const Rect& box, i32 turn) {
 }
 
 // The boxes in the other's frame in which a relation surely holds: to it, or its own to this piece.
-static List<Costed> held_boxes(const Seeker& seeker, const Bond& pair, const Kind& other, i32 turn) {
+static List<Costed> held_boxes(const Seeker& seeker, const Bond& pair, i32 other, i32 turn) {
   List<Costed> found;
   const bool is_own = pair.owner < 0;
-  const Kind &from = is_own ? seeker.kind() : other, &to = is_own ? other : seeker.kind();
-  for (const DoubleBox& one : boxes(seeker.in, pair, from, to, is_own ? turn : (360 - turn) % 360)) {
+  const Kind& theirs = seeker.in.type.kind(seeker.in.rows[other].kind);
+  const Kind &from = is_own ? seeker.kind() : theirs, &to = is_own ? theirs : seeker.kind();
+  const Setting setting = other == pair.earlier[0] ? pair.setting : Setting{};
+  for (const DoubleBox& one : boxes(seeker.in, pair, from, to, is_own ? turn : (360 - turn) % 360, setting)) {
     Rect box = rounded(one);
     if (!is_own) box = in_room({-box.x1, -box.z1, -box.x0, -box.z0}, turn, {});
-    found.add({box, one.is_seat ? 0.0 : sliding_cost(pair, box, turn)});
+    found.add({box, (one.is_seat ? 0.0 : sliding_cost(pair, box, turn)) + dealt_cost(pair, other)});
   }
   return found;
 }
 
 // Boxes in the other's frame, each holding at least one of the relations that are `suited`, bit by bit; cheapest first.
-static List<Costed> costed_boxes(Seeker& seeker, Span<Bond> pairs, u64 suited, const Kind& other, i32 turn) {
+static List<Costed> costed_boxes(Seeker& seeker, Span<Bond> pairs, u64 suited, i32 other, i32 turn) {
   List<Costed> found, held;
   found.add({ANY_PLACE, 0.0});
   for (i32 i = 0; i < pairs.size; i++) {
@@ -86,7 +95,7 @@ static void add_resting(const Seeker& seeker, Span<Bond> pairs, i32 other, List<
     if (pair.rule->word != Word::on) continue;
     for (const Way& parent : seeker.in.ways[other]) {
       for (const DoubleBox& box : boxes(seeker.in, pair, seeker.kind(), carrier, 0)) {
-        Candidate& made = found.add(seeker.way({parent.stance.rotation, Wall::none}, 0.0, FIRM));
+        Candidate& made = found.add(seeker.way({parent.stance.rotation, Wall::none}, dealt_cost(pair, other), FIRM));
         attach(seeker.in, made, other, parent.stance, rounded(box));
         made.rotation = 0;
         made.slot = Slot::level;
@@ -111,8 +120,7 @@ struct Beside {
 class Frames {
  public:
   Frames(Seeker& seeker, Span<Bond> pairs, i32 other, f64 others)
-      : seeker_(seeker), in_(seeker.in), pairs_(pairs), other_(other), kind_(seeker.in.type.kind(seeker.in.rows[other].kind)),
-        others_(others) {
+      : seeker_(seeker), in_(seeker.in), pairs_(pairs), other_(other), others_(others) {
     for (const Bond& pair : pairs) pull_ = pair.relation().gives_place ? FIRM : pull_;
   }
 
@@ -138,7 +146,7 @@ class Frames {
     u64 suited = 0;
     for (i32 i = 0; i < pairs_.size; i++) suited |= static_cast<u64>(suits(pairs_[i], own.wall, parent.wall)) << i;
     const i32 turn = (360 + own.rotation - parent.rotation) % 360;
-    return costed_boxes(seeker_, pairs_, suited, kind_, turn);
+    return costed_boxes(seeker_, pairs_, suited, other_, turn);
   }
 
   // Adds the cheapest pairs of a box in the other's frame and a rectangle in the room that can hold together.
@@ -184,7 +192,7 @@ class Frames {
   bool is_tucked(i32 turn, const Rect& box) const {
     for (const Bond& pair : pairs_) {
       if (!is_tucking(pair)) continue;
-      for (const Costed& held : held_boxes(seeker_, pair, kind_, turn)) {
+      for (const Costed& held : held_boxes(seeker_, pair, other_, turn)) {
         if (held.rect.contains(box)) return true;
       }
     }
@@ -195,7 +203,6 @@ class Frames {
   const Listing& in_;
   Span<Bond> pairs_;
   i32 other_;
-  const Kind& kind_;
   f64 others_;  // what relations with further pieces cost here
   f64 pull_ = LOOSE;
 };
@@ -258,8 +265,7 @@ static List<Held> held_at(Seeker& seeker, const Bond& pair, const Foothold& at, 
     const Rect own{floor_div(x - at.extent.x, 2), floor_div(z - at.extent.z, 2), floor_div(x + at.extent.x + 1, 2),
                    floor_div(z + at.extent.z + 1, 2)};
     const i32 turn = (360 + at.stance.rotation - stance.rotation) % 360;
-    const Kind& kind = seeker.in.type.kind(seeker.in.rows[other].kind);
-    for (const Costed& one : costed_boxes(seeker, {&alone, 1}, suits(pair, at.stance.wall, stance.wall), kind, turn)) {
+    for (const Costed& one : costed_boxes(seeker, {&alone, 1}, suits(pair, at.stance.wall, stance.wall), other, turn)) {
       if (one.cost < pair.rule->cost) found.add({other, stance, one.rect, in_room(one.rect, stance.rotation, own)});
     }
   }
