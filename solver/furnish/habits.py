@@ -95,7 +95,7 @@ def habits_of(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind], catal
         if relations:
             found[label] = relations
     free = {label: kinds[name] for label, name in _silent(requests) if label not in found and not kinds[name].at_walls}
-    seated = {host for relation, host in hosts.taken if relation == "around"}
+    seated = {host for way in found.values() for spec in way if spec.type == "around" for host in spec.of}
     rim = any(kind.at_walls for kind in kinds.values()) or any(spec.type == "against_wall" for way in found.values() for spec in way)
     return Habits(found, _cells(free, seated, clear, rim), dealt)
 
@@ -117,7 +117,7 @@ def _dealt(
             if len(only := others(request, spec)) == 1:
                 hosts.taking(spec, only, kinds[request.id], request.count)
     found: dict[str, tuple[RelationSpec, ...]] = {}
-    for label, request in ((label, request) for request in requests for label in request.labels):
+    for label, request in ((label, one) for one in requests for label in one.labels):
         at = dict[str, None]()
         for spec in sorted(request.relations, key=lambda spec: not traits(spec.type).gives_place):
             if len(several := others(request, spec)) > 1:

@@ -12,7 +12,15 @@ from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
 from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
 from solver.pipeline.reasons import at_limit
-from solver.pipeline.rounds import Round, best_placement, other_placements, quick_placement, walked_placement, with_fronts_open
+from solver.pipeline.rounds import (
+    Round,
+    best_placement,
+    other_placements,
+    quick_placement,
+    thorough_placement,
+    walked_placement,
+    with_fronts_open,
+)
 from solver.pipeline.timing import Clock, Timing
 from solver.placement import ROOM_WORK, Budget, feasible, is_call_spent, minimal_conflict
 from solver.requested import MOST_ALTERNATIVES, Answered, PieceRequest, Placement, labels_by_name
@@ -97,10 +105,12 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     found = best_placement(task, task.pieces)
     if found.arrangement.left_out and not is_call_spent():
         listed = in_room(pieces, setting=task.setting._replace(flush=found.score[0] > 0), as_sent=True)
-        other = best_placement(listed, listed.pieces)
+        other = best_placement(listed, listed.pieces, quick=True)
         if other.score[:3] <= found.score[:3]:
-            task, found = listed, other
-    task, found = _first_of_the_list(in_room, task, found, pieces)
+            task, found = listed, thorough_placement(listed, other)
+    first, (task, found) = found, _first_of_the_list(in_room, task, found, pieces)
+    if found is not first:
+        found = replace(thorough_placement(task, found), whole=False)
     gone = {label for label, _ in found.arrangement.left_out}
     apart = [without_partings(request, gone) for request in pieces]
     if apart != [*pieces] and not is_call_spent():
@@ -157,7 +167,7 @@ def _with_these(
     """Returns a placement of a list in which those stand, all others only if they find a place; None where one of those does not."""
     asked = [replace(one, required=one.id in firm) for one in pieces]
     listed = replace(in_room(asked, setting=task.setting, as_sent=True), requests=task.requests)
-    found = best_placement(listed, listed.pieces)
+    found = best_placement(listed, listed.pieces, quick=True)
     gone = {label for label, _ in found.arrangement.left_out}
     return (listed, replace(found, whole=False)) if all(gone.isdisjoint(one.labels) for one in asked if one.required) else None
 

@@ -69,26 +69,32 @@ class Round:
         return self.whole and self.draft.best and self.draft.proven
 
 
-def best_placement(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
+def best_placement(task: PlaceTask, wanted: Sequence[Piece], quick: bool = False) -> Round:
     """Returns the best placement of all rounds, without the pieces whose required relations it does not hold.
 
-    The pieces come each after those it refers to.
+    The pieces come each after those it refers to. `quick`: without the longest rounds, which `thorough_placement` makes up for.
     """
-    best, given_up = _best(task, wanted), list[str]()
+    best, given_up = _best(task, wanted, quick), list[str]()
     while broken := best.breaking:
         given_up.append(broken[-1])
         wanted = [replace(piece, candidates=(), links=()) if piece.label in given_up else piece for piece in wanted]
-        best = _best(task, wanted)
+        best = _best(task, wanted, quick)
     return replace(best, given_up=tuple(given_up))
 
 
-def _best(task: PlaceTask, wanted: Sequence[Piece]) -> Round:
+def _best(task: PlaceTask, wanted: Sequence[Piece], quick: bool) -> Round:
     best = _first(task, wanted, FIRST)
     if not best.perfect and not is_call_spent():
         best = min(best, _mended(task, wanted, best), key=lambda one: one.score[:4])
-    if wanted is task.pieces and not best.is_best and not is_call_spent():
+    if wanted is task.pieces and not quick and not best.is_best:
         best = _thorough(task, best)
     return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] and not is_call_spent() else best
+
+
+def thorough_placement(task: PlaceTask, found: Round) -> Round:
+    """Returns a placement that was found quickly, or a better one of the longest rounds."""
+    other = _thorough(task, found)
+    return found if other.breaking or other.score[:4] > found.score[:4] else other
 
 
 def _thorough(task: PlaceTask, best: Round) -> Round:
