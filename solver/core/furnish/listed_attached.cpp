@@ -32,7 +32,8 @@ static bool suits(const Bond& pair, Wall mine, Wall theirs) {
   return pair.owner < 0 ? pair.relation().suits(pair.rule->wall, mine, theirs) : pair.relation().suits(pair.rule->wall, theirs, mine);
 }
 
-static List<DoubleBox> boxes(const Listing& in, const Bond& pair, const Kind& own, const Kind& other, i32 turn, const Setting& setting = {}) {
+static List<DoubleBox> boxes(
+    const Listing& in, const Bond& pair, const Kind& own, const Kind& other, i32 turn, const Setting& setting = {}) {
   const Asked asked = in.asked(*pair.rule);
   List<DoubleBox> found;
   pair.relation().boxes({asked, other.size(), turned(own.size(), turn), turn, own.height, in.type.levels_of(other),

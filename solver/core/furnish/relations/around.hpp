@@ -22,8 +22,8 @@ struct Guest {
   Span<const Side> sides;
 };
 
-// The places around a piece while they are dealt, one after the other: those who come share the long sides evenly, and the ends have what is
-// left. Nobody sits where there is no room, or at a closed side, bit by Side.
+// The places around a piece while they are dealt, one after the other: those who come share the long sides evenly, and the ends have what
+// is left. Nobody sits where there is no room, or at a closed side, bit by Side.
 class Seating {
  public:
   Seating(const Kind& parent, i32 closed, i64 elbow) : parent_(parent), closed_(closed), elbow_(elbow) {}

@@ -46,7 +46,7 @@ struct Footing {
   i64 off_wall(Point at) const;
 };
 
-// What of the floor around another piece is for one of those that stand there: the side, and the part of it, doubled.
+// What of the floor around another piece is for one of those that stand there: a part of a side, doubled.
 struct Setting {
   bool is_laid = false;
   Side side = Side::front;
