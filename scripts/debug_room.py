@@ -24,7 +24,7 @@ from solver.exchange import read_request
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import unwanted_in, wanted_in
 from solver.pipeline.reasons import REASON_WORK, with_lengths
-from solver.placement import Budget, SolvedRoom, arrange, feasible, finish, minimal_conflict, place
+from solver.placement import Budget, OpenRoom, feasible, minimal_conflict, opened, place
 from solver.placement.layout import ABSENT
 from solver.scene import Room, Scene
 
@@ -39,8 +39,8 @@ UNFOUND = "stands, but the search finds no such place"
 
 def described(room: Room, space: Space, wanted: Sequence[Piece], unwanted: Unwanted, tried: Sequence[Piece] = ()) -> Iterator[str]:
     """Tell how a room of a generated scene was furnished, line by line, and of every candidate of the pieces to be tried."""
-    found = arrange(space, wanted, wide=True)
-    (arrangement,) = finish([found], tidy=True)
+    found = opened(space, wanted, wide=True, tidy=True)
+    arrangement = found.solved.arrangement
     standing = {placed.label: placed for placed in arrangement.placed}
     yield f"{room.id}: {room.type}, {room.width:g} x {room.depth:g} m, {_metres(*space.clear)} clear"
     for opening in room.openings:
@@ -62,7 +62,7 @@ def described(room: Room, space: Space, wanted: Sequence[Piece], unwanted: Unwan
         yield from _candidates(space, wanted, piece, arrangement)
 
 
-def _summed(found: SolvedRoom, arrangement: Arrangement) -> Iterator[str]:
+def _summed(found: OpenRoom, arrangement: Arrangement) -> Iterator[str]:
     """Tell what the floor that is better kept free costs, and what the cost of the room is the sum of."""
     decided = zip(found.core.encoded.pieces, found.decisions.tolist(), strict=True)
     floors = {piece.label: found.core.decided(decision).cost for piece, decision in decided if piece.is_floor and decision != ABSENT}

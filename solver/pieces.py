@@ -12,7 +12,7 @@ from struct import Struct
 from typing import Final, Literal, NamedTuple
 
 from solver.body_rows import Look
-from solver.geometry import Rect, gaps_between, strip, turned
+from solver.geometry import Rect, turned
 from solver.records import kept, late, maker_in
 from solver.scene import WALL_NUMBERS
 
@@ -21,10 +21,6 @@ Extents = tuple[int, int, int]
 
 NamedKind = tuple[str, Extents]
 """Name and size of a kind."""
-
-Stretch = tuple[int, int]
-"""An interval along a wall, mm, from its west or north end."""
-
 
 ZONE: Final = Struct("<6q")
 DOORWAY: Final = Struct("<2i4q")
@@ -108,13 +104,6 @@ class Space:
     def outer(self) -> int:
         """By how many of its doors, the first that the core reads, one comes into the house."""
         return sum(door.walked == "in" for door in self.doorways)
-
-    def free_stretches(self, wall: str, depth_mm: int, height_mm: int, bodies: Iterable[Rect] = ()) -> list[Stretch]:
-        """Returns where along a wall a body of that depth and height, its back to it, meets no zone and no body, west or north first."""
-        clear = self.clear
-        reach = strip(clear, wall, clear.along(wall), min(depth_mm + self.gap_mm, clear.width, clear.depth))
-        blocks = (*(zone.rect for zone in self.zones if zone.above_mm < height_mm), *bodies)
-        return gaps_between(clear.along(wall), (rect.along(wall) for rect in blocks if rect.overlaps(reach)))
 
 
 class Stance(NamedTuple):
@@ -256,6 +245,7 @@ class Piece:
         with_next: an optional piece that stands only together with the next one.
         is_floor: it stands for floor to be kept empty: no body, but bodies keep out of it.
         is_there: it stands already, and need not keep apart from zones and from others that do.
+        left_out: not 0 where it is left out already and only told of: why (`Fate` of solver/core/placement/fill.hpp).
         only: name and size of its kind where it is of one, for reasons: it may have no candidate.
     """
 
@@ -269,6 +259,7 @@ class Piece:
     with_next: bool = False
     is_floor: bool = False
     is_there: bool = False
+    left_out: int = 0
     only: NamedKind | None = None
 
     @property

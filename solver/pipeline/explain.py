@@ -16,7 +16,7 @@ from solver.furnished import ids_of
 from solver.geometry import Rect, to_m, to_mm
 from solver.pieces import Arrangement, Candidate, Piece, Placed, Space
 from solver.pipeline.generate import generator, wanted_in
-from solver.placement import SolvedRoom, arrange, finish, is_call_spent
+from solver.placement import OpenRoom, arrange, is_call_spent, opened
 from solver.placement.empty_floor import FLOOR
 from solver.placement.problem import ORIGIN, Choice, Force, ProblemBox
 from solver.placement.qp import confirmed
@@ -42,13 +42,13 @@ class AsFurnished:
 
     space: Space
     wanted: Sequence[Piece]
-    solved: SolvedRoom
+    made: OpenRoom
     ids: Mapping[str, str]
 
     @cached_property
     def forces(self) -> tuple[Force, ...]:
         """What holds its pieces back, by OSQP."""
-        return confirmed([self.solved])[0].forces
+        return confirmed([self.made])[0].forces
 
 
 class _Holder(NamedTuple):
@@ -90,9 +90,9 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     if isinstance(again, str):
         return Explained(id, room.id, (piece.x, piece.z), None, (), (again,))
     label = next(label for label, own in again.ids.items() if own == id)
-    boxes = {(box.label, box.stand): box for box in again.solved.problem.boxes}
+    boxes = {(box.label, box.stand): box for box in again.made.problem.boxes}
     holds = _joined(_holds(again, boxes[label, False]))
-    candidate = next(chosen.candidate for chosen in again.solved.chosen if chosen.piece.label == label)
+    candidate = next(placed.chosen for placed in again.made.solved.arrangement.placed if placed.label == label)
     wished = _wished(candidate, boxes[label, False], again)
     notes = [*_notes(candidate, again)]
     if wished and not holds:
@@ -111,12 +111,11 @@ def _again(scene: Scene, room: Room, catalogs: Catalogs) -> AsFurnished | str:
         if made_with.get(key) != here[key]:
             return words.format(made_with.get(key), here[key])
     space, wanted = wanted_in(scene, room, catalogs)
-    solved = arrange(space, wanted, wide=True)
-    (made,) = finish([solved], tidy=True)
-    ids = ids_of(room, made, catalogs)
-    if not _same(made, ids, room.furniture):
+    made = opened(space, wanted, wide=True, tidy=True)
+    ids = ids_of(room, made.solved.arrangement, catalogs)
+    if not _same(made.solved.arrangement, ids, room.furniture):
         return CHANGED
-    return AsFurnished(space, wanted, solved, ids)
+    return AsFurnished(space, wanted, made, ids)
 
 
 def _same(made: Arrangement, ids: Mapping[str, str], furniture: Iterable[Furniture]) -> bool:
@@ -129,7 +128,7 @@ def _wished(candidate: Candidate, box: ProblemBox, again: AsFurnished) -> tuple[
     """Returns where the footprint's centre was wished in the room; None for a piece that has its place at another one."""
     if candidate.attach is not None:
         return None
-    wish, problem = [to_m(value) for value in candidate.anchor_mm], again.solved.problem
+    wish, problem = [to_m(value) for value in candidate.anchor_mm], again.made.problem
     for axis in (0, 1):
         variable = box.var[axis]
         low, high = problem.low[axis][variable], problem.high[axis][variable]
@@ -148,7 +147,7 @@ def _notes(candidate: Candidate, again: AsFurnished) -> Iterable[str]:
 
 def _holds(again: AsFurnished, body: ProblemBox) -> Iterable[Hold]:
     """Yields what holds a body's variables, or those of what it moves with."""
-    boxes = again.solved.problem.boxes
+    boxes = again.made.problem.boxes
     for axis in (0, 1):
         mine = {body.var[axis]} | {box.var[axis] for box in boxes if box.label == body.label}
         for force in again.forces:
@@ -180,7 +179,7 @@ def _felt_at(again: AsFurnished, mine: tuple[str, bool]) -> tuple[str, str]:
 
 def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> tuple[_Holder, tuple[str, bool] | None]:
     """Returns what a force comes from, and the box, of a piece and its floor, that it is felt at, where that is known."""
-    problem, space = again.solved.problem, again.solved.space
+    problem, space = again.made.problem, again.space
     if force.choice is not None and force.choice < len(problem.choices):
         return _chosen_holder(again, problem.choices[force.choice], {(box.label, box.stand) for box in held})
     if force.choice is not None:
@@ -198,7 +197,7 @@ def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBo
 
 def _chosen_holder(again: AsFurnished, choice: Choice, mine: Collection[tuple[str, bool]]) -> tuple[_Holder, tuple[str, bool]]:
     """Returns the other side of a choice: a piece, the floor to use one, or what a room keeps free; and which box of ours it is felt at."""
-    space, one, two = again.solved.space, (choice.first, choice.stands[0]), (choice.second, choice.stands[1])
+    space, one, two = again.space, (choice.first, choice.stands[0]), (choice.second, choice.stands[1])
     own, (other, stand) = (one, two) if one in mine else (two, one)
     if other in again.ids:
         name = again.ids[other]
@@ -257,11 +256,10 @@ def other_ways(room: AsFurnished, label: str) -> tuple[OtherWay, ...]:
     A piece that has its place at another one has no other ways; nor are ways tried once a call's work is spent.
     """
     piece = next(piece for piece in room.wanted if piece.label == label)
-    now = next(chosen.candidate for chosen in room.solved.chosen if chosen.piece.label == label)
+    before = {placed.label: placed for placed in room.made.solved.arrangement.placed}
+    now = before[label].chosen
     if now.attach is not None:
         return ()
-    (made,) = finish([room.solved], tidy=True)
-    before = {placed.label: placed for placed in made.placed}
     liked: dict[_Stance, float] = {}
     for candidate in piece.candidates:
         if candidate.attach is None and _stance(candidate) != _stance(now):
@@ -281,9 +279,8 @@ def _stance(candidate: Candidate) -> _Stance:
 def _tried(room: AsFurnished, piece: Piece, stance: _Stance, before: Mapping[str, Placed]) -> OtherWay:
     """Furnishes the room with a piece that may stand in one way only."""
     only = replace(piece, candidates=tuple(one for one in piece.candidates if one.attach is None and _stance(one) == stance))
-    solved = arrange(room.space, [only if one.label == piece.label else one for one in room.wanted], wide=True)
-    (made,) = finish([solved], tidy=True)
-    placed = {one.label: one for one in made.placed}
+    solved = arrange(room.space, [only if one.label == piece.label else one for one in room.wanted], wide=True, tidy=True)
+    placed = {one.label: one for one in solved.arrangement.placed}
     words = _words(stance)
     if piece.label not in placed:
         return OtherWay(stance[0], stance[1], None, (), (), f"{words}: no place was found for it so")
@@ -291,7 +288,7 @@ def _tried(room: AsFurnished, piece: Piece, stance: _Stance, before: Mapping[str
     moves = tuple(_moved(room.ids, one) for label, one in placed.items() if label in before and _distance(before[label], one) > 0)
     far = [label for label, one in placed.items() if label in before and _distance(before[label], one) > FAR_MM]
     others = [room.ids[label] for label in far if label != piece.label]
-    cost = round(solved.cost - room.solved.cost, 2)
+    cost = round(solved.cost - room.made.solved.cost, 2)
     return OtherWay(stance[0], stance[1], cost, moves, gone, f"{words}: {_said(cost, gone)}{_consequences(others, gone)}")
 
 

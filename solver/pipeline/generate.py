@@ -78,7 +78,7 @@ def generate(
     Args:
         request: what is wished; a seed is drawn and echoed when it has none.
         catalogs: what to furnish with; ours by default.
-        engine: of the final continuous solve, "osqp" or "reference".
+        engine: who confirms the optimum, "osqp" or "reference".
         clock: a clock in seconds, to fill `timing_ms`; the scene does not depend on it.
 
     Raises:
@@ -185,11 +185,11 @@ def _space(room: Room, setting: _Setting) -> Space:
 
 
 def _arrangements(rooms: Sequence[Room], setting: _Setting, insisted: str | None = None) -> dict[str, Arrangement]:
-    """Furnishes rooms: by the core in one go, or from pieces, where some stay or another engine is asked."""
+    """Furnishes rooms: by the core in one go, or from pieces, where some stay."""
     low = {level: _low(level, setting) for level in {room.level for room in rooms}}
     if _is_in_one_go(setting):
         each = [(room, _space(room, setting), low[room.level].catalogs, _furnishing(room, setting), insisted) for room in rooms]
-        made = place_wanted([wanted_rows(*one) for one in each], tidy=True)
+        made = place_wanted([wanted_rows(*one) for one in each], tidy=True, engine=setting.engine)
     else:
         made = place([_wished(room, setting, insisted) for room in rooms], setting.engine, tidy=True)
     return {room.id: _with_too_high(done, low[room.level].left_out.get(room.type)) for room, done in zip(rooms, made, strict=True)}
@@ -204,7 +204,7 @@ def _low(level: int, setting: _Setting) -> LowRooms:
 
 
 def _is_in_one_go(setting: _Setting) -> bool:
-    return not setting.staying and setting.engine == "osqp"
+    return not setting.staying
 
 
 def _explained(rooms: Sequence[Room], arrangements: Mapping[str, Arrangement], setting: _Setting) -> dict[str, Arrangement]:

@@ -59,7 +59,7 @@ def place(  # noqa: PLR0913 - keyword-only options of a public function
         robot_width: side, m, of the square that must be able to walk everywhere.
         height: of the room, m; by default it is not known, and nothing is too high.
         catalogs: whose kinds are known; ours by default.
-        engine: of the final continuous solve, "osqp" or "reference".
+        engine: who confirms the optimum, "osqp" or "reference".
         clock: a clock in seconds, to fill `timing_ms`.
 
     Raises:

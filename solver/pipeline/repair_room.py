@@ -13,7 +13,6 @@ from solver.placement import (
     Budget,
     can_be_used,
     feasible,
-    finish,
     in_the_way,
     is_call_spent,
     joined_in_turn,
@@ -107,7 +106,7 @@ def with_joined(repair: RoomRepair) -> RoomRepair:
     near = moved_back(space, [replace(piece, candidates=(joined.ways[piece.label],)) for piece in joined.pieces], joined.base.places)
     if near is None or len(joined.pieces) == len(stand[best].pieces):
         return repair
-    return replace(repair, room=written_back(starts[best], finish([near], "search")[0].placed), unplaced=unplaced)
+    return replace(repair, room=written_back(starts[best], near.arrangement.placed), unplaced=unplaced)
 
 
 def _put_back(repair: RoomRepair) -> RoomRepair:
@@ -296,7 +295,7 @@ LIVE_WORK = 60_000.0
 
 def least_moved(space: Space, pieces: Sequence[Piece], budget: Budget) -> Arrangement:
     """Places pieces with least movement."""
-    return finish([move_least(space, pieces, budget)], "search")[0]
+    return move_least(space, pieces, budget).arrangement
 
 
 def missing_length(space: Space, pieces: Sequence[Piece], budget: Budget, walk: bool, prove: bool = True) -> Shortfall | None:

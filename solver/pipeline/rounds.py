@@ -17,8 +17,8 @@ from solver.furnish import ListedPieces
 from solver.geometry import turned
 from solver.pieces import Arrangement, Piece, Placed, Space, Stance
 from solver.pipeline.place_task import PlaceTask, finished, lost
-from solver.placement import ROOM_WORK, Budget, finish, is_call_spent
-from solver.placement.arrange import SolvedRoom, arrange, needed
+from solver.placement import ROOM_WORK, Budget, SolvedRoom, arrange, finish, is_call_spent
+from solver.placement.arrange import needed
 from solver.placement.core import Limits
 from solver.placement.walkable import find_walkable
 from solver.requested import Placement, relations_of
@@ -66,7 +66,7 @@ class Round:
     @property
     def is_best(self) -> bool:
         """Whether no other candidates are cheaper."""
-        return self.whole and self.draft.best and self.draft.proven
+        return self.whole and self.arrangement.best and self.arrangement.proven
 
 
 def best_placement(task: PlaceTask, wanted: Sequence[Piece], quick: bool = False) -> Round:
@@ -180,7 +180,7 @@ def _as_it_stands(piece: Piece, placed: Placed) -> Piece:
 
 
 def _judged(task: PlaceTask, draft: SolvedRoom) -> Round:
-    arrangement = finish([draft], "search")[0]
+    arrangement = draft.arrangement
     missed = lost(task, arrangement)
     found = Round(draft, arrangement, missed, (0, 0, 0.0, 0.0, 0.0), False)
     breaking, left_out = {*found.breaking}, {label for label, _ in arrangement.left_out}
@@ -238,10 +238,13 @@ def _cleared(task: PlaceTask, found: Round, loose: set[str]) -> Round | None:
     pieces = [piece for piece in _reopened(task, task.pieces, found, loose & set(task.listing.listed)) if piece.label in stands]
     fronts = {piece.candidates[0].attach.parent: piece for piece in task.listing.fronts if piece.candidates[0].attach}
     behind = [part for piece in pieces for part in (piece, fronts.get(piece.label)) if part]
-    draft = arrange(task.listing.space, behind, limits=MENDING)
-    if draft.left_out:
+    before, fates = found.arrangement, found.draft.fates
+    gone = [replace(piece, required=False, left_out=fates[piece.label]) for piece in task.pieces if piece.label in fates]
+    gone = [replace(piece, candidates=()) if piece.label in found.given_up else piece for piece in gone]
+    draft = arrange(task.listing.space, [*behind, *gone], limits=MENDING)
+    if len(draft.arrangement.left_out) > len(gone):
         return None
-    other = _judged(task, replace(draft, left_out=found.draft.left_out, best=found.draft.best))
+    other = _judged(task, draft.with_(skipped=before.skipped, best=before.best))
     return replace(other, whole=found.whole, given_up=found.given_up)
 
 

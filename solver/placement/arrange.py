@@ -1,127 +1,30 @@
 """A whole room: which wall, rotation, size variant and use side each piece takes, and who is left out.
 
 Required pieces are searched best-first over prefixes; optional ones follow by importance, everything movable. The room stays walkable
-throughout. Limits are counts; ties go to the earlier. The work is the kernel's; here is what to ask it.
+throughout. Limits are counts; ties go to the earlier. The work is the core's; here is what to ask it.
 """
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
+from struct import Struct
+from typing import Final
 
-from solver.geometry import Rect
-from solver.pieces import Candidate, Doorway, Piece, Space
-from solver.placement import kernel
+from solver.core import borrowed
+from solver.pieces import Doorway, Piece, Space
 from solver.placement.budget import Budget, is_call_spent
 from solver.placement.core import Core, Limits
-from solver.placement.empty_floor import FLOOR, PULL
-from solver.placement.encode import Encoded, encode, lay_out
-from solver.placement.layout import ABSENT, COVERED, NO_WAY, SPENT, Engine, Ints
+from solver.placement.encode import Tables, encode, lay_out
+from solver.placement.made_rooms import SolvedRoom, answer_at, solved_room
 from solver.placement.neighbourhood import freed_search
-from solver.placement.problem import Problem, Solution
 from solver.placement.walkable import find_walkable
 
 LIMITS = Limits()
 FIX_LIMITS = Limits(required=600, required_qps=500)
 """A repair tries fewer candidates: the first is nearly always the best, and someone is dragging."""
-CANNOT_STAND = "no way to stand it is free beside the pieces before it"
-NOT_FOUND = "no place was found for it beside the pieces before it"
-NOT_WALKABLE = "no walkable arrangement of the required pieces was found"
 FREEING_WORK = 4000.0
 """What freeing a few pieces may cost a question whether they can stand, in QPs of a small room."""
-REASONS = {
-    NO_WAY: "no way to stand it was found that leaves the room valid and walkable",
-    COVERED: "the floor is covered as densely as wished without it",
-    SPENT: "no place found for it within the search's limit",
-}
-
-
-@dataclass(frozen=True)
-class Chosen:
-    """A piece with its number in the room, the candidate taken, and its absolute rotation."""
-
-    number: int
-    piece: Piece
-    candidate: Candidate
-    rotation: int
-
-
-@dataclass(frozen=True)
-class SolvedRoom:
-    """A room whose candidates are chosen and whose places are solved, in metres still.
-
-    Args:
-        core: the kernel's work space, for the walk.
-        decisions: the kernel's numbers of what was chosen.
-        preference: what the candidates chosen cost.
-        solution: the cheapest placement.
-        walkable: whether the solution is, rounded to millimetres.
-        left_out: pieces without a place, each with the reason.
-        solves: QPs.
-        proven: the placement is the optimum, and no required piece left out could stand beside those before it.
-        best: no other candidates of the required pieces are cheaper, within the widenings tried first.
-    """
-
-    core: Core
-    decisions: Ints
-    preference: float
-    solution: Solution
-    walkable: bool
-    left_out: tuple[tuple[Piece, str], ...] = ()
-    solves: int = 0
-    proven: bool = True
-    best: bool = True
-
-    @cached_property
-    def problem(self) -> Problem:
-        """The problem with those candidates, for reading; its core must not have gone on to another one."""
-        return self.core.problem()
-
-    @property
-    def engine(self) -> Engine:
-        """The work space that the problem is in."""
-        return self.core.engine
-
-    @property
-    def space(self) -> Space:
-        """Where the room's furniture may stand."""
-        return self.core.encoded.space
-
-    @property
-    def cost(self) -> float:
-        """Terms and preferences."""
-        return self.solution.cost + self.preference
-
-    @property
-    def chosen(self) -> tuple[Chosen, ...]:
-        """The pieces that stand."""
-        core, decided = self.core, zip(self.core.encoded.pieces, self.decisions.tolist(), strict=True)
-        return tuple(
-            Chosen(k, piece, core.decided(decision), core.rotation(k))
-            for k, (piece, decision) in enumerate(decided)
-            if decision != ABSENT and not piece.is_floor
-        )
-
-    def footprints(self) -> list[Rect]:
-        """Returns where the chosen pieces are, on whole millimetres at which all that holds between them still does."""
-        self.core.settle(self.solution.positions, self.solution, self.walkable, tidy=False)
-        return self.core.footprints([chosen.number for chosen in self.chosen])
-
-
-def solved_room(core: Core, decisions: Ints, walk: bool, solution: Solution | None = None) -> SolvedRoom:
-    """Returns what the last search of a core found, or an earlier solution of it; the core lets go of what searching took.
-
-    The decisions are those of its last problem. `walk`: only walkable placements were looked for; else it is tested.
-
-    Raises:
-        ValueError: nothing was found.
-    """
-    solution = solution or core.solution()
-    if solution is None:
-        raise ValueError(f"{core.encoded.space.room}: nothing was found for the decisions")
-    walkable = walk or core.walkable_near(solution)
-    preference = core.preference(decisions)
-    core.release()
-    return SolvedRoom(core, decisions, preference, solution, walkable, solves=solution.solves, proven=solution.proven)
+_ASKED: Final = Struct("<7qd3q")
+"""`struct MakingAsked` of solver/core/placement/making.hpp."""
 
 
 def needed(pieces: Sequence[Piece]) -> set[str]:
@@ -134,6 +37,18 @@ def needed(pieces: Sequence[Piece]) -> set[str]:
     return found
 
 
+def lay_out_first(space: Space, pieces: Sequence[Piece]) -> tuple[Tables, bytes]:
+    """Lays a room out to be made: the required pieces first, and all that they may be attached to or refer to."""
+    necessary = needed(pieces)
+    ordered = [replace(piece, required=piece.label in necessary) for piece in pieces]
+    return lay_out(space, sorted(ordered, key=lambda piece: not piece.required), "stands")
+
+
+def asked_of_room(limits: Limits, budget: Budget, *, walk: bool = True, wide: bool = False, tidy: bool = False) -> bytes:
+    """Returns what is asked of a room, as `arrange`, as the core reads it."""
+    return _ASKED.pack(*limits.row.tolist(), budget.left, walk, wide, tidy)
+
+
 def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and for what
     space: Space,
     pieces: Sequence[Piece],
@@ -142,8 +57,9 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
     budget: Budget | None = None,
     limits: Limits = LIMITS,
     wide: bool = False,
+    tidy: bool = False,
 ) -> SolvedRoom:
-    """Chooses a candidate for every piece that fits: `arrange_whole` of solver/core/placement/whole.hpp.
+    """Chooses a candidate for every piece that fits, and places it: `Making` of solver/core/placement/making.hpp.
 
     Args:
         space: where the room's furniture may stand.
@@ -153,34 +69,18 @@ def arrange(  # noqa: PLR0913 - keyword-only options: how hard it is tried, and 
         limits: how much each step may try.
         wide: whether ways from door to door are to be wider than who walks, where the room costs little more for them: a wish. A try
             counts only where it is proven, holds all required pieces and most of what stands without it. Each width may cost the budget.
+        tidy: whether slivers are closed or opened afterwards (solver/core/placement/tidy.hpp), at a cost of at most 0.8.
 
     Returns:
         The best arrangement found within the limits.
     """
     allowed = budget or Budget()
-    necessary = needed(pieces)
-    ordered = sorted((replace(piece, required=piece.label in necessary) for piece in pieces), key=lambda piece: not piece.required)
-    tables, request = lay_out(space, ordered, "stands")
-    whole = kernel.arrange_whole(request, limits.row, allowed.left, walk, wide)
-    allowed.left -= whole.spent
-    core = Core(_as_arranged(replace(space, ways_mm=whole.ways or space.ways_mm), ordered, tables.candidates, whole))
-    gone = [(ordered[piece], CANNOT_STAND if certain else NOT_FOUND) for piece, certain in whole.left_out]
-    left_out = [(piece, why) for piece, why in gone if not piece.is_floor]
-    decisions, fates = core.engine.call.decisions.copy(), core.engine.call.fates.tolist()
-    for piece, decision, fate in zip(core.encoded.pieces, decisions.tolist(), fates, strict=True):
-        if decision == ABSENT and not piece.is_floor:
-            left_out.append((piece, REASONS[fate if whole.complete else SPENT]))
-    found = solved_room(core, decisions, whole.walk)
-    return replace(found, left_out=tuple(left_out), solves=whole.solves, proven=whole.proven, best=whole.best)
-
-
-def _as_arranged(space: Space, pieces: Sequence[Piece], ways: Sequence[Candidate], whole: kernel.ArrangedRoom) -> Encoded:
-    """Returns a room as the core arranged it in the end: without what was left out, with floor to be kept empty where that helped."""
-    shapes = whole.engine.room.candidates[: whole.candidates.count(-1)].tolist()
-    floor = tuple(Candidate(FLOOR, (row[1], row[2], row[3]), 0, None, (row[6], row[7]), PULL) for row in shapes)
-    stand = tuple(pieces[k] if k >= 0 else Piece(FLOOR, True, floor, is_floor=True) for k in whole.pieces)
-    left = [ways[k] for k in whole.candidates if k >= 0]
-    return Encoded(space, stand, (*floor, *left), (), "stands" if whole.walk else "none", whole.engine)
+    tables, request = lay_out_first(space, pieces)
+    asked = asked_of_room(limits, allowed, walk=walk, wide=wide, tidy=tidy)
+    with borrowed(roomy=True) as core:
+        answer = answer_at(core, int(core.call("make_room", core.write(request), core.write(asked))), space.room)
+    allowed.left -= answer.made.spent
+    return solved_room(space, answer, tables)
 
 
 def walkable_when_empty(space: Space, there: Sequence[Piece] = ()) -> bool:

@@ -4,8 +4,8 @@ Here end the arrays.
 """
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import astuple, dataclass, replace
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass
 from functools import cached_property
 
 import numpy as np
@@ -15,8 +15,9 @@ from solver.pieces import Candidate
 from solver.placement import kernel, layout
 from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
-from solver.placement.layout import BEST, CLOSED, DEEPEST, Engine, Floats, Ints
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Positions, Problem, ProblemBox, Solution, Term
+from solver.placement.layout import BEST, CLOSED, DEEPEST, Engine, Ints
+from solver.placement.made_rooms import SolvedRoom, answer_at, solved_room
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
 
 
 @dataclass(frozen=True)
@@ -140,15 +141,11 @@ class Core:
 
     def decided(self, decision: int) -> Candidate:
         """Returns the candidate that a decision means."""
-        return self.encoded.candidates[decision // 8]
+        return self.encoded.tables.candidates[decision // 8]
 
     def sides_of(self, piece: int, decision: int) -> tuple[str, ...]:
         """Returns the use sides that a decision of a piece means, in a room that was laid out as it is."""
-        return self.encoded.side_names[int(self.engine.room.pieces[piece, layout.SIDES_0]) + decision % 8]
-
-    def walkable_near(self, solution: Solution) -> bool:
-        """Tells whether a solution, rounded to millimetres, is walkable."""
-        return self.walkable_at(rounded(solution.positions))
+        return self.encoded.tables.side_names[int(self.engine.room.pieces[piece, layout.SIDES_0]) + decision % 8]
 
     def assemble(self, decisions: Ints) -> bool:
         """Lays out the problem of decisions; tells whether they can stand together."""
@@ -161,12 +158,8 @@ class Core:
 
     def bodies(self, first: int = 0) -> list[Rect]:
         """Returns the footprints that the last search found, by piece from `first` on, all decided, rounded to millimetres."""
-        return self.footprints(range(first, len(self.encoded.pieces)), rounded(self.engine.nodes.best))
-
-    def footprints(self, pieces: Sequence[int], p: Sequence[Sequence[int]] | None = None) -> list[Rect]:
-        """Returns the footprints of decided pieces, at positions by axis and variable, mm; at those that were settled last where None."""
-        own = self.engine.work.body_part[list(pieces)]
-        xs, zs = self.engine.grid.positions.tolist() if p is None else p
+        own = self.engine.work.body_part[first : len(self.encoded.pieces)]
+        xs, zs = ([math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in self.engine.nodes.best)
         found = []
         for _, _, u, v, off_x, off_z, wide, deep, _, _ in self.engine.work.parts[own].tolist():
             x, z = xs[u] + off_x, zs[v] + off_z
@@ -180,35 +173,16 @@ class Core:
             positions[axis, : len(p[axis])] = p[axis]
         return kernel.walkable(self.engine)
 
-    def settle(self, positions: Positions, solution: Solution, walk: bool, tidy: bool) -> tuple[bool, float]:
-        """Puts the assembled problem on whole millimetres; `places` tells where everything then is.
-
-        Positions are the final solve's, m, the solution and whether it is walkable the search's; `tidy`: slivers are closed or opened.
-        Returns whether all is walkable, and by how much tidying made the terms dearer.
-
-        Raises:
-            AssertionError: the positions break a rule, which those of a search never do.
-        """
-        settled, added = kernel.settle(self.engine, positions, solution, walk, tidy)
-        if settled in (layout.NO_WHOLE_PLACE, layout.NOT_VALID):
-            problem = "the rows leave no whole position" if settled == layout.NO_WHOLE_PLACE else "the positions break a rule"
-            raise AssertionError(f"{self.encoded.space.room}: {problem}")
-        return settled == layout.WALKABLE, added
-
-    def pulled_back(self, places: Sequence[Rect]) -> Solution | None:
+    def pulled_back(self, places: Sequence[Rect]) -> float | None:
         """Brings the pieces of the assembled problem from their places back towards their wishes, as far as all holds.
 
-        None where the pieces could not stand and be walked between there.
+        Returns what that costs; None where the pieces could not stand and be walked between there.
         """
         positions = self.engine.grid.positions
         for part, place in zip(self.engine.work.parts[self.engine.work.body_part[: len(places)]].tolist(), places, strict=True):
             _, _, x, z, off_x, off_z, *_ = part
             positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
-        return self.solution() if self.engine.instance.call("pull_back", self.engine.desk) else None
-
-    def rotation(self, piece: int) -> int:
-        """Returns the absolute rotation of an assembled piece."""
-        return int(self.engine.work.rotation[piece])
+        return float(self.engine.nodes.best_cost[0]) if self.engine.instance.call("pull_back", self.engine.desk) else None
 
     def problem(self) -> Problem:
         """Returns the assembled problem, for reading, for the final solve, and for other solvers."""
@@ -247,19 +221,17 @@ class Core:
             found.append(Choice(boxes[first].label, name, ways, (boxes[first].stand, stands)))
         return found
 
+    def told(self, walk: bool = False) -> SolvedRoom:
+        """Returns what the last search found, on whole millimetres; `walk`: only walkable placements were looked for, else it is tested."""
+        instance, room = self.engine.instance, self.encoded.space
+        mark = instance.mark()
+        answer = answer_at(instance, int(instance.call("tell_room", self.engine.desk, walk)), room.room)
+        instance.release(mark)
+        return solved_room(room, answer, self.encoded.tables)
+
     def solution(self) -> Solution | None:
         """Returns what the last search found."""
         return solution_of(self.engine)
-
-    def release(self) -> None:
-        """Gives back what only a search needs; the assembled problem and the walk stay."""
-        self.engine = kernel.without_search(self.engine)
-        self.encoded = replace(self.encoded, engine=self.engine)
-
-
-def rounded(positions: Iterable[Floats]) -> list[list[int]]:
-    """Returns positions in m, by axis, to the nearest millimetre."""
-    return [[math.floor(x * 1000 + 0.5) for x in axis.tolist()] for axis in positions]
 
 
 def solution_of(engine: Engine) -> Solution | None:

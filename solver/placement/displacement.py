@@ -10,14 +10,14 @@ from math import inf
 
 from solver.geometry import Rect
 from solver.pieces import Piece, Space
-from solver.placement.arrange import FIX_LIMITS, SolvedRoom, arrange, solved_room, walkable_when_empty
+from solver.placement.arrange import FIX_LIMITS, arrange, walkable_when_empty
 from solver.placement.budget import Budget
 from solver.placement.core import Core
 from solver.placement.empty_floor import SHAPES_MM, empty_floor, places_round_a_floor
 from solver.placement.encode import encode
 from solver.placement.layout import ABSENT
+from solver.placement.made_rooms import NOT_WALKABLE, SolvedRoom
 from solver.placement.neighbourhood import Found, freed_search
-from solver.placement.problem import Solution
 from solver.placement.walkable import WalkablePlace, find_walkable
 
 LEAST_QPS = 6000
@@ -58,8 +58,7 @@ def moved_back(space: Space, pieces: Sequence[Piece], places: Sequence[Rect]) ->
     decisions = core.first_decisions()
     if decisions is None or not core.assemble(decisions):
         return None
-    solution = core.pulled_back(places)
-    return None if solution is None else replace(solved_room(core, decisions, True, solution), best=False)
+    return None if core.pulled_back(places) is None else core.told(walk=True).with_(best=False)
 
 
 @dataclass(frozen=True)
@@ -73,29 +72,28 @@ class _Question:
         decisions = core.first_decisions()
         if decisions is None or not core.evaluate(decisions, LEAST_QPS, self.budget, False):
             return self._by_proof(None)
-        least = core.solution()
-        if least is None or core.walkable_near(least):
-            return self._or_cheaper(solved_room(core, decisions, True, least))
+        least = core.told()
+        if least.walkable:
+            return self._or_cheaper(least)
         freed, nearest = self._by_freeing(), self._nearest_walkable(core)
         if freed is not None and (nearest is None or freed.cost < nearest.cost):
             return freed
         if nearest is not None:
-            return self._or_cheaper(replace(solved_room(core, decisions, True, nearest), best=False))
-        return self._by_proof(solved_room(core, decisions, False, least))
+            return self._or_cheaper(nearest)
+        return self._by_proof(least)
 
     def is_answered(self) -> bool:
         """Tells whether a walkable placement was found with the first candidates, else by freeing, else near the first candidates."""
         core = Core(encode(self.space, self.pieces, "test"))
         decisions = core.first_decisions()
         stands = decisions is not None and core.evaluate(decisions, LEAST_QPS, self.budget, False)
-        least = core.solution() if stands else None
-        if least is not None and core.walkable_near(least):
+        if stands and core.told().walkable:
             return True
         if next(freed_search(self.space, self.pieces, self.budget), None) is not None:
             return True
-        return least is not None and self._nearest_walkable(core) is not None
+        return stands and self._nearest_walkable(core) is not None
 
-    def _nearest_walkable(self, core: Core) -> Solution | None:
+    def _nearest_walkable(self, core: Core) -> SolvedRoom | None:
         """Returns the least movement found of the pieces assembled with their first candidates, and walkable; None if none.
 
         Kept free are persons' squares at the use sides, alone and with a piece of floor besides; nothing is sought but what is
@@ -103,7 +101,7 @@ class _Question:
         """
         floor, spare = empty_floor(self.space), Budget(min(self.budget.left, FLOOR_WORK))
         modes = ("mixed", "stands") if any(len(piece.stands) > 1 for piece in self.pieces) else ("stands",)
-        nearest: Solution | None = None
+        nearest, ceiling = None, inf
         for mode in modes:
             freed = Core(encode(self.space, (floor, *self.pieces), mode))
             decisions = freed.first_decisions()
@@ -111,10 +109,10 @@ class _Question:
                 continue
             for shape in range(-1, len(SHAPES_MM)):
                 decisions[0] = ABSENT if shape < 0 else 8 * shape
-                ceiling = nearest.cost if nearest else inf
                 if freed.evaluate(decisions, QUICK_QPS, self.budget if shape < 0 else spare, True, ceiling):
-                    found = core.pulled_back(freed.bodies(1))
-                    nearest = found if found is not None and found.cost < ceiling else nearest
+                    cost = core.pulled_back(freed.bodies(1))
+                    if cost is not None and cost < ceiling:
+                        nearest, ceiling = core.told(walk=True).with_(best=False), cost
         return nearest
 
     def _by_proof(self, least: SolvedRoom | None) -> SolvedRoom:
@@ -149,8 +147,9 @@ class _Question:
         if (next_cost < inf or choosy or together is not None) and walkable_when_empty(self.space):
             spare = self.budget if walkable else Budget(min(self.budget.left, LAST_WORK))
             other = arrange(self.space, self.pieces, budget=spare, limits=FIX_LIMITS)
-            if not other.left_out:
-                other = _moved_back(other, [replace(chosen.piece, candidates=(chosen.candidate,)) for chosen in other.chosen])
+            if not other.arrangement.left_out:
+                own = {piece.label: piece for piece in self.pieces}
+                other = self._moved_back(other, [replace(own[one.label], candidates=(one.chosen,)) for one in other.arrangement.placed])
                 if together is None or not walkable or other.cost < together.cost:
                     return other
         return together if together is not None and walkable else self._not_walkable(together)
@@ -160,9 +159,9 @@ class _Question:
         if together is not None and together.cost <= self._next_cost:
             return together
         other = arrange(self.space, self.pieces, walk=False, budget=self.budget, limits=FIX_LIMITS)
-        if together is not None and (other.left_out or other.cost >= together.cost):
+        if together is not None and (other.arrangement.left_out or other.cost >= together.cost):
             return together
-        return replace(other, walkable=False)
+        return replace(other.with_(notes=(NOT_WALKABLE,)), walkable=False)
 
     def _by_freeing(self) -> SolvedRoom | None:
         """Returns the least movement found by freeing a few pieces at a time, then all of them in the ways found; None if none."""
@@ -192,15 +191,14 @@ class _Question:
             core = Core(encode(self.space, [one.near(reach, self.space.clear) for one in found], "stands"))
             decisions = core.first_decisions()
             if decisions is not None and core.evaluate(decisions, WALK_QPS, self.budget, True):
-                return _moved_back(solved_room(core, decisions, True), free)
+                return self._moved_back(core.told(walk=True), free)
         return moved_back(self.space, free, [one.footprint for one in found])
+
+    def _moved_back(self, room: SolvedRoom, pieces: Sequence[Piece]) -> SolvedRoom:
+        """Returns a walkable arrangement of pieces with one candidate each moved back towards their wishes, as far as all holds."""
+        back = moved_back(self.space, pieces, [one.footprint for one in room.arrangement.placed])
+        return room if back is None else back.with_(solves=room.arrangement.solves)
 
 
 def _cheaper(one: SolvedRoom | None, other: SolvedRoom | None) -> SolvedRoom | None:
     return one if other is None or (one is not None and one.cost < other.cost) else other
-
-
-def _moved_back(room: SolvedRoom, pieces: Sequence[Piece]) -> SolvedRoom:
-    """Returns a walkable arrangement of pieces with one candidate each moved back towards their wishes, as far as all holds."""
-    back = moved_back(room.space, pieces, room.footprints())
-    return room if back is None else replace(back, solves=room.solves)

@@ -1,8 +1,8 @@
 """A room and its pieces -> the kernel's arrays, once a room."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, islice
 from struct import pack
 from typing import Final
 
@@ -11,6 +11,7 @@ from solver.pieces import DOORWAY, Candidate, Link, Piece, Space, Stance
 from solver.placement.budget import charge
 from solver.placement.kernel import new_engine
 from solver.placement.layout import Engine
+from solver.placement.why_left_out import why_nowhere
 from solver.scene import WALL_NUMBERS
 
 SIDES = {"front": 1, "back": 2, "left": 4, "right": 8}
@@ -24,18 +25,6 @@ OTHER_SIDE_COST = 0.05
 """What using the second of several allowed sides costs: order, not preference."""
 LINK_COSTS = 5
 """Numbers a link costs by."""
-
-
-@dataclass(frozen=True)
-class Encoded:
-    """A room as the kernel sees it; labels and candidates by number."""
-
-    space: Space
-    pieces: tuple[Piece, ...]
-    candidates: tuple[Candidate, ...]
-    side_names: tuple[tuple[str, ...], ...]
-    walk: str
-    engine: Engine
 
 
 def _side_choices(piece: Piece, walk: str) -> list[tuple[tuple[str, ...], tuple[int, int, int, int], float]]:
@@ -64,7 +53,7 @@ class Tables:
     """The rows of a room's tables, one behind the other, and numbers for names: pieces by label, kinds, slots."""
 
     def __init__(self, space: Space, pieces: Sequence[Piece]) -> None:
-        self.space = space
+        self.space, self.pieces = space, pieces
         self.piece = {piece.label: k for k, piece in enumerate(pieces)}
         self.kinds: dict[tuple[str, Stance | None], int] = {}
         self.slots: dict[str, int] = {}
@@ -83,7 +72,7 @@ class Tables:
         starts = self._counts()
         for a in piece.candidates:
             parent = -1 if a.attach is None else self.piece.get(a.attach.parent)
-            if parent is None:
+            if parent is None or (parent >= len(self.rows) and self.pieces[parent].left_out):
                 continue
             if parent >= len(self.rows):
                 raise ValueError(f"{piece.label} must come after what it is attached to")
@@ -99,7 +88,24 @@ class Tables:
             self.side_costs.append(cost)
         ranges = chain.from_iterable(zip(starts, self._counts(), strict=True))
         empty = EMPTY_FLOOR if piece.is_floor else 0
-        self.rows.append([STANDS if piece.is_there else int(piece.required), *ranges, int(piece.with_next), empty])
+        required = STANDS if piece.is_there else -piece.left_out or int(piece.required)
+        self.rows.append([required, *ranges, int(piece.with_next), empty])
+
+    def label_of(self, piece: int) -> str:
+        """Returns the label of a piece."""
+        return self.pieces[piece].label
+
+    def kind_of(self, number: int) -> str:
+        """Returns the name of a kind."""
+        return next(islice(self.kinds, number, None))[0]
+
+    def ways_of(self, candidates: Iterable[int]) -> list[Candidate]:
+        """Returns candidates by their numbers."""
+        return [self.candidates[number] for number in candidates]
+
+    def why_nowhere(self, piece: int) -> str:
+        """Says why a piece has no way to stand at all."""
+        return why_nowhere(self.space, self.pieces[piece])
 
     def _counts(self) -> tuple[int, int, int]:
         """Returns how many candidates, links and choices of sides there are so far."""
@@ -135,6 +141,25 @@ ZONE_WORK: Final = 10.0
 """The same for each zone."""
 
 
+@dataclass(frozen=True)
+class Encoded:
+    """A room as the kernel sees it, and what its numbers mean."""
+
+    tables: Tables
+    walk: str
+    engine: Engine
+
+    @property
+    def space(self) -> Space:
+        """Where the room's furniture may stand."""
+        return self.tables.space
+
+    @property
+    def pieces(self) -> Sequence[Piece]:
+        """Its pieces."""
+        return self.tables.pieces
+
+
 def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encoded:
     """Lays a room out for the kernel.
 
@@ -148,8 +173,7 @@ def encode(space: Space, pieces: Sequence[Piece], walk: str = "stands") -> Encod
         ValueError: a piece comes before the one it is attached to.
     """
     tables, request = lay_out(space, pieces, walk)
-    names = tuple(tables.side_names)
-    return Encoded(space, tuple(pieces), tuple(tables.candidates), names, walk, new_engine(request))
+    return Encoded(tables, walk, new_engine(request))
 
 
 def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
@@ -163,7 +187,7 @@ def problem_bytes(space: Space, pieces: Sequence[Piece]) -> bytes:
 
 def lay_out(space: Space, pieces: Sequence[Piece], walk: str) -> tuple[Tables, bytes]:
     """Returns what the numbers stand for that `encode` tells the kernel, and what it is sent: `RoomRequest` of placement/space.hpp."""
-    tables = Tables(space, pieces)
+    tables = Tables(space, tuple(pieces))
     for piece in pieces:
         tables.add(piece, walk)
     charge(ROOM_ROWS_WORK + CANDIDATE_WORK * len(tables.candidates) + ZONE_WORK * len(space.zones))

@@ -1,18 +1,13 @@
 """What is asked of the core about one room, the functions of solver/core/placement/entry.cpp; and its work space in an instance."""
 
-from collections.abc import Sequence
-from struct import Struct
-from typing import Final, NamedTuple
-
 import numpy as np
 
 from solver.core import taken
-from solver.placement.layout import COUNT, SHOWN_BYTES, Engine, Floats, Ints
+from solver.placement.layout import Engine, Floats, Ints
 from solver.placement.problem import Solution
 
 HOLDING_ROW = 7
 """Numbers of `struct HoldingRow`."""
-_WHOLE: Final = Struct("<7qd3q")
 
 
 def new_engine(request: bytes) -> Engine:
@@ -25,61 +20,10 @@ def new_engine(request: bytes) -> Engine:
     return Engine(instance, int(instance.call("new_desk", instance.write(request))))
 
 
-def without_search(engine: Engine) -> Engine:
-    """Returns a copy of an engine without what only a search needs, in another instance; `nodes`, `tree` and `wide` are empty there.
-
-    What the memory of one instance took for a search then serves the next room.
-    """
-    whole, instance = engine.instance, taken()
-    start = instance.reserve(0)
-    kept, walked = (whole.view(engine.desk + SHOWN_BYTES * COUNT, (2,), np.int32) - start).tolist()
-    instance.view(instance.reserve(walked), (kept,), np.uint8)[:] = whole.view(start, (kept,), np.uint8)
-    return Engine(instance, engine.desk, start + walked)
-
-
 def assemble(engine: Engine, decisions: Ints) -> bool:
     """Writes the problem of the decisions to `work`; False where the bounds alone rule them out."""
     engine.call.decisions[:] = decisions
     return bool(engine.instance.call("assemble", engine.desk))
-
-
-class ArrangedRoom(NamedTuple):
-    """A room arranged by the core: `struct WholeAnswer` of solver/core/placement/entry.cpp."""
-
-    engine: Engine
-    walk: bool
-    complete: bool
-    proven: bool
-    best: bool
-    solves: int
-    ways: int
-    """How wide ways between doors are, where they are wider than asked, mm; else 0."""
-    spent: float
-    """Work, of all widths that were tried."""
-    pieces: list[int]
-    """What the engine's pieces were numbered in the room that was asked for; -1: floor that was added."""
-    candidates: list[int]
-    left_out: list[tuple[int, int]]
-    """Required pieces left out by number, and whether it is certain that they cannot stand."""
-
-
-def arrange_whole(request: bytes, limits: Ints, budget: float, walk: bool, wide: bool) -> ArrangedRoom:
-    """Arranges a whole room, required pieces first, by the seven numbers of `Limits`; the placement is left in its engine.
-
-    `walk`: doors and use sides must be joined; `wide`: ways from door to door are to be wider than who walks.
-
-    Raises:
-        CoreFull: the core's memory is too small for it.
-    """
-    instance = taken(roomy=True)
-    sent, asked = instance.write(request), instance.write(limits.tobytes())
-    address = int(instance.call("arrange_whole", sent, asked, budget, walk, wide))
-    desk, walked, complete, proven, best, solves, ways, spent, pieces, ways_there, gone = _WHOLE.unpack(instance.read(address, _WHOLE.size))
-    numbers = np.frombuffer(instance.read(address + _WHOLE.size, 8 * (pieces + ways_there + 2 * gone)), np.int64).tolist()
-    left_out = numbers[pieces + ways_there :]
-    flags = bool(walked), bool(complete), bool(proven), bool(best)
-    pairs = list(zip(left_out[::2], left_out[1::2], strict=True))
-    return ArrangedRoom(Engine(instance, desk), *flags, solves, ways, spent, numbers[:pieces], numbers[pieces : pieces + ways_there], pairs)
 
 
 def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, Floats]:
@@ -90,7 +34,7 @@ def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, F
 
 
 def hand_over(engine: Engine, solution: Solution) -> None:
-    """Puts what a search found where `settle`, `final_problem` and `confirm` look for it."""
+    """Puts what a search found where `final_problem` and `confirm` look for it."""
     call = engine.call
     for axis, own in enumerate(solution.positions):
         call.owns[axis, : len(own)] = own
@@ -98,19 +42,6 @@ def hand_over(engine: Engine, solution: Solution) -> None:
     call.force_rows[: len(solution.force_rows)] = solution.force_rows
     call.multipliers[: len(solution.multipliers)] = solution.multipliers
     call.handed[:] = len(solution.taken), len(solution.multipliers)
-
-
-def settle(engine: Engine, positions: Sequence[Floats], solution: Solution, walk: bool, tidy: bool) -> tuple[int, float]:
-    """Puts the assembled problem on whole millimetres, which are left in grid.positions.
-
-    Positions are the final solve's, by axis and variable, m.
-    Returns WALKABLE, NOT_WALKABLE, or what no search result is: NO_WHOLE_PLACE or NOT_VALID; and by how much tidying made the terms dearer.
-    """
-    hand_over(engine, solution)
-    for axis, final in enumerate(positions):
-        engine.call.finals[axis, : len(final)] = final
-    settled = int(engine.instance.call("settle", engine.desk, walk, tidy))
-    return settled, float(engine.call.added[0])
 
 
 def final_problem(engine: Engine, solution: Solution) -> Ints:

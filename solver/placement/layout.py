@@ -7,7 +7,6 @@ in solver/core/placement/room.hpp and engine.hpp: a row is a struct, a column on
 
 from collections.abc import Iterator
 from functools import cached_property
-from math import prod
 from typing import Any, Final, NamedTuple, TypeVar
 
 import numpy as np
@@ -22,7 +21,6 @@ Seen = TypeVar("Seen")
 ABSENT: Final = -1
 
 # RoomSeen: of the space, a piece, a candidate
-WAYS = 8
 CANDIDATE_0, CANDIDATE_1, SIDES_0, GROUP_END = 1, 2, 5, 7
 KIN = 23
 # Work.counts, Work.parts
@@ -32,12 +30,11 @@ VAR_X, OFF_X, EXT_X = 2, 4, 6
 FOUND, EXHAUSTED, SOLVES, FORCES = 0, 1, 2, 5
 # Tree.counters
 CLOSED, BEST, DEEPEST = 4, 6, 7
-# what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent
-PLACED, NO_WAY, COVERED, SPENT = range(4)
+# what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent; of a required one,
+# that it certainly cannot stand, or that no place was found for it
+PLACED, NO_WAY, COVERED, SPENT, CANNOT_STAND, NOT_FOUND = range(6)
 # verdicts of a proof
 UNKNOWN, IMPOSSIBLE, POSSIBLE = range(3)
-# what becomes of positions that are put on whole millimetres
-NOT_WALKABLE, WALKABLE, NO_WHOLE_PLACE, NOT_VALID = range(4)
 
 MANY: Final = 1_000_000
 """A limit that is none."""
@@ -123,14 +120,13 @@ class CallRows(NamedTuple):
     multipliers: Floats
     handed: Ints
     """How many rows were handed over: taken, and holding."""
-    added: Floats
 
 
 SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, CallRows)
 """What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
 FLOATS = {
     "anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost", "finals", "owns",
-    "multipliers", "added",
+    "multipliers",
 }  # fmt: skip
 """The arrays of floats; the others hold whole numbers."""
 COUNT: Final = sum(len(part._fields) for part in SEEN)
@@ -146,12 +142,12 @@ def _seen(part: type[Seen]) -> cached_property[Seen]:
 class Engine:
     """All work space of one room: arrays in the memory of an instance of the core, made when they are first named.
 
-    `desk` is the room's address there, `end` that behind which nothing of the room is; arrays that would lie there are empty.
+    `desk` is the room's address there.
     """
 
-    def __init__(self, instance: CoreInstance, desk: int, end: int | None = None) -> None:
+    def __init__(self, instance: CoreInstance, desk: int) -> None:
         self.instance, self.desk = instance, desk
-        self._memory = instance.lent()[:end]
+        self._memory = instance.lent()
         self._shown = np.frombuffer(instance.read(desk, SHOWN_BYTES * COUNT), dtype=np.int32).reshape(-1, 3)
 
     room = _seen(RoomSeen)
@@ -167,7 +163,4 @@ class Engine:
         names: tuple[str, ...] = part._fields
         for name, (address, rows, columns) in zip(names, self._shown[first : first + len(names)].tolist(), strict=True):
             kind, shape = np.float64 if name in FLOATS else np.int64, (rows, columns) if columns else (rows,)
-            if address + 8 * prod(shape) > len(self._memory):
-                yield np.empty((0, *shape[1:]), kind)
-            else:
-                yield np.ndarray(shape, kind, self._memory, address)
+            yield np.ndarray(shape, kind, self._memory, address)

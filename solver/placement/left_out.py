@@ -1,66 +1,13 @@
-"""Why a piece was left out: what room it needs and what is left of the walls, and the fewest pieces that cannot stand together.
+"""The fewest pieces that cannot stand together.
 
-Not here: by how much a room is too short (lengths).
+Not here: by how much a room is too short (lengths), why each piece was left out (why_left_out).
 """
 
-from collections.abc import Container, Mapping, Sequence
-from functools import lru_cache
+from collections.abc import Mapping, Sequence
 
-from solver.geometry import WALL_BEHIND, Rect
-from solver.pieces import Candidate, Extents, NamedKind, Piece, Placed, Space
+from solver.pieces import Piece, Space
 from solver.placement.arrange import feasible
 from solver.placement.budget import Budget
-
-WALLS = tuple(WALL_BEHIND.values())
-"""In the order in which reasons name them."""
-_STRETCHES = "longest free stretches of wall at that depth and height: " + ", ".join(f"{wall} %.2f m" for wall in WALLS)
-
-
-def _least(piece: Piece) -> Candidate:
-    return min(piece.candidates, key=lambda a: (a.size_mm[0] * a.size_mm[1], a.size_mm))
-
-
-def why_left_out(space: Space, piece: Piece, placed: Sequence[Placed], gone: Container[str] = ()) -> str:
-    """Says how much room the smallest variant needs and how much the others leave; `gone` are all pieces that were left out."""
-    if not piece.candidates:
-        if piece.only and not _fits_somehow(piece.only[1], space.clear):
-            kind, (width, depth, _) = piece.only
-            return f"{kind} {width / 1000:.2f} x {depth / 1000:.2f} m is larger than the room, {clear_size(space.clear)}"
-        return "the room offers no wall or place of the kind its relations ask for"
-    least = _least(piece)
-    _, depth, height = least.size_mm
-    parent = least.attach.parent if least.attach and all(way.attach for way in piece.candidates) else None
-    longest: Sequence[int] = ()
-    if any(a.wall for a in piece.candidates):
-        bodies = [other.footprint for other in placed if other.chosen.bottom_mm < height]
-        longest = [max((e - s for s, e in space.free_stretches(wall, depth, height, bodies)), default=0) for wall in WALLS]
-    at = parent and named_parent(parent, parent in gone)
-    return room_needed((least.kind, least.size_mm), at, longest, f"{clear_size(space.clear)} and holds {len(placed)} pieces")
-
-
-def _fits_somehow(size: Extents, clear: Rect) -> bool:
-    """Tells whether a rectangle fits into another, turned or not."""
-    (least, most), (narrow, long) = sorted(size[:2]), sorted((clear.width, clear.depth))
-    return least <= narrow and most <= long
-
-
-def named_parent(parent: str, is_gone: bool) -> str:
-    """Names the piece at whose slot another one stands, and says so where that was left out, too."""
-    return f"{parent}, which was left out itself" if is_gone else parent
-
-
-def room_needed(least: NamedKind, parent: str | None, longest: Sequence[int], room: str) -> str:
-    """Says how much room the smallest variant of a piece needs, by its kind and size, and how much there is.
-
-    `parent` is at whose slot it stands, in words; `longest` are the free stretches of the WALLS at its depth and height, mm, if any variant
-    stands at a wall; `room` is the room's size and what it holds.
-    """
-    size = _size_needed(least)
-    if parent is not None:
-        return f"{size} at its place by {parent}"
-    if longest:
-        return f"{size} and a free way to it; {_STRETCHES % tuple([length / 1000 for length in longest])}"
-    return f"{size} and a free way to it; the room is {room}"
 
 
 def minimal_conflict(
@@ -127,14 +74,3 @@ def _with_carried(known: Mapping[str, Piece], members: set[str], label: str) -> 
         if not more:
             return gone
         gone |= more
-
-
-@lru_cache(maxsize=1024)
-def _size_needed(least: NamedKind) -> str:
-    kind, (width, depth, _) = least
-    return f"the smallest, {kind}, needs {width / 1000:.2f} x {depth / 1000:.2f} m"
-
-
-def clear_size(rect: Rect) -> str:
-    """Says how large a room's clear rectangle is."""
-    return f"{rect.width / 1000:.2f} x {rect.depth / 1000:.2f} m clear"

@@ -5,7 +5,7 @@ Mathematical Programming Computation 2020.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import accumulate
 from typing import NamedTuple, Protocol, TypeVar
 
@@ -13,10 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.core import CoreInstance, borrowed
+from solver.errors import RequestError
 from solver.pieces import Residuals
 from solver.placement import kernel
 from solver.placement.layout import Engine, Floats
-from solver.placement.osqp_binary import Programme, SparseColumns, solve
+from solver.placement.made_rooms import RoomAnswer
+from solver.placement.osqp_binary import OsqpAnswer, Programme, SparseColumns, solve
 from solver.placement.problem import Confirmed, Problem, Solution
 
 SETTINGS = {
@@ -33,8 +35,8 @@ SETTINGS = {
 """OSQP 1.x settings."""
 LEAST_DECADE = -6
 """Residuals below 10 to this power are said to be that: the last digits, which a machine may change, decide no byte."""
-REFUTED = 1e-5
-"""A proven optimum that is this far, m, from OSQP's is none."""
+REFUTED = {"osqp": 1e-5, "reference": 1e-3}
+"""A proven optimum that is this far, m, from a solver's is none: an interior point's comes less near where hardly anything draws."""
 _HEAD, _JUDGEMENT = 40, 4
 """Bytes of `struct HouseProblem` of solver/core/placement/house.hpp, and numbers of `struct Judgement`."""
 Numbers = TypeVar("Numbers", Floats, NDArray[np.int32])
@@ -99,7 +101,7 @@ def confirmed(rooms: Sequence[Solved]) -> list[Confirmed]:
         return [Confirmed(room.solution.positions) for room in rooms]
     found, column, row = list[Confirmed](), 0, 0
     for room, problem, judged in zip(rooms, problems, answer.rooms, strict=True):
-        if room.solution.proven and judged.moved > REFUTED:
+        if room.solution.proven and judged.moved > REFUTED["osqp"]:
             raise OptimumRefuted(room.problem, room.solution)
         columns, rows = problem[1:3].tolist()
         found.append(_confirmed(room, judged, answer.x[column : column + columns], answer.y[row : row + rows]))
@@ -114,8 +116,40 @@ def _confirmed(room: Solved, judged: Judged, x: Floats, y: Floats) -> Confirmed:
     return Confirmed(found, judged.residuals, holding)
 
 
-def solved_house(core: CoreInstance, problems: Sequence[int]) -> HouseAnswer | None:
-    """Solves the final problems of a house's rooms, at these addresses in a core's memory, as one; None where OSQP has no success."""
+def house_residuals(
+    core: CoreInstance, rooms: Sequence[RoomAnswer], problems: Sequence[int], engine: str = "osqp"
+) -> list[Residuals | None]:
+    """Says how exactly a solver finds the same optimum of each room of a house, their final problems being at addresses in a core's memory.
+
+    Raises:
+        OptimumRefuted: it finds another optimum than one that was proven.
+        RequestError: there is no such solver.
+    """
+    answer = solved_house(core, problems, engine)
+    if answer is None:
+        return [None] * len(rooms)
+    for room, judged in zip(rooms, answer.rooms, strict=True):
+        if room.made.optimal and judged.moved > REFUTED[engine]:
+            raise OptimumRefuted(room.problem)
+    return [None if room.made.widened else judged.residuals for room, judged in zip(rooms, answer.rooms, strict=True)]
+
+
+def _solver(engine: str) -> Callable[..., OsqpAnswer]:
+    if engine == "osqp":
+        return solve
+    if engine != "reference":
+        raise RequestError("engine", f"is {engine!r}", "'osqp' or 'reference'")
+    try:
+        from solver.placement import reference  # noqa: PLC0415 - cvxpy takes 0.8 s to import
+    except ModuleNotFoundError as missing:
+        problem = f"'reference' needs {missing.name}, which is not installed"
+        raise RequestError("engine", problem, "'osqp'; or install compose-homes[reference]") from None
+    return reference.solve
+
+
+def solved_house(core: CoreInstance, problems: Sequence[int], engine: str = "osqp") -> HouseAnswer | None:
+    """Solves the final problems of a house's rooms, at these addresses in a core's memory, as one; None where the solver has no success."""
+    solve_programme = _solver(engine)
     rooms, count = core.write(np.array(problems, dtype=np.int64).tobytes()), len(problems)
     house = int(core.call("join", rooms, count))
     size, columns, rows, squares, entries = np.frombuffer(core.read(house, _HEAD), dtype=np.int64).tolist()
@@ -128,7 +162,7 @@ def solved_house(core: CoreInstance, problems: Sequence[int]) -> HouseAnswer | N
     if columns:
         P = SparseColumns((columns, columns), P_entries, P_rows, P_begins)
         A = SparseColumns((rows, columns), A_entries, A_rows, A_begins)
-        answer = solve(Programme(P, linear, A, low, high), (start, multipliers), SETTINGS)
+        answer = solve_programme(Programme(P, linear, A, low, high), (start, multipliers), SETTINGS)
         if not answer.solved:
             return None
         x, y = answer.x, answer.y

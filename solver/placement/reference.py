@@ -1,39 +1,34 @@
-"""The same problem written for reading, in cvxpy: choices made, one axis at a time.
+"""The final problem in cvxpy, for a solver that shares nothing with OSQP: `--engine reference`; never on the default path."""
 
-Used by tests and `--engine reference`; never on the default path.
-"""
-
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import cvxpy
 import numpy as np
 
 from solver.placement.layout import Floats
-from solver.placement.problem import ORIGIN, Positions, Problem, Solution
+from solver.placement.osqp_binary import OsqpAnswer, Programme, SparseColumns
 
 cp: Any = cvxpy  # its annotations do not cover its own names
 
 
-def _axis(problem: Problem, solution: Solution, axis: int) -> Floats:
-    low = np.array(problem.low[axis]) / 1000
-    high = np.array(problem.high[axis]) / 1000
-    if not len(low):
-        return np.zeros(0)
-    p = cp.Variable(len(low))
-
-    def difference(i: int, j: int) -> Any:
-        return (0 if j == ORIGIN else p[j]) - (0 if i == ORIGIN else p[i])
-
-    cost = [term.weight * cp.square(difference(term.i, term.j) - term.offset) for term in problem.terms if term.axis == axis]
-    rows = [row for row in (*problem.rows, *solution.rows) if row.axis == axis and row.i != row.j]
-    rules = [low <= p, p <= high, *(difference(row.i, row.j) >= row.s / 1000 for row in rows)]
-    close = dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12)
-    cp.Problem(cp.Minimize(cp.sum(cost)), rules).solve(solver=cp.CLARABEL, **close)
-    positions: Floats = np.asarray(p.value, dtype=np.float64)
-    return positions
+def _matrix(columns: SparseColumns) -> Floats:
+    found = np.zeros(columns.shape)
+    for column, (begin, end) in enumerate(zip(columns.indptr, columns.indptr[1:], strict=False)):
+        found[columns.indices[begin:end], column] = columns.data[begin:end]
+    return found
 
 
-def solve_house(rooms: Sequence[tuple[Problem, Solution]]) -> list[Positions]:
-    """Returns positions per room, axis and variable, m."""
-    return [(_axis(problem, solution, 0), _axis(problem, solution, 1)) for problem, solution in rooms]
+def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings: Mapping[str, float]) -> OsqpAnswer:
+    """Solves a programme as `osqp_binary.solve` does, from nought and with settings of its own."""
+    upper, A = _matrix(programme.P), _matrix(programme.A)
+    x = cp.Variable(A.shape[1])
+    over, under = np.isfinite(programme.low), np.isfinite(programme.high)
+    above, below = A[over] @ x >= programme.low[over], A[under] @ x <= programme.high[under]
+    whole = cp.psd_wrap(upper + np.triu(upper, 1).T)
+    problem = cp.Problem(cp.Minimize(cp.quad_form(x, whole) / 2 + programme.q @ x), [above, below])
+    problem.solve(solver=cp.CLARABEL, **dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12))
+    y = np.zeros(len(A))
+    y[over] -= above.dual_value
+    y[under] += below.dual_value
+    return OsqpAnswer(problem.status == cp.OPTIMAL, np.asarray(x.value, dtype=np.float64), y, problem.solver_stats.num_iters)

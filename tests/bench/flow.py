@@ -29,7 +29,7 @@ from service.packed_catalogs import packed, warm
 from solver import Request, generate
 from solver.exchange import dump_scene
 from solver.pipeline.generate import wanted_in
-from solver.placement import arrange, finish, qp
+from solver.placement import place, qp
 from solver.placement.osqp_binary import OsqpAnswer, solve
 from solver.scene import Scene
 from tests.bench.__main__ import percentile
@@ -80,9 +80,8 @@ def cpu_ms(do: Callable[[], object], rounds: int = 5) -> float:
 def limit(scene: Scene) -> tuple[float, float, int]:
     """What OSQP takes for a home's final problem, cold and warm, set up each time, and its iterations begun at the optimum."""
     known = load_catalogs()
-    rooms = [arrange(*wanted_in(scene, room, known)) for room in scene.rooms]
     with mock.patch.object(qp, "solve", wraps=solve) as asked:
-        finish(rooms)
+        place([wanted_in(scene, room, known) for room in scene.rooms])
     programme, begun_at, settings = asked.call_args.args
 
     def again(warm: bool) -> OsqpAnswer:

@@ -41,7 +41,7 @@ struct Call {
 };
 
 static const Call CALLS[] = {
-    {"arrange", placement::arrange_next},
+    {"make", placement::make_next},
     {"decorate", next<decorate::decorate_room>},
     {"furnish", next<furnish::furnish_room>},
     {"make_room", next<make_room>},

@@ -1,17 +1,12 @@
-// Arranges rooms natively, step by step, and tells what each step made of them.
+// Makes rooms natively, and tells what is made of them.
 //
-// Of a room: its request; RoomLimits; whether to walk, whether with wide ways (8 bytes each), the budget (a float). Told of it: decisions,
-// what is said of WholeRoom, its pieces' numbers, those left out, the cost, positions along x and z, whether they may be walked between;
-// the final problem and what is said of its optimum; and what becomes of that in whole millimetres.
+// Of a room: its request; MakingAsked. Told of it: the answer, the final problem as a house's, and what is said of its optimum.
 #pragma once
 
 #include "native_io.hpp"
 
-#include "placement/confirm.hpp"
-#include "placement/grid.hpp"
 #include "placement/house.hpp"
-#include "placement/settle.hpp"
-#include "placement/whole.hpp"
+#include "placement/making.hpp"
 
 namespace placement {
 
@@ -33,45 +28,20 @@ static void confirm_found(const Desk& desk) {
   write(reinterpret_cast<const HoldingRow*>(found + 1), found->rows);
 }
 
-// Puts what was found on whole millimetres, tidied, and writes what became of it, positions along x and z, and what tidying cost.
-static void settle_found(const Desk& desk, bool walk) {
-  const i64 settled = static_cast<i64>(settle(desk, walk, true));
-  write(&settled, 1);
-  for (i64 axis = 0; axis < 2; axis++) write(desk.engine.grid.positions.row(axis).data, desk.engine.work.sizes[axis]);
-  write(desk.added.data, 1);
-}
-
-struct Asked {
-  i64 walk, wide;
-  f64 budget;
-};
-
-// Arranges the next room of a file; false at its end.
-static bool arrange_next(FILE* file) {
+// Makes the next room of a file; false at its end.
+static bool make_next(FILE* file) {
   const arena::Scope scope;
   const Bytes request = read_bytes(file);
   if (request.data == nullptr) return false;
-  const RoomLimits& limits = read_row<RoomLimits>(file);
-  Asked asked = read_row<Asked>(file);
-  f64 spent = 0;
-  const Room room = room_of(reinterpret_cast<RoomRequest*>(request.data));
-  const WholeRoom whole =
-      asked.wide != 0 ? arrange_wide(room, limits, asked.budget, spent) : arrange_whole(room, limits, asked.budget, asked.walk != 0);
-  const Desk* desk = whole.desk;
-  const Engine& engine = desk->engine;
-  write(desk->decisions.data, desk->decisions.size);
-  const i64 said[] = {whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways};
-  write(said, 6);
-  write(whole.asked.pieces.data, whole.asked.pieces.size);
-  write(whole.left_out.begin(), whole.left_out.size());
-  write(engine.nodes.best_cost.data, 1);
-  if (engine.nodes.result->found) {
-    for (i64 axis = 0; axis < 2; axis++) write(engine.nodes.best.row(axis).data, engine.work.sizes[axis]);
-    const i64 walked = walkable(engine.room, engine.work, engine.grid, engine.grid.positions);
-    write(&walked, 1);
-    confirm_found(*desk);
-    settle_found(*desk, walked != 0);
-  }
+  const MakingAsked& asked = read_row<MakingAsked>(file);
+  const SentRoom sent = room_of(reinterpret_cast<RoomRequest*>(request.data));
+  Making making(sent.room, sent.doorways, asked);
+  making.make();
+  Writer writer(making.size());
+  making.put(writer);
+  const Bytes answer = writer.written();
+  write(answer.data, answer.size);
+  if (!making.made().failed) confirm_found(*making.whole().desk);
   return true;
 }
 

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.core import borrowed
+from solver.core import borrowed, taken
 from solver.placement import Budget, kernel
-from solver.placement.arrange import LIMITS
+from solver.placement.arrange import LIMITS, asked_of_room
 from solver.placement.core import solution_of
 from solver.placement.encode import lay_out
-from solver.placement.layout import FOUND, Floats, Ints
+from solver.placement.layout import Engine, Floats, Ints
+from solver.placement.made_rooms import answer_at
 from solver.streams import Stream
 from tests.core.native import Native, framed
 from tests.placement.rooms import random_space, random_wanted
@@ -25,7 +26,7 @@ SEEDS = seeds(range(120), 4)
 class Room(NamedTuple):
     """A room's request with what comes behind it, and what the core made of it: see native_steps.hpp."""
 
-    sent: tuple[bytes, bytes, bytes]
+    sent: tuple[bytes, bytes]
     answer: bytes
 
 
@@ -35,25 +36,18 @@ def room(seed: int) -> Room:
     stream, walk, wide = Stream(seed, "native"), seed % 5 > 0, seed % 7 == 0
     space = random_space(stream)
     _, request = lay_out(space, random_wanted(space, stream, 2 + seed % 11), ("stands", "mixed", "test")[seed % 3])
-    whole = kernel.arrange_whole(request, LIMITS.row, Budget().left, walk, wide)
-    engine = whole.engine
-    said = [whole.walk, whole.complete, whole.proven, whole.best, whole.solves, whole.ways, *whole.pieces, *sum(whole.left_out, ())]
-    answer: list[NDArray[Any]] = [engine.call.decisions.copy(), np.array(said, dtype=np.int64), engine.nodes.best_cost]
-    if engine.nodes.result[FOUND]:
-        answer += [engine.nodes.best[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
-        walked, found = kernel.walkable(engine), solution_of(engine)
-        assert found is not None
-        final = kernel.final_problem(engine, found)
-        columns, rows = final[1:3].tolist()
-        ends = np.cumsum([5, columns, columns, 2 * rows, rows])
-        x, y = (final[start:end].view(np.float64) for start, end in (ends[1:3], ends[3:5]))
-        answer += [np.array([int(walked)]), final, *joined_and_judged(final, x, y), kernel.confirm(engine, found, x, y)]
-        settled, added = kernel.settle(engine, [*engine.call.finals[:, :-1].copy()], found, walked, True)
-        answer.append(np.array([settled]))
-        answer += [engine.grid.positions[axis, : engine.work.sizes[axis]] for axis in (0, 1)]
-        answer.append(np.array([added]))
-    asked = np.array([walk, wide], dtype=np.int64).tobytes() + np.array([Budget().left]).tobytes()
-    return Room((request, LIMITS.row.tobytes(), asked), b"".join(part.tobytes() for part in answer))
+    core, asked = taken(roomy=True), asked_of_room(LIMITS, Budget(), walk=walk, wide=wide, tidy=True)
+    address = int(core.call("make_room", core.write(request), core.write(asked)))
+    told = answer_at(core, address, space.room)
+    engine = Engine(core, int.from_bytes(core.read(address + told.size, 8), "little"))
+    found = solution_of(engine)
+    assert found is not None
+    final = kernel.final_problem(engine, found)
+    columns, rows = final[1:3].tolist()
+    ends = np.cumsum([5, columns, columns, 2 * rows, rows])
+    x, y = (final[start:end].view(np.float64) for start, end in (ends[1:3], ends[3:5]))
+    answer = core.read(address, told.size), final, *joined_and_judged(final, x, y), kernel.confirm(engine, found, x, y)
+    return Room((request, asked), b"".join(part if isinstance(part, bytes) else part.tobytes() for part in answer))
 
 
 def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
@@ -68,9 +62,9 @@ def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.u
 
 def test_checked_and_as_built_agree_to_the_last_bit(native: Native) -> None:
     rooms = [room(seed) for seed in SEEDS]
-    assert native.answers("arrange", (one.sent for one in rooms)) == b"".join(one.answer for one in rooms)
+    assert native.answers("make", (one.sent for one in rooms)) == b"".join(one.answer for one in rooms)
     assert len({one.answer for one in rooms}) > 0.9 * len(SEEDS)
 
 
 def test_the_native_build_stops_at_a_bad_room(native: Native) -> None:
-    assert native.run("arrange", framed(room(0).sent)[:200]).returncode < 0
+    assert native.run("make", framed(room(0).sent)[:200]).returncode < 0

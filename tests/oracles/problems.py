@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from solver.core import taken
 from solver.geometry import Rect
-from solver.placement import kernel, layout
+from solver.placement import layout
 from solver.placement.core import solution_of
 from solver.placement.layout import Engine, Work
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
+from solver.placement.made_rooms import answer_at
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Term
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""
@@ -117,11 +118,10 @@ def on_lattice(problem: Problem, outcome: Outcome) -> list[list[int]]:
     """
     assert outcome.positions is not None
     engine = laid_out(problem)
-    solution = Solution(
-        outcome.cost, outcome.positions, np.array(outcome.rows, dtype=np.int64).reshape(-1, 4), outcome.proven, outcome.solves
-    )
-    settled, _ = kernel.settle(engine, outcome.positions, solution, False, False)
-    assert settled == layout.NOT_WALKABLE  # nobody asked
+    search(engine, LIMIT)
+    assert float(engine.nodes.best_cost[0]) == outcome.cost
+    engine.call.decisions[:] = layout.ABSENT  # its pieces are not to be told of
+    answer_at(engine.instance, int(engine.instance.call("tell_room", engine.desk, False)), "hand-made")
     return [own[:n].tolist() for own, n in zip(engine.grid.positions, engine.work.sizes, strict=True)]
 
 

@@ -17,7 +17,7 @@ from solver.furnish import room_types
 from solver.geometry import Rect
 from solver.pieces import Attach, Candidate, Piece, Space
 from solver.pipeline.explain import AT_PLACE, BALANCED, CHANGED, AsFurnished, _floor_holder, other_ways
-from solver.placement import arrange
+from solver.placement import opened
 from solver.scene import Furniture, Room
 from tests.told_forms import has_form
 
@@ -256,7 +256,7 @@ def test_what_a_way_costs_is_what_one_reckons_by_hand() -> None:
     """At the south wall two pieces wished at one place stand 1 m apart: 0.5 squared twice. At the west wall nothing is in the way."""
     space = Space("den", Rect(0, 0, 4000, 3000), (), ())
     pieces = (at_wall("bed", ("south", 2000, 0.0)), at_wall("desk", ("north", 2000, 0.0), ("south", 2000, 1.25), ("west", 1200, 3.0)))
-    room = AsFurnished(space, pieces, arrange(space, pieces), {"bed": "den/bed", "desk": "den/desk"})
+    room = AsFurnished(space, pieces, opened(space, pieces, tidy=True), {"bed": "den/bed", "desk": "den/desk"})
     assert [(way.wall, way.cost) for way in other_ways(room, "desk")] == [("south", 1.75), ("west", 3.0)]
     south, west = other_ways(room, "desk")
     assert {move.id: abs(move.x - 2) for move in south.moves} == {"den/bed": pytest.approx(0.5), "den/desk": pytest.approx(0.5)}
@@ -279,19 +279,21 @@ def test_a_way_says_what_all_would_stand_on() -> None:
     space = Space("den", Rect(0, 0, 4000, 2200), (), ())
     ids = {label: f"den/{label}" for label in ("low", "high", "set", "desk")}
     pieces = (high, desk, low, set_)
-    west = next(way for way in other_ways(AsFurnished(space, pieces, arrange(space, pieces), ids), "desk") if way.wall == "west")
+    west = next(way for way in other_ways(AsFurnished(space, pieces, opened(space, pieces, tidy=True), ids), "desk") if way.wall == "west")
     assert west.left_out == ("den/low",)
     assert [(move.on, move.y) for move in west.moves if move.id == "den/set"] == [("den/high", 1.2)]
     assert [(move.on, move.y) for move in west.moves if move.id == "den/desk"] == [(None, 0.0)]
     before = {label: id for label, id in ids.items() if label != "high"}  # as of a room in which that one has no place
-    west = next(way for way in other_ways(AsFurnished(space, pieces, arrange(space, pieces[1:]), before), "desk") if way.wall == "west")
+    west = next(
+        way for way in other_ways(AsFurnished(space, pieces, opened(space, pieces[1:], tidy=True), before), "desk") if way.wall == "west"
+    )
     assert [(move.on, move.y) for move in west.moves if move.id == "den/set"] == [(None, 1.2)]
 
 
 def test_a_way_for_which_there_is_no_room_has_no_cost() -> None:
     space = Space("den", Rect(0, 0, 4000, 1500), (), ())
     pieces = (at_wall("bed", ("south", 2000, 0.0), width=2500), at_wall("desk", ("north", 2000, 0.0), ("south", 2000, 0.0), width=2000))
-    room = AsFurnished(space, pieces, arrange(space, pieces), {"bed": "den/bed", "desk": "den/desk"})
+    room = AsFurnished(space, pieces, opened(space, pieces, tidy=True), {"bed": "den/bed", "desk": "den/desk"})
     (way,) = other_ways(room, "desk")
     assert (way.wall, way.cost, way.moves) == ("south", None, ())
 

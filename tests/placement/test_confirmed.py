@@ -15,7 +15,7 @@ import pytest
 from catalogs import load_catalogs
 from solver import Request, generate
 from solver.pipeline.generate import wanted_in
-from solver.placement import SolvedRoom, arrange
+from solver.placement import OpenRoom, opened
 from solver.placement.layout import Engine
 from solver.placement.problem import ORIGIN, Choice, Confirmed, DifferenceRow, Problem, ProblemBox, Solution, Term
 from solver.placement.qp import OptimumRefuted, confirmed
@@ -40,10 +40,10 @@ class HandMade:
         return laid_out(self.problem)
 
 
-def rooms(seed: int, program: str | None) -> list[SolvedRoom]:
+def rooms(seed: int, program: str | None) -> list[OpenRoom]:
     """All rooms of a home, with what the search found."""
     scene, known = generate(Request(seed=seed, program=program)).scene, load_catalogs()
-    return [arrange(*wanted_in(scene, room, known)) for room in scene.rooms]
+    return [opened(*wanted_in(scene, room, known)) for room in scene.rooms]
 
 
 def unbalanced(problem: Problem, answer: Confirmed) -> float:

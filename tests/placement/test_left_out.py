@@ -8,8 +8,7 @@ import pytest
 
 from solver.geometry import ROTATION_AT_WALL, Rect
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Space, Stand, Zone
-from solver.placement import Budget, feasible, finish, minimal_conflict, move_least, place
-from solver.placement.left_out import why_left_out
+from solver.placement import Budget, feasible, minimal_conflict, move_least, place
 from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
 
 
@@ -26,7 +25,7 @@ def at_wall(label: str, width: int, depth: int, wall: str) -> Piece:
 
 
 def placed(space: Space, pieces: object) -> Arrangement:
-    return finish([move_least(space, list(pieces), Budget())])[0]  # type: ignore[call-overload]
+    return move_least(space, list(pieces), Budget()).arrangement  # type: ignore[call-overload]
 
 
 def found(space: Space, *pieces: Piece, walk: bool = False) -> Shortfall | None:
@@ -135,7 +134,9 @@ def test_of_what_stands_at_a_piece_that_was_left_out_too_the_reason_says_so() ->
 
 def test_a_piece_that_may_stand_elsewhere_is_not_said_to_have_its_place_at_another() -> None:
     at_sofa = Candidate("table", (400, 400, 800), 0, attach=Attach("sofa_1", "sofa", (0, 0), (900, 900)))
+    sofa = free("sofa_1", 1400, 300)
     elsewhere = replace(at_sofa, size_mm=(600, 600, 800), attach=None)
-    told = [why_left_out(room(1500, 1500), Piece("table_1", False, ways), ()) for ways in ((at_sofa,), (at_sofa, elsewhere))]
+    rooms = [(room(1500, 300), [sofa, Piece("table_1", False, ways)]) for ways in ((at_sofa,), (at_sofa, elsewhere))]
+    told = [dict(made.left_out)["table_1"].split("; ", 1)[1] for made in place(rooms)]
     assert told[0].endswith("the smallest, table, needs 0.40 x 0.40 m at its place by sofa_1")
     assert told[1].startswith("the smallest, table, needs 0.40 x 0.40 m and a free way to it")

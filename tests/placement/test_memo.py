@@ -9,8 +9,7 @@ from catalogs import load_catalogs
 from solver import Request, generate
 from solver.pieces import Piece, Space
 from solver.pipeline.generate import wanted_in
-from solver.placement.arrange import SolvedRoom, arrange
-from solver.placement.budget import Budget
+from solver.placement import Budget, OpenRoom, opened
 from solver.placement.core import Limits
 from solver.placement.layout import ABSENT
 from tests.furnish.wanting_rooms import wanting_room
@@ -35,16 +34,17 @@ def rooms() -> list[Asked]:
     return [(space, pieces) for space, pieces in found if pieces and len(space.doorways) > 1]
 
 
-def told(room: SolvedRoom) -> tuple[object, ...]:
+def told(room: OpenRoom) -> tuple[object, ...]:
     """All that is said of a room, its places to the last bit."""
     places = [own.tobytes() for own in room.solution.positions]
-    verdicts = room.solves, room.proven, room.best, room.walkable, room.left_out
+    made = room.solved.arrangement
+    verdicts = made.solves, made.proven, made.best, room.solved.walkable, made.left_out
     return room.decisions.tolist(), room.preference, room.solution.cost, places, verdicts
 
 
-def standing(room: SolvedRoom) -> tuple[int, float, float]:
+def standing(room: OpenRoom) -> tuple[int, float, float]:
     """Counts the required pieces that stand; what the optional ones that do are worth; what the room costs with those left out."""
-    required, worth, cost = 0, 0.0, room.cost
+    required, worth, cost = 0, 0.0, room.solved.cost
     for piece, decision in zip(room.core.encoded.pieces, room.decisions.tolist(), strict=True):
         if decision == ABSENT:
             cost += piece.skip_cost
@@ -54,16 +54,16 @@ def standing(room: SolvedRoom) -> tuple[int, float, float]:
     return required, worth, cost
 
 
-def is_walked(room: SolvedRoom) -> bool:
+def is_walked(room: OpenRoom) -> bool:
     """Tells whether somebody walks in a room: where not even the empty one lets them, nobody is asked to."""
     return room.core.encoded.walk == "stands"
 
 
-def is_worth(wider: int, wide: SolvedRoom, usual: SolvedRoom) -> bool:
+def is_worth(wider: int, wide: OpenRoom, usual: OpenRoom) -> bool:
     """Tells whether wider ways are to be taken."""
     (required, worth, cost), (least, most, usually) = standing(wide), standing(usual)
     share, more = MARGINS[wider]
-    may_be_other = wide.proven or not usual.proven
+    may_be_other = wide.solved.arrangement.proven or not usual.solved.arrangement.proven
     return is_walked(wide) and may_be_other and required >= least and worth >= share * most and cost <= usually + more
 
 
@@ -72,16 +72,16 @@ def test_wider_ways_are_those_of_a_search_from_nothing() -> None:
     for space, pieces in rooms():
         spent = dict[int, float]()
 
-        def alone(wider: int, space: Space = space, pieces: Sequence[Piece] = pieces, spent: dict[int, float] = spent) -> SolvedRoom:
+        def alone(wider: int, space: Space = space, pieces: Sequence[Piece] = pieces, spent: dict[int, float] = spent) -> OpenRoom:
             budget, asked = Budget(), replace(space, ways_mm=space.robot_mm + wider) if wider else space
-            answer = arrange(asked, pieces, budget=budget, limits=LIMITS if wider else Limits())
+            answer = opened(asked, pieces, budget=budget, limits=LIMITS if wider else Limits())
             spent[wider] = Budget().left - budget.left
             return answer
 
         budget = Budget()
-        found, usual = arrange(space, pieces, budget=budget, wide=True), alone(0)
+        found, usual = opened(space, pieces, budget=budget, wide=True), alone(0)
         taken = next((wider for wider in MARGINS if is_walked(usual) and is_worth(wider, alone(wider), usual)), 0)
-        assert found.space.ways_mm == (space.robot_mm + taken if taken else 0)
+        assert found.ways_mm == (space.robot_mm + taken if taken else 0)
         assert told(found) == told(alone(taken))
         wide, narrow = wide + (taken > 0), narrow + (taken == 0)
         work, unasked = Budget().left - budget.left, spent.pop(0)

@@ -6,11 +6,12 @@ import pytest
 
 from solver.geometry import Rect
 from solver.pieces import LOOKS_AT, Arrangement, Candidate, Link, Piece, Space
-from solver.placement import feasible, minimal_conflict, place
+from solver.placement import feasible, minimal_conflict, opened, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Limits
 from solver.placement.qp import confirmed
 from solver.streams import Stream
+from tests.oracles import model
 from tests.placement.rooms import at_walls, random_space, random_wanted
 
 
@@ -53,11 +54,9 @@ def test_every_room_is_valid_in_integers(block: int) -> None:
 
 
 def test_osqp_agrees_with_the_reference_model() -> None:
-    from solver.placement.reference import solve_house as reference_house
-
-    solved = [arrange(*room(seed)) for seed in range(12)]
+    solved = [opened(*room(seed)) for seed in range(12)]
     rooms = [(one.problem, one.solution) for one in solved]
-    for ours, theirs, (_, exact) in zip(confirmed(solved), reference_house(rooms), rooms, strict=True):
+    for ours, theirs, (_, exact) in zip(confirmed(solved), model.solve_house(rooms), rooms, strict=True):
         for axis in (0, 1):
             assert ours.positions[axis] == pytest.approx(theirs[axis], abs=1e-5)
             assert ours.positions[axis] == pytest.approx(exact.positions[axis], abs=1e-6)
@@ -71,7 +70,7 @@ def test_the_same_rooms_give_the_same_arrangements_in_any_company() -> None:
 
 def test_what_is_known_to_go_together_is_found_again_with_however_few_qps() -> None:
     few, usual = Limits(required_qps=3, final_qps=5), Limits()
-    standing = [[len(arrange(*room(seed), limits=limits).chosen) for seed in range(12)] for limits in (few, usual)]
+    standing = [[len(arrange(*room(seed), limits=limits).arrangement.placed) for seed in range(12)] for limits in (few, usual)]
     assert sum(standing[0]) >= 0.9 * sum(standing[1]), standing
 
 
@@ -101,9 +100,9 @@ def test_what_is_left_out_comes_with_lengths() -> None:
 
 def test_what_a_limit_cut_short_is_not_called_best() -> None:
     rooms = [room(seed) for seed in range(40)]
-    assert all(arrange(*each).best for each in rooms[:10] if not arrange(*each).left_out)
+    assert all(made.best for made in (arrange(*each).arrangement for each in rooms[:10]) if not made.left_out)
     few = Limits(required=1, required_qps=6)
-    assert not all(arrange(*each, limits=few).best for each in rooms)
+    assert not all(arrange(*each, limits=few).arrangement.best for each in rooms)
 
 
 LOOKS = [((3400, 1500), 270, True), ((3400, 1500), 180, False), ((2400, 300), 0, True), ((2400, 300), 270, False)]

@@ -56,7 +56,7 @@ def cost_there(space: Space, pieces: Sequence[Piece], rects: Sequence[Rect]) -> 
 def test_nothing_on_the_raster_is_cheaper_than_what_is_proven(seed: int) -> None:
     space, pieces = used_room(seed)
     found = arrange(space, pieces, walk=True)
-    if len(found.chosen) < len(pieces) or not found.proven or not found.walkable:
+    if len(found.arrangement.placed) < len(pieces) or not found.arrangement.proven or not found.walkable:
         return
     ways = islice(cheaper([places(space, piece) for piece in pieces], found.cost - 1e-6), MOST)
     assert all(cost_there(space, pieces, rects) >= found.cost - 1e-6 for rects in ways if is_used(space, pieces, rects))
@@ -64,5 +64,5 @@ def test_nothing_on_the_raster_is_cheaper_than_what_is_proven(seed: int) -> None
 
 def test_most_rooms_are_proven() -> None:
     found = [arrange(*used_room(seed), walk=True) for seed in range(3000, 3200)]
-    walked = [one for one in found if len(one.chosen) == 2 and one.walkable]
-    assert sum(one.proven for one in walked) >= 0.9 * len(walked) > 100
+    walked = [one for one in found if len(one.arrangement.placed) == 2 and one.walkable]
+    assert sum(one.arrangement.proven for one in walked) >= 0.9 * len(walked) > 100

@@ -9,7 +9,7 @@ import pytest
 
 from solver.geometry import Rect, turned
 from solver.pieces import Candidate, Doorway, Piece, Space, Stand, Zone
-from solver.placement import Budget, feasible, finish, minimal_conflict, move_least
+from solver.placement import Budget, feasible, minimal_conflict, move_least
 from solver.placement.empty_floor import places_round_a_floor
 from solver.placement.walkable import find_walkable
 from solver.streams import Stream
@@ -156,7 +156,7 @@ def crowd(seed: int) -> tuple[Space, list[Piece]]:
 def test_what_finds_its_places_round_a_floor_is_arranged(seed: int) -> None:
     space, pieces = crowd(seed)
     found = any(places_round_a_floor(space, pieces, Budget()))
-    arrangement = finish([move_least(space, pieces, Budget())])[0]
+    arrangement = move_least(space, pieces, Budget()).arrangement
     rects = {placed.label: placed.footprint for placed in arrangement.placed}
     assert not found or (arrangement.notes == () and holds(space, pieces, [rects[piece.label] for piece in pieces]))
 

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from solver import Request, generate
-from solver.placement import place, place_wanted, qp, whole_rooms
+from solver.errors import RequestError
+from solver.placement import place, place_wanted, qp
 from tests.furnish.wanting_rooms import wanting_room
 from tests.sweeps import seeds
 
@@ -61,10 +62,19 @@ def test_a_room_does_not_depend_on_the_others_of_its_house() -> None:
 
 
 def test_an_optimum_that_osqp_does_not_find_is_never_served(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(whole_rooms, "REFUTED", -1.0)
+    monkeypatch.setitem(qp.REFUTED, "osqp", -1.0)
     with pytest.raises(qp.OptimumRefuted) as refuted:
         place_wanted([wanting_room(3).rows()])
     assert isinstance(refuted.value.problem, bytes) and len(refuted.value.problem) > 40
+
+
+def test_the_reference_confirms_the_same_rooms() -> None:
+    rows = [wanting_room(seed).rows() for seed in range(6)]
+    ours, theirs = place_wanted(rows), place_wanted(rows, engine="reference")
+    assert [one.placed for one in theirs] == [one.placed for one in ours]
+    assert all(one.residuals and max(one.residuals) < -4 for one in theirs)
+    with pytest.raises(RequestError, match="engine"):
+        place_wanted(rows, engine="abacus")
 
 
 def test_what_osqp_does_not_solve_has_no_residuals(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -25,7 +25,7 @@ HOMES: list[dict[str, Any]] = [
 
 def whole_cost(solved: SolvedRoom, wanted: Sequence[Piece]) -> float:
     """What a room costs with all that it leaves out."""
-    there = {one.piece.label for one in solved.chosen}
+    there = {one.label for one in solved.arrangement.placed}
     return solved.cost + sum(piece.skip_cost or 0.0 for piece in wanted if piece.label not in there)
 
 

@@ -26,7 +26,7 @@ Drag* open(u8* sent, i64 size) {
   drag.movers = from.take<Mover>(counted(head.pieces));
   drag.riders = from.take<Rider>(counted(head.bodies));
   drag.held = head.held;
-  const placement::Room asked = placement::room_of(reinterpret_cast<placement::RoomRequest*>(problem.data));
+  const placement::Room asked = placement::room_of(reinterpret_cast<placement::RoomRequest*>(problem.data)).room;
   placement::Sizes sizes = placement::sizes_of(asked);
   sizes.states = 1;  // nothing searches over ways to stand
   drag.desk = placement::new_desk(asked, sizes);

@@ -41,19 +41,6 @@ Rect opened_within(const Scope& scope, i64 height) {
   return within;
 }
 
-List<Interval> gaps_between(Interval whole, Span<Interval> blocked) {
-  stable_sort(blocked, begins_before);
-  List<Interval> free;
-  i64 at = whole.low;
-  for (const Interval& one : blocked) {
-    const i64 end = least(one.low, whole.high);
-    if (one.low > at && at < end) free.add({at, end});
-    at = most(at, one.high);
-  }
-  if (at < whole.high) free.add({at, whole.high});
-  return free;
-}
-
 List<Interval> WallOccupancy::stretches(Wall wall, const Kind& kind, bool occupied) const {
   const Rect& clear = scope_.clear;
   const i64 depth = least(kind.depth + scope_.gap, least(clear.width(), clear.depth()));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "furnish/room_type.hpp"
-#include "plain/lists.hpp"
+#include "plain/intervals.hpp"
 
 namespace furnish {
 
@@ -60,9 +60,6 @@ struct Scope {
 
 // Where doors along the sides of a piece so high open and meet no sill board: off the walls with windows, where it reaches above a sill.
 Rect opened_within(const Scope& scope, i64 height);
-
-// What intervals leave free of a whole interval, from its low end up; they are sorted.
-List<Interval> gaps_between(Interval whole, Span<Interval> blocked);
 
 // The walls of the room and what takes them up.
 class WallOccupancy {

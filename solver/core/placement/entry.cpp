@@ -5,14 +5,13 @@
 #include "placement/grid.hpp"
 #include "placement/grow.hpp"
 #include "placement/house.hpp"
+#include "placement/making.hpp"
 #include "placement/options.hpp"
 #include "placement/prove.hpp"
 #include "placement/pull.hpp"
 #include "placement/search.hpp"
 #include "placement/settle.hpp"
 #include "placement/space.hpp"
-#include "placement/whole.hpp"
-#include "plain/tables.hpp"
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
@@ -23,37 +22,40 @@ template <class T> static T& as(const Span<i64>& numbers) { return *reinterpret_
 extern "C" {
 
 EXPORT(new_desk) Desk* entry_new_desk(RoomRequest* request) {
-  const Room room = room_of(request);
+  const Room room = room_of(request).room;
   return new_desk(room, sizes_of(room));
 }
 
 EXPORT(assemble) i32 entry_assemble(const Desk* desk) { return assemble(desk->engine.room, desk->engine.work, desk->decisions); }
 
-// A whole room arranged: its desk, whether that was walked in, is complete, proven and best, QPs, the width of wider ways between doors or
-// 0, the work that was spent, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1:
-// floor that was added), and of every required piece left out its number and whether it certainly could not stand.
-struct WholeAnswer {
-  i64 desk, walk, complete, proven, best, solves, ways;
-  f64 spent;
-  i64 pieces, candidates, left_out;
+// What lies behind the answer of `make_room`, for who reads the problem: its desk, whether that was walked in, the width of wider ways
+// between doors or 0, and how many numbers follow: what the pieces and candidates on the desk were numbered in the request (-1: floor that
+// was added).
+struct MadeProblem {
+  i64 desk, walk, ways, pieces, candidates;
 };
 
-EXPORT(arrange_whole)
-u8* entry_arrange_whole(RoomRequest* request, const RoomLimits* limits, f64 budget, i32 walk, i32 wide) {
-  const Room room = room_of(request);
-  f64 left = budget, spent = 0;
-  const WholeRoom found = wide != 0 ? arrange_wide(room, *limits, budget, spent) : arrange_whole(room, *limits, left, walk != 0);
-  spent += budget - left;
-  const Span<i64> pieces = found.asked.pieces, candidates = found.asked.candidates;
-  const Span<LeftOut> left_out = found.left_out.all();
-  WholeAnswer answer = {
-      static_cast<i64>(reinterpret_cast<u64>(found.desk)), found.walk, found.complete, found.proven, found.best, found.solves, found.ways,
-      spent, pieces.size, candidates.size, left_out.size};
-  Writer writer(sizeof(WholeAnswer) + bytes_of(pieces) + bytes_of(candidates) + bytes_of(left_out));
-  writer.put(Span<WholeAnswer>{&answer, 1});
+EXPORT(make_room) u8* entry_make_room(RoomRequest* request, const MakingAsked* asked) {
+  const SentRoom sent = room_of(request);
+  Making making(sent.room, sent.doorways, *asked);
+  making.make();
+  const WholeRoom& whole = making.whole();
+  const Span<i64> pieces = whole.asked.pieces, candidates = whole.asked.candidates;
+  MadeProblem problem = {static_cast<i64>(reinterpret_cast<u64>(whole.desk)), whole.walk, whole.ways, pieces.size, candidates.size};
+  Writer writer(making.size() + static_cast<i64>(sizeof(MadeProblem)) + bytes_of(pieces) + bytes_of(candidates));
+  making.put(writer);
+  writer.put(Span<MadeProblem>{&problem, 1});
   writer.put(pieces);
   writer.put(candidates);
-  writer.put(left_out);
+  return writer.written().data;
+}
+
+// Tells of what a search just found, as of a room that is made; `walk`: only walkable placements were looked for.
+EXPORT(tell_room) u8* entry_tell_room(Desk* desk, i32 walk) {
+  Making making(desk->engine.room, {nullptr, 0}, {});
+  making.tell(*desk, walk != 0);
+  Writer writer(making.size());
+  making.put(writer);
   return writer.written().data;
 }
 
@@ -112,10 +114,6 @@ EXPORT(pull_back) i32 entry_pull_back(const Desk* desk) {
 EXPORT(search) void entry_search(const Desk* desk, i64 limit, f64 ceiling, i32 walk) {
   desk->engine.work.counts->placed = 0;  // the host may have written the options
   search(desk->engine, limit, ceiling, walk != 0);
-}
-
-EXPORT(settle) i32 entry_settle(const Desk* desk, i32 walk, i32 slide) {
-  return static_cast<i32>(settle(*desk, walk != 0, slide != 0));
 }
 
 EXPORT(total_preference) f64 entry_total_preference(const Desk* desk) {

@@ -8,8 +8,9 @@
 
 namespace placement {
 
-// What became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent.
-enum Fate : i64 { PLACED, NO_WAY, COVERED, SPENT };
+// What became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent; of a required one,
+// that it certainly cannot stand beside those before it, or that no place was found for it beside them.
+enum Fate : i64 { PLACED, NO_WAY, COVERED, SPENT, CANNOT_STAND, NOT_FOUND };
 
 // How much each step of a room may try: evaluations and QPs of each.
 struct RoomLimits {

@@ -29,8 +29,6 @@ static Span<i64> counted(i64 size) {
   return found;
 }
 
-NumberedRoom numbered(const Room& room) { return {room, counted(room.pieces.size), counted(room.candidates.size)}; }
-
 static i64 shifted(i64 piece, i64 first, i64 by) { return piece < first ? piece : piece + by; }
 
 // Copies a piece's candidates but those that need a piece left out (-1: none); pieces from `first` on are renumbered.
@@ -86,6 +84,14 @@ NumberedRoom without_piece(const NumberedRoom& from, i64 piece) {
   Tables tables;
   copy_pieces(tables, from, piece, piece, -1);
   return tables.all(from.room);
+}
+
+NumberedRoom numbered(const Room& room) {
+  NumberedRoom found = {room, counted(room.pieces.size), counted(room.candidates.size)};
+  for (i64 piece = room.pieces.size - 1; piece >= 0; piece--) {
+    if (room.pieces[piece].required < 0) found = without_piece(found, piece);
+  }
+  return found;
 }
 
 NumberedRoom without_walking(const NumberedRoom& from) {

@@ -11,6 +11,7 @@ struct NumberedRoom {
   Span<i64> pieces, candidates;
 };
 
+// Without what is left out already.
 NumberedRoom numbered(const Room& room);
 
 // Leaves out a piece, and every way to stand that needs it.

@@ -47,7 +47,8 @@ struct Door {
 constexpr i64 STANDS = 2;
 
 // A piece: its candidates, links and choices of use sides are ranges of their tables. A group is up to `group_end`.
-// `required` is STANDS where it stands already: it need not keep apart from zones and from others that do.
+// `required` is STANDS where it stands already: it need not keep apart from zones and from others that do. It is below nothing, and says
+// why (Fate of fill.hpp), where the piece is left out already and only told of.
 // `empty` is EMPTY_FLOOR for floor that is asked for empty, as if a person stood all over it: no body, but apart from all bodies.
 struct PieceRow {
   i64 required;

@@ -43,13 +43,15 @@ struct Cursor {
   template <class T> Span<T> span(i64 count) { return {take<T>(count), static_cast<i32>(count)}; }
 };
 
-Room room_of(RoomRequest* request) {
+SentRoom room_of(RoomRequest* request) {
   const RoomRequest& sent = *request;
   Cursor from = {reinterpret_cast<u8*>(request + 1)};
-  Room room;
+  SentRoom found;
+  Room& room = found.room;
   room.space = {from.take<SpaceRow>(1), sizeof(SpaceRow) / 8};
   room.zones = from.rows<Zone>(sent.zones);
-  room.doors = doors_of(*room.space.data, from.span<Doorway>(sent.doors));
+  found.doorways = from.span<Doorway>(sent.doors);
+  room.doors = doors_of(*room.space.data, found.doorways);
   room.pieces = from.rows<PieceRow>(sent.pieces);
   room.skip_costs = from.span<f64>(sent.pieces);
   room.sides = from.rows<SidesRow>(sent.sides);
@@ -59,7 +61,7 @@ Room room_of(RoomRequest* request) {
   room.links = from.rows<LinkRow>(sent.links);
   room.link_costs = from.rows<LinkCost>(sent.links);
   derive(room);
-  return room;
+  return found;
 }
 
 Sizes sizes_of(const Room& room) {
@@ -238,7 +240,6 @@ static void show_all(Desk& desk) {
       show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
       show(desk.decisions), show(desk.fates), show(desk.limits), show(desk.group), show(desk.report),
       show(desk.finals), show(desk.owns), show(desk.taken), show(desk.force_rows), show(desk.multipliers), show(desk.handed),
-      show(desk.added),
   };
   static_assert(sizeof(shown) == SHOWN * sizeof(Shown));
   for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
@@ -261,9 +262,7 @@ Desk* new_desk(const Room& room, const Sizes& sizes) {
   desk.multipliers = new_span<f64>(2 * sizes.variables);
   desk.handed = new_one<Handed>();
   desk.added = zeroes<f64>(1);
-  desk.kept = address(static_cast<u8*>(arena::reserve(0)));
   add_cells(desk.engine.grid, sizes);
-  desk.walked = address(static_cast<u8*>(arena::reserve(0)));
   desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);
   desk.engine.programs = new_span<Program>(2);
   for (Program& program : desk.engine.programs) program = new_program(sizes);

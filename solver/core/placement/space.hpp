@@ -26,7 +26,7 @@ struct Shown {
 };
 
 // What the host sees, in the order of solver/placement/layout.py.
-constexpr i32 SHOWN = 43;
+constexpr i32 SHOWN = 42;
 
 // How many rows of a search's result were handed over: those that choices took, and those that hold.
 struct Handed {
@@ -34,12 +34,8 @@ struct Handed {
 };
 
 // A room's work space with what calls hand over and bring back.
-//
-// It lies behind the room's rows, and before what only a search needs: the bytes up to `kept` can be copied to another instance, to the
-// same addresses, and are there a desk without a search, once those up to `walked` are reserved: each walk writes these anew.
 struct Desk {
   Shown shown[SHOWN];
-  i32 kept, walked;
   Engine engine;
   Decisions decisions;
   Span<i64> fates;
@@ -52,8 +48,14 @@ struct Desk {
   Span<f64> added;  // what tidying costs
 };
 
+// A room that was sent, and the doorways of its doors.
+struct SentRoom {
+  Room room;
+  Span<Doorway> doorways;
+};
+
 // Reads a room that was sent, where it lies.
-Room room_of(RoomRequest* request);
+SentRoom room_of(RoomRequest* request);
 
 // Returns space for a room, and the room in it.
 Desk* new_desk(const Room& room, const Sizes& sizes);

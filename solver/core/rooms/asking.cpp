@@ -11,12 +11,6 @@ using placement::SidesRow;
 
 constexpr f64 OTHER_SIDE_COST = 0.05;  // what using the second of several allowed sides costs: order, not preference
 
-Span<Candidate> WantingRoom::ways_of(i32 piece) const {
-  Range ways = {0, 0};
-  for (i32 k = 0; k <= piece; k++) ways = {ways.first + ways.count, wanted.pieces[k].candidates};
-  return part_of(wanted.candidates, ways);
-}
-
 void WantingRoom::size_of(const Candidate& way, i64 (&size)[3]) const {
   const bool is_floor = way.kind < 0;
   size[0] = is_floor ? way.floor.x : type.kinds[way.kind].width;
@@ -29,7 +23,7 @@ namespace {
 // The room's tables while they are written.
 class Asked {
  public:
-  Asked(const WantingRoom& room, i64 robot, i64 ways) : room_(room), robot_(robot), ways_(ways) {}
+  explicit Asked(const WantingRoom& room) : room_(room) {}
 
   placement::Room all() {
     add_pieces();
@@ -48,7 +42,8 @@ class Asked {
   Span<placement::SpaceRow> space() const {
     const Rect& clear = room_.scope.clear;
     const Span<placement::SpaceRow> found = reserved<placement::SpaceRow>(1);
-    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, robot_, room_.header.cover, LEAST_FLOOR_MM2, ways_, 0};
+    const PlaceHeader& header = room_.header;
+    found[0] = {{clear.x0, clear.z0}, {clear.x1, clear.z1}, room_.scope.gap, header.robot, header.cover, LEAST_FLOOR_MM2, 0, 0};
     return found;
   }
 
@@ -158,12 +153,11 @@ class Asked {
   }
 
   const WantingRoom& room_;
-  i64 robot_, ways_;
   placement::PieceTables tables_;
 };
 
 }  // namespace
 
-placement::Room asked_room(const WantingRoom& room, i64 robot, i64 ways) { return Asked(room, robot, ways).all(); }
+placement::Room asked_room(const WantingRoom& room) { return Asked(room).all(); }
 
 }  // namespace rooms

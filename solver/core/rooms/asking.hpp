@@ -21,13 +21,11 @@ struct WantingRoom {
   Span<Doorway> doorways;
   furnish::WantedRows wanted;
 
-  // The candidates of a wanted piece.
-  Span<furnish::Candidate> ways_of(i32 piece) const;
   // Width, depth and height of what stands that way, mm.
   void size_of(const furnish::Candidate& way, i64 (&size)[3]) const;
 };
 
-// The room for a person of that width, whose use sides must all be reached, with ways between doors of another width.
-placement::Room asked_room(const WantingRoom& room, i64 robot, i64 ways);
+// The room for its person, whose use sides must all be reached.
+placement::Room asked_room(const WantingRoom& room);
 
 }  // namespace rooms

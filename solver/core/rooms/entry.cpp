@@ -7,7 +7,7 @@ extern "C" __attribute__((export_name("make_rooms"))) void entry_make_rooms(
     SentBytes* types, i32* numbers, SentBytes* rooms, i32 count, i32 tidy, f64 each, f64 left) {
   for (i32 i = 0; i < count; i++) {
     const Bytes answer = rooms::made_room(types[numbers[i]].bytes(), rooms[i].bytes(), tidy != 0, least(each, most(left, 0.0)));
-    left -= reinterpret_cast<const rooms::MadeRoom*>(answer.data)->spent;
+    left -= reinterpret_cast<const placement::MadeRoom*>(answer.data)->spent;
     rooms[i] = {reinterpret_cast<u64>(answer.data), answer.size};
   }
 }
