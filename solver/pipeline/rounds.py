@@ -238,8 +238,8 @@ def _cleared(task: PlaceTask, found: Round, loose: set[str]) -> Round | None:
     pieces = [piece for piece in _reopened(task, task.pieces, found, loose & set(task.listing.listed)) if piece.label in stands]
     fronts = {piece.candidates[0].attach.parent: piece for piece in task.listing.fronts if piece.candidates[0].attach}
     behind = [part for piece in pieces for part in (piece, fronts.get(piece.label)) if part]
-    before, fates = found.arrangement, found.draft.fates
-    gone = [replace(piece, required=False, left_out=fates[piece.label]) for piece in task.pieces if piece.label in fates]
+    before, wanted = found.arrangement, {piece.label: piece for piece in task.pieces}
+    gone = [replace(wanted[label], required=False, left_out=fate) for label, fate in found.draft.fates.items()]
     gone = [replace(piece, candidates=()) if piece.label in found.given_up else piece for piece in gone]
     draft = arrange(task.listing.space, [*behind, *gone], limits=MENDING)
     if len(draft.arrangement.left_out) > len(gone):

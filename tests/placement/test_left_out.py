@@ -8,7 +8,8 @@ import pytest
 
 from solver.geometry import ROTATION_AT_WALL, Rect
 from solver.pieces import Arrangement, Attach, Candidate, Piece, Space, Stand, Zone
-from solver.placement import Budget, feasible, minimal_conflict, move_least, place
+from solver.placement import Budget, arrange, feasible, minimal_conflict, move_least, place
+from solver.placement.layout import COVERED
 from solver.placement.lengths import Shortfall, centimetres, longer_pieces, longer_space, metres, sentence, shortfall
 
 
@@ -140,3 +141,15 @@ def test_a_piece_that_may_stand_elsewhere_is_not_said_to_have_its_place_at_anoth
     told = [dict(made.left_out)["table_1"].split("; ", 1)[1] for made in place(rooms)]
     assert told[0].endswith("the smallest, table, needs 0.40 x 0.40 m at its place by sofa_1")
     assert told[1].startswith("the smallest, table, needs 0.40 x 0.40 m and a free way to it")
+
+
+def test_what_is_left_out_already_is_told_of_the_room_as_it_stands() -> None:
+    """As when fronts are cleared: the others are placed again, and the reason tells what their new places leave of the walls."""
+    shelf, gone = at_wall("shelf_1", 1200, 300, "north"), replace(at_wall("case_1", 900, 400, "north"), required=False, left_out=COVERED)
+    made = arrange(room(4000, 3000), [shelf, gone]).arrangement
+    ((label, reason),) = made.left_out
+    (stands,) = made.placed
+    longest = max(stands.footprint.x0, 4000 - stands.footprint.x1)
+    assert (stands.label, label) == ("shelf_1", "case_1")
+    assert reason.startswith("the floor is covered as densely as wished without it; the smallest, case_1, needs 0.90 x 0.40 m")
+    assert f"north {longest / 1000:.2f} m" in reason and "south 4.00 m" in reason
