@@ -245,28 +245,32 @@ static bool drop_options(const Work& work, i64 first) {
   return narrowed;
 }
 
-// Appends the choices of the parts from number `first` on: against zones, against the parts before them.
-static void add_choices(const Room& room, const Work& work, i64 first) {
+// Appends the choices of the parts from number `first` on: against zones, against the parts before them; false where one cannot hold, with
+// which it ends.
+static bool add_choices(const Room& room, const Work& work, i64 first) {
   const i64 known = work.counts->choices;
   i64& choice = work.counts->choices;
-  bool narrowed = false;
+  bool narrowed = false, may_hold = true;
   const auto add = [&](const ChoiceParts& parts) {
     work.choice_parts[choice] = parts;
-    narrowed |= narrow_by(work, choice++);
+    narrowed |= narrow_by(work, choice);
+    may_hold = work.choice_size[choice++] > 0;
   };
-  for (i64 b = first; b < work.counts->parts; b++) {
+  for (i64 b = first; b < work.counts->parts && may_hold; b++) {
     const Part& part = work.parts[b];
-    for (i64 k = 0; k < room.zones.size && !stands_already(room, part); k++) {
+    for (i64 k = 0; k < room.zones.size && may_hold && !stands_already(room, part); k++) {
       const Zone& zone = room.zones[k];
       if (zone.is_wall == 0 && (part.stand != 0 || part.high <= zone.above)) continue;
       if (keep_apart(work, choice, part, unmoved(zone))) add({{b, -1 - k}});
     }
-    for (i64 a = 0; a < b; a++) {
+    for (i64 a = 0; a < b && may_hold; a++) {
       const Part& other = work.parts[a];
       if (must_part(room, work, other, part) && keep_apart(work, choice, other, part)) add({{a, b}});
     }
   }
-  for (i64 round = 0; round < DROP_ROUNDS && narrowed; round++) narrowed = drop_options(work, known);
+  for (i64 round = 0; round < DROP_ROUNDS && narrowed && may_hold; round++) narrowed = drop_options(work, known);
+  for (i64 k = known; k < choice; k++) may_hold &= work.choice_size[k] > 0;
+  return may_hold;
 }
 
 bool bounds_hold(const Work& work) {
@@ -340,7 +344,11 @@ bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
       add_piece(room, work, piece, candidate, side);
       reach_bounds(work, sizes);
       for (i64 k = known.rows; k < work.counts->rows; k++) tighten(work.least, work.most, work.rows[k]);
-      add_choices(room, work, known.parts);
+      if (!add_choices(room, work, known.parts)) {
+        work.taken_candidate[piece] = ABSENT;
+        last = piece;
+        return false;
+      }
     }
     note(work, piece, decisions[piece]);
   }

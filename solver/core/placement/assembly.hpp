@@ -5,7 +5,8 @@
 
 namespace placement {
 
-// Writes the problem of the decisions; false where the bounds alone rule them out.
+// Writes the problem of the decisions; false where the bounds alone rule them out: the problem then ends before the first piece that they
+// leave no way to keep apart.
 //
 // A piece whose parent is absent is an error of the caller. Choices that the bounds settle are left out. What the last problem
 // began with in the same way is kept.

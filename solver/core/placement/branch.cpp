@@ -26,7 +26,7 @@ inline bool possible(const Engine& engine, const DifferenceRow& row) {
   if (row.i == row.j) return row.s <= 0;
   const Program& program = engine.programs[row.axis];
   const Place i = place_of(program, row.i), j = place_of(program, row.j);
-  const f64 room = static_cast<f64>(-row.s) / 1000 + (program.most[j.column] + j.value) - (program.least[i.column] + i.value);
+  const f64 room = -metres(row.s) + (program.most[j.column] + j.value) - (program.least[i.column] + i.value);
   return room >= -ROUNDING;
 }
 

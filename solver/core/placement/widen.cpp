@@ -14,7 +14,7 @@ struct Link {
   i32 pile;  // the first link of those that touch one another
 };
 
-// All links, and by pile 1 for each component that it touches.
+// All links, and, where they are piled up, by pile 1 for each component that it touches.
 struct Links {
   List<Link> all;
   Table<u8> touched;
@@ -110,14 +110,24 @@ static i32 pile_of(const List<Link>& links, i32 link) {
   return link;
 }
 
-// Finds the links and notes which components they touch, where asked with those that they touch piled up.
+// The cells that a link covers, and those around them.
+static Cells around(const WalkGrid& grid, Cells cells) {
+  for (i64 axis = 0; axis < 2; axis++) {
+    cells.first[axis] = most(cells.first[axis] - 1, 0);
+    cells.last[axis] = least(cells.last[axis] + 1, static_cast<i32>(grid.state->cuts[axis]) - 1);
+  }
+  return cells;
+}
+
+// Finds the links; where asked, those that touch one another are piled up, and which components these touch is noted.
 static Links find_links(const WalkGrid& grid, bool piled) {
   Links links;
   for (i32 k = 0; k < grid.state->blocks; k++) {
     link_walls(links.all, grid, k);
     for (i32 other = 0; other < k; other++) link_blocks(links.all, grid, other, k);
   }
-  for (i32 k = 0; piled && k < links.all.size(); k++) {
+  if (!piled) return links;
+  for (i32 k = 0; k < links.all.size(); k++) {
     for (i32 other = 0; other < k; other++) {
       if (!touch(links.all[k].cells, links.all[other].cells)) continue;
       const i32 one = pile_of(links.all, k), two = pile_of(links.all, other);
@@ -127,13 +137,8 @@ static Links find_links(const WalkGrid& grid, bool piled) {
   const i32 columns = static_cast<i32>(grid.state->components) + 1;
   links.touched = {zeroes<u8>(links.all.size() * columns).data, links.all.size(), columns};
   for (i32 k = 0; k < links.all.size(); k++) {
-    Cells around = links.all[k].cells;
-    for (i64 axis = 0; axis < 2; axis++) {
-      around.first[axis] = most(around.first[axis] - 1, 0);
-      around.last[axis] = least(around.last[axis] + 1, static_cast<i32>(grid.state->cuts[axis]) - 1);
-    }
     const Span<u8> touched = links.touched.row(pile_of(links.all, k));
-    any_met(grid, around, [&](i32 component) {
+    any_met(grid, around(grid, links.all[k].cells), [&](i32 component) {
       touched[component] = 1;
       return false;
     });
@@ -149,6 +154,15 @@ static bool parts(const Links& links, i32 link, const Span<u8>& within) {
     if (touched[c]) (within[c] ? inside : outside) = true;
   }
   return inside && outside;
+}
+
+// The same of a link by itself.
+static bool parts(const WalkGrid& grid, const Link& link, const Span<u8>& within) {
+  bool inside = false, outside = false;
+  return any_met(grid, around(grid, link.cells), [&](i32 component) {
+    (within[component] ? inside : outside) = true;
+    return inside && outside;
+  });
 }
 
 static i64 count_parting(const Links& links, const Span<u8>& within) {
@@ -285,12 +299,12 @@ Span<i64> wider_rows(const Room& room, const Work& work, const WalkGrid& grid, b
     return found.all();
   }
   const Links links = find_links(grid, all);
-  Span<u8> within = zeroes<u8>(links.touched.columns);
+  Span<u8> within = zeroes<u8>(static_cast<i32>(grid.state->components) + 1);
   within[grid.state->entered] = 1;
   if (all && !part_by_fewest(grid, links, within)) found.add(UNTOLD);
   if (all) uncover_ends(room, work, found, grid, within);
   for (i32 k = 0; k < links.all.size(); k++) {
-    if (!parts(links, k, within)) continue;
+    if (!(all ? parts(links, k, within) : parts(grid, links.all[k], within))) continue;
     if (links.all[k].other < 0) {
       from_wall(room, work, found, grid, links.all[k]);
     } else {
