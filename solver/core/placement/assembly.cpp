@@ -246,15 +246,16 @@ static bool drop_options(const Work& work, i64 first) {
 }
 
 // Appends the choices of the parts from number `first` on: against zones, against the parts before them; false where one cannot hold, with
-// which it ends.
-static bool add_choices(const Room& room, const Work& work, i64 first) {
+// which it ends unless all are asked for.
+static bool add_choices(const Room& room, const Work& work, i64 first, bool all) {
   const i64 known = work.counts->choices;
   i64& choice = work.counts->choices;
   bool narrowed = false, may_hold = true;
   const auto add = [&](const ChoiceParts& parts) {
     work.choice_parts[choice] = parts;
     narrowed |= narrow_by(work, choice);
-    may_hold = work.choice_size[choice++] > 0;
+    may_hold = all || work.choice_size[choice] > 0;
+    choice++;
   };
   for (i64 b = first; b < work.counts->parts && may_hold; b++) {
     const Part& part = work.parts[b];
@@ -269,7 +270,7 @@ static bool add_choices(const Room& room, const Work& work, i64 first) {
     }
   }
   for (i64 round = 0; round < DROP_ROUNDS && narrowed && may_hold; round++) narrowed = drop_options(work, known);
-  for (i64 k = known; k < choice; k++) may_hold &= work.choice_size[k] > 0;
+  for (i64 k = known; k < choice; k++) may_hold &= all || work.choice_size[k] > 0;
   return may_hold;
 }
 
@@ -328,7 +329,7 @@ static void reach_bounds(const Work& work, const i64 (&known)[2]) {
   }
 }
 
-bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
+bool assemble(const Room& room, const Work& work, const Decisions& decisions, bool all) {
   i64& last = work.counts->assembled;
   i64 piece = go_back(work, decisions);
   for (i64 k = piece; k < last; k++) work.taken_candidate[k] = ABSENT;
@@ -344,7 +345,7 @@ bool assemble(const Room& room, const Work& work, const Decisions& decisions) {
       add_piece(room, work, piece, candidate, side);
       reach_bounds(work, sizes);
       for (i64 k = known.rows; k < work.counts->rows; k++) tighten(work.least, work.most, work.rows[k]);
-      if (!add_choices(room, work, known.parts)) {
+      if (!add_choices(room, work, known.parts, all)) {
         work.taken_candidate[piece] = ABSENT;
         last = piece;
         return false;

@@ -95,12 +95,13 @@ static bool pay(const Engine& engine, const Effort& effort) {
   return result.found == 1;
 }
 
-// Lays decisions out; false where the bounds alone rule them out. `limit` becomes what a search is held to, `effort` what a QP of it costs.
-static bool lay_out(const Engine& engine, const Decisions& decisions, i64& limit, bool walk, Effort& effort) {
+// Lays decisions out, to the end of their problem or as far as it may hold; false where the bounds alone rule them out. `limit` becomes
+// what a search is held to, `effort` what a QP of it costs.
+static bool lay_out(const Engine& engine, const Decisions& decisions, i64& limit, bool walk, Effort& effort, bool all) {
   *engine.nodes.result.data = {};
   engine.nodes.result->exhausted = 1;
   effort = {};
-  if (!assemble(engine.room, engine.work, decisions)) return false;
+  if (!assemble(engine.room, engine.work, decisions, all)) return false;
   effort = effort_of(engine, walk);
   limit = least(limit, affordable_qps(engine, effort));
   return true;
@@ -108,14 +109,14 @@ static bool lay_out(const Engine& engine, const Decisions& decisions, i64& limit
 
 bool evaluate(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
-  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  if (!lay_out(engine, decisions, limit, walk, effort, true)) return false;
   search(engine, limit, ceiling, walk);
   return pay(engine, effort);
 }
 
 bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, bool walk) {
   Effort effort;
-  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  if (!lay_out(engine, decisions, limit, walk, effort, true)) return false;
   SearchResult& result = *engine.nodes.result.data;
   search(engine, limit, ceiling, walk, true);
   if (!result.found && !result.exhausted) {
@@ -131,7 +132,7 @@ bool evaluate_all(const Engine& engine, const Decisions& decisions, i64 limit, f
 // Evaluates a state with one piece more. Picks and forces are missing where that is plain.
 static bool evaluate_beside(
     const Engine& engine, const Decisions& decisions, i64 state, i64 limit, f64 ceiling, bool walk, Effort& effort) {
-  if (!lay_out(engine, decisions, limit, walk, effort)) return false;
+  if (!lay_out(engine, decisions, limit, walk, effort, false)) return false;
   const bool is_known = limit > 0 && optimum_of(engine.tree, state) != nullptr;
   if (!is_known || !is_plain_beside(engine, state, ceiling, walk)) search(engine, limit, ceiling, walk);
   return pay(engine, effort);
