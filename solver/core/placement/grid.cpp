@@ -204,10 +204,11 @@ Cells cells_of(const WalkGrid& grid, const NumberedRect& target) {
   for (i64 axis = 0; axis < 2; axis++) {
     const i64* const cuts = grid.cuts.row(axis).data;
     const i64 count = grid.state->cuts[axis];
-    i64 low = 0;  // cuts below its ends
-    while (low < count && cuts[low] <= target.low[axis]) low++;
-    i64 high = target.low[axis] <= target.high[axis] ? low : 0;
-    while (high < count && cuts[high] < target.high[axis]) high++;
+    i64 low = 0, high = 0;  // cuts below its ends: there are few, and each comparison is as good as a guess
+    for (i64 k = 0; k < count; k++) {
+      low += cuts[k] <= target.low[axis];
+      high += cuts[k] < target.high[axis];
+    }
     cells.first[axis] = static_cast<i32>(most<i64>(low - 1, 0));
     cells.last[axis] = static_cast<i32>(least(high, count - 1));
   }
