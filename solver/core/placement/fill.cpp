@@ -166,7 +166,7 @@ RoomReport fill_room(
     if (engine.room.pieces[piece].required) continue;
     const Fate fate = add_group(engine, decisions, costs, {piece, filling.next}, limits, walk);
     for (i64 member = piece; member < filling.next; member++) fates[member] = fate;
-    if (fate != PLACED && is_hopeless(engine.room, decisions, filling.next, engine.memo)) {
+    if (fate != PLACED && is_hopeless(engine.room, decisions, filling.next, filling.closed, engine.memo)) {
       engine.nodes.result->found = 0;
       return {1, filling.closed, 0, solved};
     }

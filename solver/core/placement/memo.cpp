@@ -18,10 +18,14 @@ Memo* new_memo(const Room& room) {
   return &memo;
 }
 
-Standing best_standing(const Room& room) {
+Standing best_standing(const Room& room, const Decisions& decisions, i64 decided) {
   Standing found = {0, 0.0, 0.0};
   for (i32 k = 0; k < room.pieces.size; k++) {
     const PieceRow& row = room.pieces[k];
+    if (k < decided && decisions[k] == ABSENT) {
+      found.cost += room.skip_costs[k];
+      continue;
+    }
     f64 way = INFINITE, side = INFINITE;
     for (i64 one = row.candidates[0]; one < row.candidates[1]; one++) way = least(way, room.candidate_costs[one].cost);
     for (i64 one = row.sides[0]; one < row.sides[1]; one++) side = least(side, room.side_costs[one]);
@@ -53,9 +57,12 @@ bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usu
   return wide.cost <= usual.cost + margin.most;
 }
 
-bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, Memo* memo) {
+bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, i64 closed, Memo* memo) {
   if (memo == nullptr || memo->margin == nullptr) return false;
-  if (!memo->complete && memo->closed == 0) return false;  // no wider way made a difference so far: it may be the usual room
+  if (!memo->complete && memo->closed == 0) {
+    if (closed) memo->rival = best_standing(room, decisions, decided);
+    return false;
+  }
   memo->hoped = standing(room, decisions, decided, 0.0);
   memo->given_up = !is_worth(*memo->margin, memo->hoped, memo->rival);
   return memo->given_up;

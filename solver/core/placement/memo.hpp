@@ -47,8 +47,8 @@ struct Memo {
 
 Memo* new_memo(const Room& room);
 
-// What no placement surpasses: all pieces stand, and each costs what it does at least.
-Standing best_standing(const Room& room);
+// What no placement surpasses that leaves out what is left out of the first `decided` pieces: all others stand, each for its least cost.
+Standing best_standing(const Room& room, const Decisions& decisions, i64 decided);
 
 // What a room comes to that costs so much beside what its first `decided` pieces leave out, with all the others.
 Standing standing(const Room& room, const Decisions& decisions, i64 decided, f64 cost);
@@ -56,8 +56,9 @@ Standing standing(const Room& room, const Decisions& decisions, i64 decided, f64
 // Tells whether a room with wider ways is worth what it costs more than without.
 bool is_worth(const WayMargin& margin, const Standing& wide, const Standing& usual);
 
-// Tells whether a room whose first pieces are decided is to be left: what stands beside it is surely needed, and surely better.
-bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, Memo* memo);
+// Tells whether a room whose first pieces are decided is to be left: what stands beside it is surely needed, and surely better. `closed`:
+// whether its required pieces' arrangement is exact. Where no wider way made a difference so far, the rival leaves out as much.
+bool is_hopeless(const Room& room, const Decisions& decisions, i64 decided, i64 closed, Memo* memo);
 
 // Notes an evaluation of which no placement closed the ways.
 void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceiling, const Effort& effort);

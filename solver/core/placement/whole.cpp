@@ -174,7 +174,7 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
   if (room.doors.size < 2) return arranged(room, limits, nullptr);
   Memo* memo = new_memo(room);
   memo->margin = MARGINS;
-  memo->rival = best_standing(room);
+  memo->rival = best_standing(room, {}, 0);
   // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
   WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
   memo->complete = true;
