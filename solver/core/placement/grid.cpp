@@ -340,8 +340,11 @@ static bool is_reached(const Room& room, const Work& work, const WalkGrid& grid,
   return grid.reached[state.entered].count == state.numbers && has_least_floor(room, grid, state.entered);
 }
 
-bool joins_doors(const Room& room, const WalkGrid& grid, const Rows<NumberedRect>& bodies) {
-  grid.state->width = room.space->ways;
+bool joins_doors(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions, i64 ways) {
+  if (ways <= room.space->robot || room.doors.size < 2) return true;
+  Rows<NumberedRect> bodies = grid.blocks;
+  bodies.size = static_cast<i32>(find_covered(work, positions, positions, grid.blocks));
+  grid.state->width = ways;
   gather_blocks(room, grid, bodies, bodies.size);
   gather_doors(room, grid);
   if (!part_floor(room, grid)) return false;
@@ -350,11 +353,7 @@ bool joins_doors(const Room& room, const WalkGrid& grid, const Rows<NumberedRect
 }
 
 bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions) {
-  if (!is_reached(room, work, grid, positions)) return false;
-  if (room.space->ways <= room.space->robot || room.doors.size < 2) return true;
-  Rows<NumberedRect> bodies = grid.blocks;
-  bodies.size = static_cast<i32>(find_covered(work, positions, positions, grid.blocks));
-  return joins_doors(room, grid, bodies);
+  return is_reached(room, work, grid, positions) && joins_doors(room, work, grid, positions, room.space->ways);
 }
 
 bool may_be_walkable(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& low, const Table<i64>& high) {

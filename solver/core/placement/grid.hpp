@@ -37,8 +37,8 @@ bool walkable(const Room& room, const Work& work, const WalkGrid& grid, const Ta
 // Finds what bodies cover wherever they stand between low and high, mm; returns how many rectangles, numbered by their parts.
 i64 find_covered(const Work& work, const Table<i64>& low, const Table<i64>& high, const Rows<NumberedRect>& found);
 
-// Tells whether ways as wide as asked join the doors, past bodies that cover rectangles.
-bool joins_doors(const Room& room, const WalkGrid& grid, const Rows<NumberedRect>& bodies);
+// Tells whether ways so wide join the doors, with the bodies at integer positions, mm; no wider than who walks they do.
+bool joins_doors(const Room& room, const Work& work, const WalkGrid& grid, const Table<i64>& positions, i64 ways);
 
 // Tells whether the bodies may leave one component of the least free centres that meets all doors and use sides.
 //

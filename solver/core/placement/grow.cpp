@@ -143,10 +143,7 @@ static bool weigh(const Engine& engine, const Decisions& decisions, i64 state, i
   Memo* memo = engine.memo;
   Effort effort;
   if (memo == nullptr) return evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
-  if (memo->complete) {
-    const Effort* known = recall(engine, decisions, limit, ceiling);
-    return known != nullptr ? pay(engine, *known) : evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
-  }
+  if (const Effort* known = recall(engine, decisions, limit, ceiling)) return pay(engine, *known);
   const i32 already = memo->closed;
   const bool found = evaluate_beside(engine, decisions, state, limit, ceiling, walk, effort);
   closed = memo->closed > already || (engine.nodes.result->beside && engine.tree.optima[state].closed);

@@ -81,7 +81,7 @@ void note(const Engine& engine, const Decisions& decisions, i64 limit, f64 ceili
   const i64 wide = result.found ? engine.work.sizes[0] : 0, deep = result.found ? engine.work.sizes[1] : 0;
   if (memo.notes == MOST_NOTES || memo.placed + wide + deep > memo.places.size) return;
   const i32 number = memo.notes++;
-  memo.noted[number] = {limit, ceiling, engine.nodes.best_cost[0], effort, memo.placed, {wide, deep}, result};
+  memo.noted[number] = {limit, memo.ways, ceiling, engine.nodes.best_cost[0], effort, memo.placed, {wide, deep}, result};
   for (i64 v = 0; v < wide; v++) memo.places[memo.placed++] = engine.nodes.best.at(0, v);
   for (i64 v = 0; v < deep; v++) memo.places[memo.placed++] = engine.nodes.best.at(1, v);
   for (i32 k = 0; k < decisions.size; k++) memo.decisions.at(number, k) = decisions[k];
@@ -107,7 +107,7 @@ const Effort* recall(const Engine& engine, const Decisions& decisions, i64 limit
   for (i32 at = place_in_table(decisions); memo.table[at] >= 0; at = (at + 1) & (TABLE - 1)) {
     const i32 number = memo.table[at];
     const Noted& noted = memo.noted[number];
-    if (noted.ceiling != ceiling || !is_noted(memo.decisions.row(number), decisions)) continue;
+    if (noted.ceiling != ceiling || noted.ways < engine.room.space->ways || !is_noted(memo.decisions.row(number), decisions)) continue;
     if (!is_within(noted, least(limit, affordable_qps(engine, noted.effort)))) return nullptr;
     *engine.nodes.result.data = noted.result;
     engine.nodes.best_cost[0] = noted.cost;

@@ -1,4 +1,5 @@
-// What ways to stand came to in a room whose ways between doors are wider than its person, where none of the placements taken closed these.
+// What ways to stand came to in a room whose ways between doors are wider than its person, where none of the placements taken closed these,
+// or in one without such ways, where none closed those that are asked for next.
 // Where narrower ones are asked for, or none, the search for the same decisions goes the same way: it need not be made again.
 #pragma once
 
@@ -8,7 +9,7 @@ namespace placement {
 
 // An evaluation: what was asked, what came of it.
 struct Noted {
-  i64 limit;
+  i64 limit, ways;  // the widest ways for which it holds
   f64 ceiling, cost;
   Effort effort;
   i64 first, sizes[2];  // of its places: where they begin, and how many along each axis
@@ -30,9 +31,10 @@ struct WayMargin {
 
 // Evaluations of one room in the order they were made; those beyond its space are not noted.
 struct Memo {
-  bool complete;  // nothing is noted any more
+  bool complete;  // the widest ways were asked for
+  i64 ways;  // what is noted holds for ways so wide, or less
   i32 notes;
-  i32 closed;  // placements turned down because they close the wider ways, of all evaluations so far
+  i32 closed;  // placements that close these ways, of all evaluations so far
   Span<Noted> noted;
   Table<i64> decisions;  // of each note
   Span<i32> table;       // numbers of notes, by their hashes

@@ -115,8 +115,13 @@ bool passes(const Engine& engine) {
     }
   }
   const bool passed = walkable(engine.room, engine.work, engine.grid, rounded);
-  // A person came everywhere where it was somebody wider who walked last.
-  if (!passed && engine.memo != nullptr) engine.memo->closed += engine.grid.state->width > engine.room.space->robot;
+  if (engine.memo == nullptr) return passed;
+  Memo& memo = *engine.memo;
+  if (!passed) {
+    memo.closed += engine.grid.state->width > engine.room.space->robot;  // a person came everywhere where somebody wider walked last
+  } else if (engine.room.space->ways < memo.ways) {
+    memo.closed += !joins_doors(engine.room, engine.work, engine.grid, rounded, memo.ways);
+  }
   return passed;
 }
 

@@ -164,19 +164,22 @@ static Room with_ways(Room room, i64 wider) {
 }
 
 WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f64& spent) {
-  const auto arranged = [&](const Room& asked, const RoomLimits& own, Memo* memo) {
+  const auto arranged = [&](const Room& asked, const RoomLimits& own, Memo* memo, i64 wider) {
     f64 left = budget;
-    if (memo != nullptr) memo->given_up = false;
+    if (memo != nullptr) {
+      memo->given_up = false;
+      memo->ways = room.space->robot + wider;
+    }
     const WholeRoom found = arrange_whole(asked, own, left, true, memo);
     spent += budget - left;
     return found;
   };
-  if (room.doors.size < 2) return arranged(room, limits, nullptr);
+  if (room.doors.size < 2) return arranged(room, limits, nullptr, 0);
   Memo* memo = new_memo(room);
   memo->margin = MARGINS;
   memo->rival = best_standing(room, {}, 0);
   // Nearly always the widest ways are taken, so that these are asked first; much of what was searched for them holds without them, too.
-  WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo);
+  WholeRoom wide = arranged(with_ways(room, MARGINS[0].wider), MARGIN_LIMITS, memo, MARGINS[0].wider);
   memo->complete = true;
   wide.ways = room.space->robot + MARGINS[0].wider;
   if (is_walked_in(wide)) {
@@ -186,17 +189,18 @@ WholeRoom arrange_wide(const Room& room, const RoomLimits& limits, f64 budget, f
   const bool given_up = memo->given_up;
   const Filling filling = memo->filling;
   memo->margin = nullptr;
-  const WholeRoom usual = arranged(room, limits, memo);
+  const WholeRoom usual = arranged(room, limits, memo, MARGINS[1].wider);
   if (!is_walked_in(usual)) return usual;
   memo->rival = standing_in(usual);
   for (const WayMargin& margin : MARGINS) {
     const arena::Mark mark = arena::mark();
     memo->margin = &margin;
     if (margin.wider != MARGINS[0].wider) {
-      wide = arranged(with_ways(room, margin.wider), MARGIN_LIMITS, memo);
+      wide = arranged(with_ways(room, margin.wider), MARGIN_LIMITS, memo, margin.wider);
     } else if (given_up && is_worth(margin, memo->hoped, memo->rival)) {
       const f64 left = wide.desk->engine.tree.budget[0];
       memo->filling = filling;
+      memo->ways = wide.ways;
       go_on(wide, MARGIN_LIMITS, memo);
       spent += left - wide.desk->engine.tree.budget[0];
     }
