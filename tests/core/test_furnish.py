@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "1dd2d3252831aebbe492b91dfb799ef91c77965ac6b48d43e667d410c118f572"
+GOLDEN = "6ffec21b7f5fa3cf02a17564e5af7f49eefa229fa7f3439c30c4da05283d0d1e"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 
