@@ -5,7 +5,6 @@ What its other ways to stand would have cost: the room is furnished once more wi
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from math import inf
 from typing import NamedTuple
 
@@ -19,7 +18,6 @@ from solver.pipeline.generate import generator, wanted_in
 from solver.placement import OpenRoom, arrange, is_call_spent, opened
 from solver.placement.empty_floor import FLOOR
 from solver.placement.problem import ORIGIN, Choice, Force, ProblemBox
-from solver.placement.qp import confirmed
 from solver.scene import Furniture, Room, Scene
 from solver.scene_bodies import check_id, check_scene
 
@@ -44,11 +42,6 @@ class AsFurnished:
     wanted: Sequence[Piece]
     made: OpenRoom
     ids: Mapping[str, str]
-
-    @cached_property
-    def forces(self) -> tuple[Force, ...]:
-        """What holds its pieces back, by OSQP."""
-        return confirmed([self.made])[0].forces
 
 
 class _Holder(NamedTuple):
@@ -90,7 +83,7 @@ def explain(scene: Scene, id: str, *, catalogs: Catalogs | None = None) -> Expla
     if isinstance(again, str):
         return Explained(id, room.id, (piece.x, piece.z), None, (), (again,))
     label = next(label for label, own in again.ids.items() if own == id)
-    boxes = {(box.label, box.stand): box for box in again.made.problem.boxes}
+    boxes = {(box.label, box.stand): box for box in again.made.boxes}
     holds = _joined(_holds(again, boxes[label, False]))
     candidate = next(placed.chosen for placed in again.made.solved.arrangement.placed if placed.label == label)
     wished = _wished(candidate, boxes[label, False], again)
@@ -128,10 +121,10 @@ def _wished(candidate: Candidate, box: ProblemBox, again: AsFurnished) -> tuple[
     """Returns where the footprint's centre was wished in the room; None for a piece that has its place at another one."""
     if candidate.attach is not None:
         return None
-    wish, problem = [to_m(value) for value in candidate.anchor_mm], again.made.problem
+    wish, work = [to_m(value) for value in candidate.anchor_mm], again.made.engine.work
     for axis in (0, 1):
         variable = box.var[axis]
-        low, high = problem.low[axis][variable], problem.high[axis][variable]
+        low, high = int(work.low[axis, variable]), int(work.high[axis, variable])
         if low == high:  # flush at its wall
             wish[axis] = to_m(low + box.offset[axis]) + to_m(box.extent[axis]) / 2
     return round(wish[0], 4), round(wish[1], 4)
@@ -147,10 +140,10 @@ def _notes(candidate: Candidate, again: AsFurnished) -> Iterable[str]:
 
 def _holds(again: AsFurnished, body: ProblemBox) -> Iterable[Hold]:
     """Yields what holds a body's variables, or those of what it moves with."""
-    boxes = again.made.problem.boxes
+    boxes = again.made.boxes
     for axis in (0, 1):
         mine = {body.var[axis]} | {box.var[axis] for box in boxes if box.label == body.label}
-        for force in again.forces:
+        for force in again.made.forces:
             row = force.row
             if row.axis != axis or (row.i in mine) == (row.j in mine):
                 continue  # of others, or between the body and its own use side
@@ -179,14 +172,14 @@ def _felt_at(again: AsFurnished, mine: tuple[str, bool]) -> tuple[str, str]:
 
 def _holder(again: AsFurnished, force: Force, towards: str, held: list[ProblemBox]) -> tuple[_Holder, tuple[str, bool] | None]:
     """Returns what a force comes from, and the box, of a piece and its floor, that it is felt at, where that is known."""
-    problem, space = again.made.problem, again.space
-    if force.choice is not None and force.choice < len(problem.choices):
-        return _chosen_holder(again, problem.choices[force.choice], {(box.label, box.stand) for box in held})
+    made, space = again.made, again.space
+    if force.choice is not None and force.choice < len(made.choices):
+        return _chosen_holder(again, made.choices[force.choice], {(box.label, box.stand) for box in held})
     if force.choice is not None:
         return _A_WAY, None
     if not force.bound:
         variables = {force.row.i, force.row.j}
-        other = next((box.label for box in problem.boxes if box.var[force.row.axis] in variables and box not in held), None)
+        other = next((box.label for box in made.boxes if box.var[force.row.axis] in variables and box not in held), None)
         name = None if other is None or ORIGIN in variables else again.ids.get(other)
         return (_Holder("relation", name, f"its relation to {name}") if name else _A_WAY), None
     meeting = next((box for box in held if _meets(box, force, towards, space.clear, space.gap_mm)), None)

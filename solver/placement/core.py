@@ -17,7 +17,7 @@ from solver.placement.budget import Budget
 from solver.placement.encode import Encoded
 from solver.placement.layout import BEST, CLOSED, DEEPEST, Engine, Ints
 from solver.placement.made_rooms import SolvedRoom, answer_at, solved_room
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Solution, Term
+from solver.placement.problem import Choice, DifferenceRow, ProblemBox
 
 
 @dataclass(frozen=True)
@@ -184,25 +184,8 @@ class Core:
             positions[0, x], positions[1, z] = place.x0 - off_x, place.z0 - off_z
         return float(self.engine.nodes.best_cost[0]) if self.engine.instance.call("pull_back", self.engine.desk) else None
 
-    def problem(self) -> Problem:
-        """Returns the assembled problem, for reading, for the final solve, and for other solvers."""
-        work = self.engine.work
-        low, high = ([bounds[axis, : work.sizes[axis]].tolist() for axis in (0, 1)] for bounds in (work.low, work.high))
-        rows = [DifferenceRow(*row) for row in work.rows[: work.counts[layout.N_ROWS]].tolist()]
-        boxes = self._boxes()
-        return Problem((low[0], low[1]), (high[0], high[1]), self._terms(), rows, boxes, self._choices(boxes))
-
-    def _terms(self) -> list[Term]:
-        work, count = self.engine.work, self.engine.work.counts[layout.N_PULLS]
-        terms = []
-        for axis in (0, 1):
-            n = work.sizes[axis]
-            anchors = zip(work.anchor_at[axis, :n].tolist(), work.anchor_weight[axis, :n].tolist(), strict=True)
-            terms += [Term(axis, ORIGIN, v, at, weight) for v, (at, weight) in enumerate(anchors) if weight > 0]
-        pulls = zip(work.pulls[:count].tolist(), work.pull_costs[:count].tolist(), strict=True)
-        return [*terms, *(Term(*between, *costs) for between, costs in pulls)]
-
-    def _boxes(self) -> list[ProblemBox]:
+    def boxes(self) -> list[ProblemBox]:
+        """Returns the boxes of the assembled problem, for reading."""
         work, found = self.engine.work, []
         for row in work.parts[: work.counts[layout.N_PARTS]].tolist():
             piece, stand, x, z, off_x, off_z, ext_x, ext_z, low, high = row
@@ -210,7 +193,8 @@ class Core:
             found.append(ProblemBox(label, bool(stand), (x, z), (off_x, off_z), (ext_x, ext_z), low, high))
         return found
 
-    def _choices(self, boxes: Sequence[ProblemBox]) -> list[Choice]:
+    def choices(self, boxes: Sequence[ProblemBox]) -> list[Choice]:
+        """Returns its choices, for reading."""
         work, found = self.engine.work, []
         count = int(work.counts[layout.N_CHOICES])
         options = work.options[: 4 * count].tolist()
@@ -228,21 +212,3 @@ class Core:
         answer = answer_at(instance, int(instance.call("tell_room", self.engine.desk, walk)), room.room)
         instance.release(mark)
         return solved_room(room, answer, self.encoded.tables)
-
-    def solution(self) -> Solution | None:
-        """Returns what the last search found."""
-        return solution_of(self.engine)
-
-
-def solution_of(engine: Engine) -> Solution | None:
-    """Returns what the last search of a work space found; None where it found nothing."""
-    best, result = engine.nodes.best, engine.nodes.result
-    if not result[layout.FOUND]:
-        return None
-    n_x, n_z = engine.work.sizes.tolist()
-    proven, solves = bool(result[layout.EXHAUSTED]), int(result[layout.SOLVES])
-    count = int(result[layout.FORCES])
-    forces, multipliers = engine.nodes.best_forces[:count].copy(), engine.nodes.best_multipliers[:count].copy()
-    positions = best[0, :n_x].copy(), best[1, :n_z].copy()
-    rows = engine.call.taken[: engine.instance.call("find_taken", engine.desk)].copy()
-    return Solution(float(engine.nodes.best_cost[0]), positions, rows, proven, solves, forces, multipliers)

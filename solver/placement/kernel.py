@@ -1,13 +1,7 @@
 """What is asked of the core about one room, the functions of solver/core/placement/entry.cpp; and its work space in an instance."""
 
-import numpy as np
-
 from solver.core import taken
 from solver.placement.layout import Engine, Floats, Ints
-from solver.placement.problem import Solution
-
-HOLDING_ROW = 7
-"""Numbers of `struct HoldingRow`."""
 
 
 def new_engine(request: bytes) -> Engine:
@@ -31,44 +25,6 @@ def open_decisions(engine: Engine, decisions: Ints, piece: int) -> tuple[Ints, F
     engine.call.decisions[:] = decisions
     count = engine.instance.call("open_decisions", engine.desk, piece)
     return engine.tree.found[:count], engine.tree.found_cost[:count]
-
-
-def hand_over(engine: Engine, solution: Solution) -> None:
-    """Puts what a search found where `final_problem` and `confirm` look for it."""
-    call = engine.call
-    for axis, own in enumerate(solution.positions):
-        call.owns[axis, : len(own)] = own
-    call.taken[: len(solution.taken)] = solution.taken
-    call.force_rows[: len(solution.force_rows)] = solution.force_rows
-    call.multipliers[: len(solution.multipliers)] = solution.multipliers
-    call.handed[:] = len(solution.taken), len(solution.multipliers)
-
-
-def final_problem(engine: Engine, solution: Solution) -> Ints:
-    """Returns the numbers of a room's final problem, with the choices of a solution, as `struct FinalProblem` of confirm.hpp has them."""
-    hand_over(engine, solution)
-    instance, mark = engine.instance, engine.instance.mark()
-    address = int(instance.call("final_problem", engine.desk))
-    size = int(np.frombuffer(instance.read(address, 8), dtype=np.int64)[0])
-    found = np.frombuffer(instance.read(address, 8 * size), dtype=np.int64)
-    instance.release(mark)
-    return found
-
-
-def confirm(engine: Engine, solution: Solution, x: Floats, y: Floats) -> Ints:
-    """Says what holds at an answer to a room's final problem; all positions, m, are left in call.finals.
-
-    The answer is `x` by column, m, and `y` by row, m^-1. Returns one row each, as `struct HoldingRow` of solver/core/placement/confirm.hpp
-    says.
-    """
-    hand_over(engine, solution)
-    instance, mark = engine.instance, engine.instance.mark()
-    at, multipliers = instance.write(x.tobytes()), instance.write(y.tobytes())
-    address = int(instance.call("confirm", engine.desk, at, multipliers))
-    count = int(np.frombuffer(instance.read(address, 8), dtype=np.int64)[0])
-    rows = np.frombuffer(instance.read(address + 8, 8 * HOLDING_ROW * count), dtype=np.int64)
-    instance.release(mark)
-    return rows.reshape(-1, HOLDING_ROW)
 
 
 def walkable(engine: Engine) -> bool:

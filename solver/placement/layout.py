@@ -27,7 +27,7 @@ KIN = 23
 N_ROWS, N_PARTS, N_CHOICES, N_PULLS = range(4)
 VAR_X, OFF_X, EXT_X = 2, 4, 6
 # Nodes.result
-FOUND, EXHAUSTED, SOLVES, FORCES = 0, 1, 2, 5
+FOUND, EXHAUSTED, SOLVES = range(3)
 # Tree.counters
 CLOSED, BEST, DEEPEST = 4, 6, 7
 # what became of a piece: it stands, no way to stand it was found, the floor is covered enough, the budget is spent; of a required one,
@@ -74,14 +74,10 @@ class Work(NamedTuple):
 
 
 class Nodes(NamedTuple):
-    """What a search found: positions (2, variables + 1), m, the options taken, cost, counts."""
+    """What a search found: positions (2, variables + 1), m, cost, counts."""
 
     best: Floats
-    best_picks: Ints
     best_cost: Floats
-    best_forces: Ints
-    """Rows (axis, i, j) of the constraints that hold something: numbers of free variables, or -1."""
-    best_multipliers: Floats
     result: Ints
 
 
@@ -109,25 +105,13 @@ class CallRows(NamedTuple):
     limits: Ints
     group: Ints
     report: Ints
-    finals: Floats
-    """Positions (2, variables + 1) of the final solve, m; the last column is the origin's."""
-    owns: Floats
-    """The same of the search."""
     taken: Ints
     """Rows that the choices took."""
-    force_rows: Ints
-    """Rows that hold something at the search's optimum: axis, i, j, numbers of free variables, or -1."""
-    multipliers: Floats
-    handed: Ints
-    """How many rows were handed over: taken, and holding."""
 
 
 SEEN = (RoomSeen, Work, Nodes, GridSeen, Tree, CallRows)
 """What is seen of an engine, in the order in which the core tells where it is (`show_all` in solver/core/placement/space.cpp)."""
-FLOATS = {
-    "anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "best_multipliers", "budget", "found_cost", "finals", "owns",
-    "multipliers",
-}  # fmt: skip
+FLOATS = {"anchor_weight", "anchor_at", "pull_costs", "best", "best_cost", "budget", "found_cost"}
 """The arrays of floats; the others hold whole numbers."""
 COUNT: Final = sum(len(part._fields) for part in SEEN)
 SHOWN_BYTES: Final = 12

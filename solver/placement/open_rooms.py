@@ -17,7 +17,8 @@ from solver.placement.empty_floor import FLOOR, PULL
 from solver.placement.encode import Encoded, Tables
 from solver.placement.layout import Engine, Ints
 from solver.placement.made_rooms import SolvedRoom, answer_at, solved_room
-from solver.placement.problem import Problem, Solution
+from solver.placement.problem import Choice, Force, ProblemBox
+from solver.placement.qp import forces_in
 
 _PROBLEM: Final = Struct("<5q")
 """`struct MadeProblem` of solver/core/placement/entry.cpp."""
@@ -43,16 +44,19 @@ class OpenRoom:
         return self.core.engine
 
     @cached_property
-    def problem(self) -> Problem:
-        """The problem, for reading."""
-        return self.core.problem()
+    def boxes(self) -> list[ProblemBox]:
+        """The problem's boxes."""
+        return self.core.boxes()
 
     @cached_property
-    def solution(self) -> Solution:
-        """What the search found of it."""
-        found = self.core.solution()
-        assert found is not None
-        return found
+    def choices(self) -> list[Choice]:
+        """Its choices."""
+        return self.core.choices(self.boxes)
+
+    @cached_property
+    def forces(self) -> tuple[Force, ...]:
+        """What holds its pieces back, by OSQP."""
+        return forces_in(self.engine)
 
     @property
     def decisions(self) -> Ints:

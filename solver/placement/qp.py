@@ -7,19 +7,19 @@ Mathematical Programming Computation 2020.
 import math
 from collections.abc import Callable, Sequence
 from itertools import accumulate
-from typing import NamedTuple, Protocol, TypeVar
+from struct import Struct
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.core import CoreInstance, borrowed
+from solver.core import CoreInstance
 from solver.errors import RequestError
 from solver.pieces import Residuals
-from solver.placement import kernel
-from solver.placement.layout import Engine, Floats
+from solver.placement.layout import EXHAUSTED, Engine, Floats
 from solver.placement.made_rooms import RoomAnswer
 from solver.placement.osqp_binary import OsqpAnswer, Programme, SparseColumns, solve
-from solver.placement.problem import Confirmed, Problem, Solution
+from solver.placement.problem import DifferenceRow, Force
 
 SETTINGS = {
     "verbose": False,
@@ -39,34 +39,17 @@ REFUTED = {"osqp": 1e-5, "reference": 1e-3}
 """A proven optimum that is this far, m, from a solver's is none: an interior point's comes less near where hardly anything draws."""
 _HEAD, _JUDGEMENT = 40, 4
 """Bytes of `struct HouseProblem` of solver/core/placement/house.hpp, and numbers of `struct Judgement`."""
+_COUNT, _HOLDING = Struct("<q"), Struct("<6qd")
+"""`struct Holding` and `struct HoldingRow` of solver/core/placement/confirm.hpp."""
 Numbers = TypeVar("Numbers", Floats, NDArray[np.int32])
 
 
-class Solved(Protocol):
-    """A room with what the search found in it."""
-
-    @property
-    def engine(self) -> Engine:
-        """Its work space, the problem in it."""
-
-    @property
-    def problem(self) -> Problem:
-        """The same for reading."""
-
-    @property
-    def solution(self) -> Solution:
-        """What the search found."""
-
-
 class OptimumRefuted(Exception):
-    """OSQP finds another optimum than the one that was called proven: a fault of ours.
+    """OSQP finds another optimum than the one that was called proven: a fault of ours. The problem is `struct FinalProblem`."""
 
-    Where the problem is not laid out for reading it is the numbers of `struct FinalProblem`, and the solution is among these.
-    """
-
-    def __init__(self, problem: Problem | bytes, solution: Solution | None = None) -> None:
-        super().__init__(f"OSQP finds a cheaper placement than the proven one of {problem!r}: {solution}")
-        self.problem, self.solution = problem, solution
+    def __init__(self, problem: bytes) -> None:
+        super().__init__(f"OSQP finds a cheaper placement than the proven one of {problem!r}")
+        self.problem = problem
 
 
 class Judged(NamedTuple):
@@ -82,38 +65,6 @@ class HouseAnswer(NamedTuple):
     x: Floats
     y: Floats
     rooms: list[Judged]
-
-
-def confirmed(rooms: Sequence[Solved]) -> list[Confirmed]:
-    """Solves all rooms at once.
-
-    Raises:
-        OptimumRefuted: OSQP finds another optimum than one that was proven.
-
-    Returns:
-        What OSQP says of each room. Where it does not report success, the search's own positions, which are optimal already, with
-        no residuals.
-    """
-    problems = [kernel.final_problem(room.engine, room.solution) for room in rooms]
-    with borrowed() as core:
-        answer = solved_house(core, [core.write(problem.tobytes()) for problem in problems])
-    if answer is None:
-        return [Confirmed(room.solution.positions) for room in rooms]
-    found, column, row = list[Confirmed](), 0, 0
-    for room, problem, judged in zip(rooms, problems, answer.rooms, strict=True):
-        if room.solution.proven and judged.moved > REFUTED["osqp"]:
-            raise OptimumRefuted(room.problem, room.solution)
-        columns, rows = problem[1:3].tolist()
-        found.append(_confirmed(room, judged, answer.x[column : column + columns], answer.y[row : row + rows]))
-        column, row = column + columns, row + rows
-    return found
-
-
-def _confirmed(room: Solved, judged: Judged, x: Floats, y: Floats) -> Confirmed:
-    engine, own = room.engine, room.solution.positions
-    holding = kernel.confirm(engine, room.solution, x, y)
-    found = engine.call.finals[0, : len(own[0])].copy(), engine.call.finals[1, : len(own[1])].copy()
-    return Confirmed(found, judged.residuals, holding)
 
 
 def house_residuals(
@@ -132,6 +83,27 @@ def house_residuals(
         if room.made.optimal and judged.moved > REFUTED[engine]:
             raise OptimumRefuted(room.problem)
     return [None if room.made.widened else judged.residuals for room, judged in zip(rooms, answer.rooms, strict=True)]
+
+
+def forces_in(engine: Engine) -> tuple[Force, ...]:
+    """Says what holds in a room what the last search of its work space found, by OSQP; nothing where that has no success.
+
+    Raises:
+        OptimumRefuted: it finds another optimum than one that was proven.
+    """
+    core, mark = engine.instance, engine.instance.mark()
+    problem = int(core.call("final_problem", engine.desk))
+    answer = solved_house(core, [problem])
+    found = list[Force]()
+    if answer is not None:
+        if engine.nodes.result[EXHAUSTED] and answer.rooms[0].moved > REFUTED["osqp"]:
+            raise OptimumRefuted(core.read(problem, 8 * _COUNT.unpack(core.read(problem, _COUNT.size))[0]))
+        address = int(core.call("holding", engine.desk, core.write(answer.y.tobytes())))
+        (count,) = _COUNT.unpack(core.read(address, _COUNT.size))
+        rows = _HOLDING.iter_unpack(core.read(address + _COUNT.size, _HOLDING.size * count))
+        found += [Force(DifferenceRow(*row), per_m, None if choice < 0 else choice, bool(bound)) for *row, choice, bound, per_m in rows]
+    core.release(mark)
+    return tuple(found)
 
 
 def _solver(engine: str) -> Callable[..., OsqpAnswer]:

@@ -15,7 +15,7 @@ import osqp
 from numpy.typing import NDArray
 from scipy import sparse
 
-from solver.placement.problem import Problem
+from tests.oracles.problem import Problem
 
 ROUNDS = 6
 HELD = 1e-4

@@ -7,11 +7,11 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from solver.placement.problem import Problem
 from tests.bench.baseline import Guess, guess
 from tests.bench.rooms import house_problems, room_problem
 from tests.oracles import sums
 from tests.oracles.optimum import Optimum, optimum
+from tests.oracles.problem import Problem
 from tests.oracles.problems import laid_out, search, solve
 from tests.oracles.verdict import verdict
 

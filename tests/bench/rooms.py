@@ -12,8 +12,9 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from solver.geometry import FACING, ROTATION_AT_WALL, Rect, rotate, strip, turned
-from solver.placement.problem import DifferenceRow, Problem, ProblemBox, Term
+from solver.placement.problem import DifferenceRow, ProblemBox
 from solver.streams import Stream
+from tests.oracles.problem import Problem, Term
 from tests.oracles.problems import anchor, apart, choose, clear_of, new_variable
 
 PERSON_MM = 600

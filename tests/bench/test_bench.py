@@ -6,13 +6,14 @@ from dataclasses import replace
 
 import pytest
 
-from solver.placement.problem import Problem, ProblemBox
+from solver.placement.problem import ProblemBox
 from tests.bench.__main__ import gap, guess_lines, optimum_lines, verdict_lines
 from tests.bench.baseline import guess
 from tests.bench.measure import Found, Measured, against_optimum, found, measure
 from tests.bench.rooms import HOUSE, house_problems, room_problem
 from tests.oracles import sums
 from tests.oracles.optimum import Optimum
+from tests.oracles.problem import Problem
 from tests.oracles.problems import solve
 from tests.oracles.verdict import verdict, witness
 

@@ -12,9 +12,8 @@ namespace placement {
 
 template <class T> static void write(const T* from, i64 count) { fwrite(from, sizeof(T), static_cast<unsigned long>(count), stdout); }
 
-// Hands over what was found, and writes the final problem, the same as a house's, and what is said of the optimum itself as its answer.
+// Writes the final problem of what was found, the same as a house's, and what is said of the optimum itself as its answer.
 static void confirm_found(const Desk& desk) {
-  hand_over(desk);
   const FinalProblem* problem = final_problem(desk);
   const f64* linear = reinterpret_cast<const f64*>(problem + 1);
   const f64* start = linear + problem->columns;
@@ -24,7 +23,7 @@ static void confirm_found(const Desk& desk) {
   const HouseProblem* house = join({problems, 1});
   write(reinterpret_cast<const u8*>(house), house->bytes);
   write(judge({problems, 1}, start, multipliers), 1);
-  const Holding* found = confirm(desk, start, multipliers);
+  const Holding* found = holding(desk, multipliers);
   write(reinterpret_cast<const HoldingRow*>(found + 1), found->rows);
 }
 

@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.core import borrowed, taken
-from solver.placement import Budget, kernel
+from solver.core import CoreInstance, borrowed, taken
+from solver.placement import Budget
 from solver.placement.arrange import LIMITS, asked_of_room
-from solver.placement.core import solution_of
 from solver.placement.encode import lay_out
 from solver.placement.layout import Engine, Floats, Ints
 from solver.placement.made_rooms import answer_at
@@ -21,6 +20,8 @@ from tests.placement.rooms import random_space, random_wanted
 from tests.sweeps import seeds
 
 SEEDS = seeds(range(120), 4)
+HOLDING_ROW = 7
+"""Numbers of `struct HoldingRow` of confirm.hpp."""
 
 
 class Room(NamedTuple):
@@ -39,15 +40,21 @@ def room(seed: int) -> Room:
     core, asked = taken(roomy=True), asked_of_room(LIMITS, Budget(), walk=walk, wide=wide, tidy=True)
     address = int(core.call("make_room", core.write(request), core.write(asked)))
     told = answer_at(core, address, space.room)
-    engine = Engine(core, int.from_bytes(core.read(address + told.size, 8), "little"))
-    found = solution_of(engine)
-    assert found is not None
-    final = kernel.final_problem(engine, found)
+    engine = Engine(core, number_at(core, address + told.size))
+    final_at = int(core.call("final_problem", engine.desk))
+    final = np.frombuffer(core.read(final_at, 8 * number_at(core, final_at)), np.int64)
     columns, rows = final[1:3].tolist()
     ends = np.cumsum([5, columns, columns, 2 * rows, rows])
     x, y = (final[start:end].view(np.float64) for start, end in (ends[1:3], ends[3:5]))
-    answer = core.read(address, told.size), final, *joined_and_judged(final, x, y), kernel.confirm(engine, found, x, y)
+    holding_at = int(core.call("holding", engine.desk, core.write(y.tobytes())))
+    holding = core.read(holding_at + 8, 8 * HOLDING_ROW * number_at(core, holding_at))
+    answer = core.read(address, told.size), final, *joined_and_judged(final, x, y), holding
     return Room((request, asked), b"".join(part if isinstance(part, bytes) else part.tobytes() for part in answer))
+
+
+def number_at(core: CoreInstance, address: int) -> int:
+    """A whole number in the core's memory."""
+    return int.from_bytes(core.read(address, 8), "little")
 
 
 def joined_and_judged(problem: Ints, x: Floats, y: Floats) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:

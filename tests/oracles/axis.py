@@ -12,8 +12,9 @@ import daqp
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.placement.problem import ORIGIN, Problem
+from solver.placement.problem import ORIGIN
 from solver.placement.problem import DifferenceRow as Row
+from tests.oracles.problem import Problem
 
 Floats = NDArray[np.float64]
 

@@ -9,7 +9,8 @@ import cvxpy
 import numpy as np
 
 from solver.placement.layout import Floats
-from solver.placement.problem import ORIGIN, Positions, Problem, Solution
+from solver.placement.problem import ORIGIN
+from tests.oracles.problem import Positions, Problem, Solution
 
 cp: Any = cvxpy  # its annotations do not cover its own names
 

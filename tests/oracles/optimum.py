@@ -15,7 +15,8 @@ import numpy as np
 import pyscipopt
 from pyscipopt import quicksum
 
-from solver.placement.problem import DifferenceRow, Problem
+from solver.placement.problem import DifferenceRow
+from tests.oracles.problem import Problem
 
 SECONDS = 15.0
 """Time limit of one room of the bench."""

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from solver.core import taken
 from solver.geometry import Rect
 from solver.placement import layout
-from solver.placement.core import solution_of
 from solver.placement.layout import Engine, Work
 from solver.placement.made_rooms import answer_at
-from solver.placement.problem import ORIGIN, Choice, DifferenceRow, Problem, ProblemBox, Term
+from solver.placement.problem import ORIGIN, Choice, DifferenceRow, ProblemBox
+from tests.oracles.problem import Problem, Term, solution_of
 
 LIMIT = 4000
 """QPs after which the search gives up proving."""

@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.geometry import Rect
-from solver.placement.problem import DifferenceRow, Problem, ProblemBox
+from solver.placement.problem import DifferenceRow, ProblemBox
+from tests.oracles.problem import Problem
 
 Positions = Sequence[Sequence[float]]
 

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.placement.problem import ORIGIN, Problem
+from solver.placement.problem import ORIGIN
 from solver.placement.problem import DifferenceRow as Row
 from tests.oracles.axis import ROW_TOLERANCE, AxisProgram, Floats
+from tests.oracles.problem import Problem
 from tests.oracles.problems import Outcome
 
 CANDIDATES = 4

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from solver.placement.problem import Problem
+from tests.oracles.problem import Problem
 from tests.oracles.programme import Programme
 
 SECONDS = 600.0

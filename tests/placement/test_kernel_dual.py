@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver.placement.problem import ORIGIN, DifferenceRow, Problem, Term
+from solver.placement.problem import ORIGIN, DifferenceRow
 from solver.streams import Stream
 from tests.every import every
 from tests.oracles import sums
 from tests.oracles.axis import AxisProgram
+from tests.oracles.problem import Problem, Term
 from tests.oracles.problems import anchor, new_variable, solve
 
 PROGRAMMES = 400

@@ -13,6 +13,7 @@ from solver.placement import Budget, OpenRoom, opened
 from solver.placement.core import Limits
 from solver.placement.layout import ABSENT
 from tests.furnish.wanting_rooms import wanting_room
+from tests.oracles.problem import found_in
 from tests.sweeps import seeds
 
 Asked = tuple[Space, Sequence[Piece]]
@@ -36,10 +37,11 @@ def rooms() -> list[Asked]:
 
 def told(room: OpenRoom) -> tuple[object, ...]:
     """All that is said of a room, its places to the last bit."""
-    places = [own.tobytes() for own in room.solution.positions]
+    solution = found_in(room.engine)
+    places = [own.tobytes() for own in solution.positions]
     made = room.solved.arrangement
     verdicts = made.solves, made.proven, made.best, room.solved.walkable, made.left_out
-    return room.decisions.tolist(), room.preference, room.solution.cost, places, verdicts
+    return room.decisions.tolist(), room.preference, solution.cost, places, verdicts
 
 
 def standing(room: OpenRoom) -> tuple[int, float, float]:

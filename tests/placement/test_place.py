@@ -9,9 +9,10 @@ from solver.pieces import LOOKS_AT, Arrangement, Candidate, Link, Piece, Space
 from solver.placement import feasible, minimal_conflict, opened, place
 from solver.placement.arrange import arrange
 from solver.placement.core import Limits
-from solver.placement.qp import confirmed
 from solver.streams import Stream
 from tests.oracles import model
+from tests.oracles.confirmed import confirmed
+from tests.oracles.problem import found_in, problem_of
 from tests.placement.rooms import at_walls, random_space, random_wanted
 
 
@@ -55,8 +56,9 @@ def test_every_room_is_valid_in_integers(block: int) -> None:
 
 def test_osqp_agrees_with_the_reference_model() -> None:
     solved = [opened(*room(seed)) for seed in range(12)]
-    rooms = [(one.problem, one.solution) for one in solved]
-    for ours, theirs, (_, exact) in zip(confirmed(solved), model.solve_house(rooms), rooms, strict=True):
+    rooms = [(problem_of(one.core), found_in(one.engine)) for one in solved]
+    for one, theirs, (problem, exact) in zip(solved, model.solve_house(rooms), rooms, strict=True):
+        ours = confirmed(one.engine, problem)
         for axis in (0, 1):
             assert ours.positions[axis] == pytest.approx(theirs[axis], abs=1e-5)
             assert ours.positions[axis] == pytest.approx(exact.positions[axis], abs=1e-6)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from solver.geometry import Rect
-from solver.placement.problem import DifferenceRow, Problem, ProblemBox
+from solver.placement.problem import DifferenceRow, ProblemBox
 from tests.oracles import sums
+from tests.oracles.problem import Problem
 from tests.oracles.problems import apart, choose, clear_of, new_variable
 
 A = ProblemBox("a", False, (0, 0), (0, 0), (1000, 600), 0, 700)

@@ -16,10 +16,11 @@ from solver.pieces import Space
 from solver.placement import Budget
 from solver.placement.core import Core
 from solver.placement.encode import encode
-from solver.placement.problem import DifferenceRow, Problem, ProblemBox
+from solver.placement.problem import DifferenceRow, ProblemBox
 from solver.streams import Stream
 from tests.every import every
 from tests.oracles import sums, twin
+from tests.oracles.problem import Problem, problem_of
 from tests.oracles.problems import Outcome, anchor, apart, choose, new_variable, on_lattice, solve
 from tests.placement.rooms import random_size, random_space, random_wanted
 from tests.sweeps import seeds
@@ -37,7 +38,7 @@ def random_problem(seed: int, count: int) -> tuple[Space, Problem]:
     decisions = core.first_decisions()
     assert decisions is not None
     core.evaluate(decisions, 1, Budget(), False)
-    return space, core.problem()
+    return space, problem_of(core)
 
 
 def oracle_feasible(problem: Problem) -> bool:

@@ -9,9 +9,9 @@ import pytest
 from solver.geometry import Rect
 from solver.pieces import Arrangement, Attach, Candidate, Doorway, Piece, Space, Stand, Zone
 from solver.placement import opened, place
-from solver.placement.problem import Problem
 from solver.streams import Stream
 from tests.oracles import sums
+from tests.oracles.problem import Problem, problem_of
 from tests.placement.rooms import random_space, random_wanted
 
 ROOM = Space("r", Rect(50, 50, 4050, 3050), (), (Doorway("d", "south", Rect(1600, 2150, 2500, 3050), "hallway"),))
@@ -99,7 +99,7 @@ def test_tidying_costs_what_the_terms_of_the_bodies_say() -> None:
         space = random_space(stream)
         asked = random_wanted(space, stream, 3 + seed % 7)
         both_ways, costs = [opened(space, asked, tidy=tidy) for tidy in (False, True)], []
-        problem, added = both_ways[0].problem, both_ways[1].solved.answer.made.added
+        problem, added = problem_of(both_ways[0].core), both_ways[1].solved.answer.made.added
         moved = {(axis, box.var[axis]) for box in problem.boxes if not box.stand for axis in (0, 1)}
         for made in both_ways:
             metres = [[at / 1000 for at in own] for own in made.engine.grid.positions.tolist()]

@@ -19,6 +19,7 @@ from solver.placement.walkable import find_walkable
 from solver.streams import Stream
 from tests.every import every
 from tests.oracles import sums
+from tests.oracles.problem import problem_of
 from tests.oracles.walk import missed, side_towards
 from tests.sweeps import seeds
 
@@ -52,7 +53,7 @@ def walks(space: Space, bodies: Sequence[Body]) -> bool:
     decisions = core.first_decisions()
     assert decisions is not None
     core.evaluate(decisions, 1, Budget(), False)
-    problem = core.problem()
+    problem = problem_of(core)
     assert [sums.rect(part, problem.low) for part in problem.boxes] == [body.rect for body in bodies]
     return core.walkable_at(problem.low)
 

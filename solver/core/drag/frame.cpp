@@ -70,14 +70,7 @@ static bool aim(const Drag& drag, const Frame& frame) {
 static bool find_best(const Drag& drag, f64 ceiling) {
   const placement::Desk& desk = *drag.desk;
   placement::search(desk.engine, MOST_QPS, ceiling, true);
-  if (desk.engine.nodes.result->found != 1) return false;
-  for (i64 axis = 0; axis < 2; axis++) {
-    for (i64 v = 0; v < desk.engine.work.sizes[axis]; v++) {
-      desk.owns.at(axis, v) = desk.finals.at(axis, v) = desk.engine.nodes.best.at(axis, v);
-    }
-  }
-  desk.handed->taken = placement::find_taken(desk);
-  return placement::settle(desk, true, false) == placement::Settled::walkable;
+  return desk.engine.nodes.result->found == 1 && placement::settle(desk, true, false) == placement::Settled::walkable;
 }
 
 // Puts every piece where it was in the last frame.

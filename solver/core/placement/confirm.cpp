@@ -76,7 +76,7 @@ static void add_bounds(const Desk& desk, FinalAxis& own) {
   for (i32 v = 0; v < own.column.size; v++) {
     if (own.column[v] == NONE) continue;
     const i64 low = work.low.at(own.axis, v), high = work.high.at(own.axis, v);
-    own.start[own.column[v]] = desk.owns.at(own.axis, v);
+    own.start[own.column[v]] = desk.engine.nodes.best.at(own.axis, v);
     own.rows.add({{own.axis, ORIGIN, v, low}, NONE, NONE, own.column[v], static_cast<f64>(low) / 1000, static_cast<f64>(high) / 1000});
   }
 }
@@ -93,13 +93,13 @@ static void add_terms(const Work& work, const FinalAxis& own) {
 }
 
 // How far a row is satisfied at the search's optimum, mm.
-static f64 slack_of(const Desk& desk, const DifferenceRow& row) {
-  const f64 after = row.j == ORIGIN ? 0.0 : desk.owns.at(row.axis, row.j) * 1000;
-  const f64 before = row.i == ORIGIN ? 0.0 : desk.owns.at(row.axis, row.i) * 1000;
+static f64 slack_of(const Nodes& nodes, const DifferenceRow& row) {
+  const f64 after = row.j == ORIGIN ? 0.0 : nodes.best.at(row.axis, row.j) * 1000;
+  const f64 before = row.i == ORIGIN ? 0.0 : nodes.best.at(row.axis, row.i) * 1000;
   return after - before - static_cast<f64>(row.s);
 }
 
-static FinalAxis lay_axis(const Desk& desk, i64 axis) {
+static FinalAxis lay_axis(const Desk& desk, const Span<DifferenceRow>& taken, i64 axis) {
   const Work& work = desk.engine.work;
   FinalAxis own = {};
   own.axis = axis;
@@ -111,17 +111,17 @@ static FinalAxis lay_axis(const Desk& desk, i64 axis) {
   add_bounds(desk, own);
   add_terms(work, own);
   for (i64 k = 0; k < work.counts->rows; k++) add_row(work, own, work.rows[k], NONE);
-  for (i64 k = 0; k < desk.handed->taken; k++) {
-    if (slack_of(desk, desk.taken[k]) <= NEAR_MM) add_row(work, own, desk.taken[k], k);
+  for (i32 k = 0; k < taken.size; k++) {
+    if (slack_of(desk.engine.nodes, taken[k]) <= NEAR_MM) add_row(work, own, taken[k], k);
   }
   return own;
 }
 
 // The rows' multipliers at the search's optimum: each goes to the first row between the same columns that binds there.
-static Span<f64> multipliers_of(const Desk& desk, const FinalAxis& own) {
+static Span<f64> multipliers_of(const Nodes& nodes, const FinalAxis& own) {
   const Span<f64> values = zeroes<f64>(own.rows.size());
-  for (i64 n = 0; n < desk.handed->forces; n++) {
-    const ForceRow& force = desk.force_rows[n];
+  for (i64 n = 0; n < nodes.result->forces; n++) {
+    const ForceRow& force = nodes.best_forces[n];
     if (force.axis != own.axis) continue;
     i32 k = 0;
     for (; k < own.rows.size(); k++) {
@@ -129,9 +129,9 @@ static Span<f64> multipliers_of(const Desk& desk, const FinalAxis& own) {
       if (row.before == force.i && row.after == force.j && row.at(own.start.data) - row.low <= ACTIVE) break;
     }
     if (k < own.rows.size()) {
-      values[k] -= desk.multipliers[n];
+      values[k] -= nodes.best_multipliers[n];
     } else if (force.j == ORIGIN && force.i != ORIGIN && own.rows[force.i].high - own.start[force.i] <= ACTIVE) {
-      values[force.i] += desk.multipliers[n];
+      values[force.i] += nodes.best_multipliers[n];
     }
   }
   return values;
@@ -193,7 +193,8 @@ static void add_differences(Entries& into, const FinalAxis& own, i64 first) {
 }
 
 FinalProblem* final_problem(const Desk& desk) {
-  const FinalAxis axes[] = {lay_axis(desk, 0), lay_axis(desk, 1)};
+  const Span<DifferenceRow> taken = find_taken(desk);
+  const FinalAxis axes[] = {lay_axis(desk, taken, 0), lay_axis(desk, taken, 1)};
   Entries squares, differences;
   i64 columns = 0, rows = 0;
   for (const FinalAxis& own : axes) {
@@ -213,7 +214,7 @@ FinalProblem* final_problem(const Desk& desk) {
   for (const FinalAxis& own : axes) {
     for (const FinalRow& row : own.rows) all.add(row.high);
   }
-  for (const FinalAxis& own : axes) all.add(multipliers_of(desk, own));
+  for (const FinalAxis& own : axes) all.add(multipliers_of(desk.engine.nodes, own));
   all.add(squares);
   all.add(differences);
   all.begin()[0] = all.size();
@@ -233,19 +234,18 @@ static void add_holding(const Work& work, const FinalAxis& own, const f64* y, Li
   }
 }
 
-Holding* confirm(const Desk& desk, const f64* x, const f64* y) {
-  List<HoldingRow> holding;
+Holding* holding(const Desk& desk, const f64* y) {
+  List<HoldingRow> found;
+  const Span<DifferenceRow> taken = find_taken(desk);
   for (i64 axis = 0; axis < 2; axis++) {
-    const FinalAxis own = lay_axis(desk, axis);
-    add_holding(desk.engine.work, own, y, holding);
-    for (i32 v = 0; v < own.column.size; v++) desk.finals.at(axis, v) = own.column[v] == NONE ? desk.owns.at(axis, v) : x[own.column[v]];
-    x += own.columns;
+    const FinalAxis own = lay_axis(desk, taken, axis);
+    add_holding(desk.engine.work, own, y, found);
     y += own.rows.size();
   }
-  const i64 count = holding.size();
-  Writer writer(static_cast<i64>(sizeof(Holding)) + bytes_of(holding.all()));
+  const i64 count = found.size();
+  Writer writer(static_cast<i64>(sizeof(Holding)) + bytes_of(found.all()));
   writer.put(Span<const i64>{&count, 1});
-  writer.put(holding.all());
+  writer.put(found.all());
   return reinterpret_cast<Holding*>(writer.written().data);
 }
 

@@ -1,12 +1,11 @@
 // The final problem of a room for a solver outside the core, and what its answer says of the optimum.
 //
-// Both axes are one problem: minimise 1/2 x'Px + q'x subject to low <= Ax <= high, the choices made as they are in desk.taken. Variables
-// without room to move are left out, and what is known of them goes into the constants. A column is a variable that may move, those
-// along x first; a row is a bound of a column, a fixed row or one taken, all along x first. What is handed over about the search's optimum
-// (desk.owns, taken, force_rows, multipliers; desk.handed) must be there. Results are in the arena's top.
+// Both axes are one problem: minimise 1/2 x'Px + q'x subject to low <= Ax <= high, the choices made as the last search found
+// it best. Variables without room to move are left out, and what is known of them goes into the constants. A column is a variable that may
+// move, those along x first; a row is a bound of a column, a fixed row or one taken, all along x first. Results are in the arena's top.
 #pragma once
 
-#include "placement/space.hpp"
+#include "placement/settle.hpp"
 
 namespace placement {
 
@@ -30,7 +29,7 @@ struct Holding {
   i64 rows;
 };
 
-// Says what holds at an answer: `x` by column, m, `y` by row. All positions are left in desk.finals.
-Holding* confirm(const Desk& desk, const f64* x, const f64* y);
+// Says what holds at an answer, its multipliers `y` by row.
+Holding* holding(const Desk& desk, const f64* y);
 
 }  // namespace placement

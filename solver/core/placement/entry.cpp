@@ -71,14 +71,14 @@ EXPORT(evaluate) i32 entry_evaluate(const Desk* desk, i64 limit, f64 ceiling, i3
 
 EXPORT(final_problem) FinalProblem* entry_final_problem(const Desk* desk) { return final_problem(*desk); }
 
-EXPORT(confirm) Holding* entry_confirm(const Desk* desk, const f64* x, const f64* y) { return confirm(*desk, x, y); }
+EXPORT(holding) Holding* entry_holding(const Desk* desk, const f64* y) { return holding(*desk, y); }
 
 // `problems`: addresses of final problems, one a room.
 EXPORT(join) HouseProblem* entry_join(const i64* problems, i32 count) { return join({problems, count}); }
 
 EXPORT(judge) Judgement* entry_judge(const i64* problems, i32 count, const f64* x, const f64* y) { return judge({problems, count}, x, y); }
 
-EXPORT(find_taken) i32 entry_find_taken(const Desk* desk) { return static_cast<i32>(find_taken(*desk)); }
+EXPORT(find_taken) i32 entry_find_taken(const Desk* desk) { return find_taken(*desk).size; }
 
 EXPORT(open_decisions) i32 entry_open_decisions(const Desk* desk, i32 piece) {
   const Engine& engine = desk->engine;

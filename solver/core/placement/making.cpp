@@ -19,7 +19,6 @@ void Making::make() {
   }
   made_.optimal = engine().nodes.result->exhausted;
   made_.solves = whole_.solves;
-  hand_over(desk());
   problem_ = final_problem(desk());
   const bool walk = whole_.walk || is_walkable_as_found();
   Settled settled = placement::settle(desk(), walk, asked_.tidy != 0);
@@ -27,7 +26,6 @@ void Making::make() {
   if (walk && settled == Settled::not_walkable && is_found_for_wider(wider)) {
     whole_ = wider;
     made_.widened = 1;
-    hand_over(desk());
     settled = placement::settle(desk(), true, asked_.tidy != 0);
   }
   if (walk && settled == Settled::not_walkable && whole_.ways != 0) {  // what is left is not quite so wide
@@ -43,7 +41,6 @@ void Making::tell(Desk& desk, bool walk) {
   whole_.complete = whole_.best = true;
   whole_.proven = engine().nodes.result->exhausted != 0;
   made_.solves = engine().nodes.result->solves;
-  hand_over(desk);
   const bool walked = walk || is_walkable_as_found();
   conclude(walked, placement::settle(desk, walked, asked_.tidy != 0));
 }
@@ -80,7 +77,7 @@ bool Making::is_found_for_wider(WholeRoom& wider) {
 bool Making::is_walkable_as_found() const {
   const Table<i64>& p = engine().grid.positions;
   for (i64 axis = 0; axis < 2; axis++) {
-    for (i64 v = 0; v < engine().work.sizes[axis]; v++) p.at(axis, v) = ::whole(floor(desk().owns.at(axis, v) * 1000 + 0.5));
+    for (i64 v = 0; v < engine().work.sizes[axis]; v++) p.at(axis, v) = ::whole(floor(engine().nodes.best.at(axis, v) * 1000 + 0.5));
   }
   return walkable(engine().room, engine().work, engine().grid, p);
 }

@@ -97,7 +97,7 @@ static i64 widest_option(const Engine& engine, i64 choice) {
   return widest;
 }
 
-i64 find_taken(const Desk& desk) {
+Span<DifferenceRow> find_taken(const Desk& desk) {
   const Engine& engine = desk.engine;
   const Work& work = engine.work;
   const i64 choices = work.counts->choices, picks = engine.nodes.result->picks;
@@ -106,29 +106,19 @@ i64 find_taken(const Desk& desk) {
     const i64 pick = engine.nodes.best_picks[k];
     if (pick < work.options.size) desk.taken[pick / OPTIONS] = work.options[pick];
   }
-  i64 count = choices;
+  i32 count = static_cast<i32>(choices);
   for (i64 k = picks - 1; k >= 0; k--) {
     const i64 wide = engine.nodes.best_picks[k] - work.options.size;
     if (wide >= 0) desk.taken[count++] = work.wide[wide];
   }
-  return count;
-}
-
-void hand_over(const Desk& desk) {
-  const Nodes& nodes = desk.engine.nodes;
-  for (i32 k = 0; k < nodes.best.rows * nodes.best.columns; k++) desk.owns.data[k] = desk.finals.data[k] = nodes.best.data[k];
-  for (i64 k = 0; k < nodes.result->forces; k++) {
-    desk.force_rows[k] = nodes.best_forces[k];
-    desk.multipliers[k] = nodes.best_multipliers[k];
-  }
-  *desk.handed.data = {find_taken(desk), nodes.result->forces};
+  return {desk.taken.data, count};
 }
 
 Settled settle(const Desk& desk, bool walk, bool slide) {
   const Engine& engine = desk.engine;
   const Table<i64>& p = engine.grid.positions;
   desk.added[0] = 0.0;
-  if (!snap(engine.work, {desk.taken.data, static_cast<i32>(desk.handed->taken)}, desk.finals, p)) return Settled::no_whole_place;
+  if (!snap(engine.work, find_taken(desk), engine.nodes.best, p)) return Settled::no_whole_place;
   for (i64 axis = 0; axis < 2; axis++) p.at(axis, p.columns - 1) = 0;
   if (!holds(engine.work, p)) return Settled::not_valid;
   if (!walk || !walkable(engine.room, engine.work, engine.grid, p)) return Settled::not_walkable;

@@ -9,15 +9,11 @@ namespace placement {
 enum class Settled : i32 { not_walkable = 0, walkable = 1, no_whole_place = 2, not_valid = 3 };
 
 // The options that the choices of what the last search found took: the one branched on, else the one that holds with most slack; then
-// the wider rows. They are left in desk.taken; returns how many.
-i64 find_taken(const Desk& desk);
+// the wider rows. They are left in desk.taken.
+Span<DifferenceRow> find_taken(const Desk& desk);
 
-// Puts what the last search found where `settle`, `final_problem` and `confirm` look for it.
-void hand_over(const Desk& desk);
-
-// Puts the assembled problem on whole millimetres.
+// Puts what the last search found on whole millimetres.
 //
-//   desk: positions in desk.finals, m; in desk.taken the rows taken, so many as desk.handed says.
 //   walk: whether all is walkable at the search's positions.
 //   slide: whether slivers are tidied away.
 //

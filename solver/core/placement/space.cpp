@@ -234,12 +234,11 @@ static void show_all(Desk& desk) {
       show(work.counts), show(work.sizes), show(work.low), show(work.high), show(work.anchor_weight), show(work.anchor_at),
       show(work.pulls), show(work.pull_costs), show(work.rows), show(work.parts), show(work.choice_size), show(work.choice_parts),
       show(work.options), show(work.wide), show(work.body_part), show(work.rotation),
-      show(nodes.best), show(nodes.best_picks), show(nodes.best_cost), show(nodes.best_forces), show(nodes.best_multipliers),
-      show(nodes.result),
+      show(nodes.best), show(nodes.best_cost), show(nodes.result),
       show(desk.engine.grid.positions),
       show(tree.counters), show(tree.budget), show(tree.decisions), show(tree.found), show(tree.found_cost),
       show(desk.decisions), show(desk.fates), show(desk.limits), show(desk.group), show(desk.report),
-      show(desk.finals), show(desk.owns), show(desk.taken), show(desk.force_rows), show(desk.multipliers), show(desk.handed),
+      show(desk.taken),
   };
   static_assert(sizeof(shown) == SHOWN * sizeof(Shown));
   for (i32 k = 0; k < SHOWN; k++) desk.shown[k] = shown[k];
@@ -255,12 +254,7 @@ Desk* new_desk(const Room& room, const Sizes& sizes) {
   desk.limits = zeroes<i64>(sizeof(SearchLimits) / 8);
   desk.group = zeroes<i64>(sizeof(Group) / 8);
   desk.report = zeroes<i64>(1);
-  desk.finals = new_zeroes<f64>(2, sizes.variables + 1);
-  desk.owns = new_zeroes<f64>(2, sizes.variables + 1);
   desk.taken = reserved_rows<DifferenceRow>(2 * sizes.choices + SPARE_PATH);
-  desk.force_rows = reserved_rows<ForceRow>(2 * sizes.variables);
-  desk.multipliers = new_span<f64>(2 * sizes.variables);
-  desk.handed = new_one<Handed>();
   desk.added = zeroes<f64>(1);
   add_cells(desk.engine.grid, sizes);
   desk.engine.work.wide = reserved_rows<DifferenceRow>(MOST_WIDE);

@@ -26,12 +26,7 @@ struct Shown {
 };
 
 // What the host sees, in the order of solver/placement/layout.py.
-constexpr i32 SHOWN = 42;
-
-// How many rows of a search's result were handed over: those that choices took, and those that hold.
-struct Handed {
-  i64 taken, forces;
-};
+constexpr i32 SHOWN = 34;
 
 // A room's work space with what calls hand over and bring back.
 struct Desk {
@@ -40,11 +35,7 @@ struct Desk {
   Decisions decisions;
   Span<i64> fates;
   Span<i64> limits, group, report;
-  Table<f64> finals, owns;  // positions of the final solve and of the search, m; the last column is the origin's
-  Rows<DifferenceRow> taken;  // the options that the choices took, and wider rows
-  Rows<ForceRow> force_rows;  // what holds at the search's optimum
-  Span<f64> multipliers;
-  One<Handed> handed;
+  Rows<DifferenceRow> taken;  // what `find_taken` found
   Span<f64> added;  // what tidying costs
 };
 
