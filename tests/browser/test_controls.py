@@ -129,16 +129,6 @@ def test_dragging_turns_the_house_and_the_compass_whose_letter_stays_upright(vis
     assert round(after + letter) % 360 == 0
 
 
-@pytest.mark.draws_all
-def test_the_cut_changes_what_is_seen(visit: Visit) -> None:
-    visit.open(SMALL.format(40))
-    low = visit.page.locator("#stage > canvas").screenshot()
-    visit.page.get_by_label("Walls up to").fill("2.8")
-    visit.settle()
-    expect(visit.page.locator("#cut_words")).to_have_text("2.8 m")
-    assert visit.page.locator("#stage > canvas").screenshot() != low
-
-
 def test_every_control_has_a_name(visit: Visit) -> None:
     visit.open(SMALL.format(40))
     nameless = visit.page.evaluate(

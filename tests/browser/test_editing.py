@@ -159,9 +159,9 @@ def test_a_moved_piece_glides_to_its_place_but_is_there_at_once_to_who_wants_no_
         places: list[float] = bench.page.evaluate("() => { look(); const places = seen; globalThis.seen = null; return places; }")
         return places
 
-    for moves in ("reduce", "no-preference"):
+    for moves, often in (("reduce", 1), ("no-preference", 4)):
         bench.page.emulate_media(reduced_motion=moves)
-        glides = [seen(key) for key in ("ArrowRight", "ArrowLeft") * 4]
+        glides = [seen(key) for key in ("ArrowRight", "ArrowLeft") * often]
         for there, back in zip(glides[::2], glides[1::2], strict=True):
             assert (there[0], there[-1], back[0], back[-1]) == pytest.approx((1, 1.05, 1.05, 1), abs=1e-3)
             assert (there, back[::-1]) == (sorted(there), sorted(back))
@@ -182,38 +182,6 @@ def test_keys_turn_a_piece_and_undo_and_redo_go_back_and_forth(visit: Visit) -> 
     assert bench.scene() == bench.before
     bench.press("Control+Shift+z")
     assert bench.scene() == turned
-
-
-def test_a_deleted_piece_comes_back_with_undo_as_it_was(visit: Visit) -> None:
-    bench = Bench(visit, den(crate(ONE, 1, 1), crate(OTHER, 3, 2)))
-    bench.choose(ONE)
-    bench.press("Delete")
-    assert set(poses(bench.scene())) == {OTHER}
-    expect(visit.line_of(ONE)).to_have_count(0)
-    bench.page.get_by_role("button", name="Undo").click()
-    bench.rest()
-    assert bench.scene() == bench.before
-    expect(visit.line_of(ONE)).to_have_count(1)
-    bench.page.get_by_role("button", name="Redo").click()
-    bench.rest()
-    assert set(poses(bench.scene())) == {OTHER}
-
-
-def test_a_piece_of_the_palette_is_added_beside_what_stands_there(visit: Visit) -> None:
-    bench = Bench(visit, den(crate(ONE, 2, 1.5)))
-    bench.press("a")
-    search = bench.page.get_by_role("searchbox", name="Add a piece")
-    search.fill("armchair")
-    kind = bench.page.locator("#palette button[data-kind=armchair]")
-    expect(kind).to_be_visible()
-    with bench.page.expect_response(lambda response: response.url.endswith("/fix")):
-        kind.click()
-    bench.rest()
-    added = [piece for piece in bench.scene()["rooms"][0]["furniture"] if piece["id"] != ONE]
-    assert [piece["name"] for piece in added] == ["armchair"]
-    assert poses(bench.scene())[ONE] == poses(bench.before)[ONE]
-    assert bench.errors() == []
-    assert visit.state()["selected"] == added[0]["id"]
 
 
 def test_arrow_keys_alone_move_a_piece_the_way_they_point(visit: Visit) -> None:

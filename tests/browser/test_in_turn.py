@@ -9,6 +9,7 @@ from playwright.sync_api import Page, Route, expect
 
 from tests.browser.test_diagnose import errors, spoiled
 from tests.browser.visit import SMALL, Document, Visit, first, furniture_of, intercept
+from tests.sweeps import seeds
 
 
 def held(page: Page, call: str, act: Callable[[], object]) -> Route:
@@ -176,12 +177,16 @@ def test_what_the_diagnosis_fixes_comes_after_an_edit_under_way(visit: Visit) ->
     assert errors(answer["issues"]) != []
 
 
+FILES = [("Plan as SVG", "export/svg", "house_3_plan.svg"), ("Save JSON", "export/json", "house_3.json")]
+"""What saves a file, what it asks for, and how the file is called."""
+
+
 def test_a_file_that_is_being_written_is_said_and_not_written_twice(visit: Visit) -> None:
     page = visit.page
     visit.open(SMALL.format(3))
     files: list[str] = []
     page.on("download", lambda download: files.append(download.suggested_filename))
-    for name, call, file in (("Save JSON", "export/json", "house_3.json"), ("Plan as SVG", "export/svg", "house_3_plan.svg")):
+    for name, call, file in seeds(FILES, 2):
         button, asked = page.get_by_role("button", name=name), len(visit.requests)
         waiting = held(page, call, button.click)
         expect(page.locator("#stage")).to_have_attribute("aria-busy", "true")

@@ -9,6 +9,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.visit import SMALL, Document, Visit
+from tests.sweeps import seeds
 
 DRAWN = "() => document.querySelector('.plan-sheet').shadowRoot.querySelector('svg use[data-id]') !== null"
 USE = "id => document.querySelector('.plan-sheet').shadowRoot.querySelector(`use[data-id='${id}']`)"
@@ -54,7 +55,7 @@ HOMES = {"?program=family&decorate=true&seed=42": True, "?program=studio&seed=9"
 """Homes, and whether there is room for their lengths and all their areas in the plan."""
 
 
-@pytest.mark.parametrize("home", HOMES)
+@pytest.mark.parametrize("home", seeds([*HOMES], 2))
 def test_numbers_and_areas_are_read_or_left_out(visit: Visit, home: str) -> None:
     page = visit.page
     page.set_viewport_size({"width": 1440, "height": 900})
@@ -249,7 +250,7 @@ def test_the_plan_is_printed_alone_and_to_scale(visit: Visit) -> None:
 
 
 @pytest.mark.draws_all
-@pytest.mark.parametrize("colours", ["light", "dark"])
+@pytest.mark.parametrize("colours", seeds(["dark", "light"], 2))
 def test_the_browsers_own_print_prints_what_is_in_view_on_white(visit: Visit, colours: Literal["light", "dark"]) -> None:
     page = visit.page
     page.emulate_media(color_scheme=colours)

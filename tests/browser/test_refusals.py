@@ -54,17 +54,6 @@ def test_a_plan_that_was_not_drawn_is_asked_for_again(visit: Visit) -> None:
     expect(visit.page.locator("#stage .plan-sheet svg")).to_have_count(1)
 
 
-def test_a_busy_service_is_said_to_be_busy(visit: Visit) -> None:
-    visit.open(SMALL.format(3))
-    busy = {"type": "about:blank", "title": "The service is busy", "status": 503, "detail": "Come back in 2 s.", "errors": []}
-    intercept(visit.page, "**/generate", lambda route: route.fulfill(status=503, json=busy))
-    visit.page.keyboard.press("r")
-    expect(visit.page.get_by_role("alert")).to_contain_text("The service is busy")
-    visit.page.unroute("**/generate")
-    visit.after(lambda: visit.page.get_by_role("button", name="Try again").click())
-    expect(visit.page.get_by_role("alert")).to_be_hidden()
-
-
 def test_a_lost_service_is_said_to_be_lost_and_found_again(visit: Visit) -> None:
     page = visit.page
     visit.open(SMALL.format(8))

@@ -89,14 +89,6 @@ def test_refused_words_are_said_beside_their_fields(visit: Visit) -> None:
     expect(visit.page.get_by_role("alert")).to_be_visible()
 
 
-def test_the_link_is_copied(visit: Visit) -> None:
-    visit.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    visit.open(SMALL.format(4))
-    visit.page.locator("#copy_link").click()
-    expect(visit.page.locator("#said")).to_contain_text("Link copied")
-    assert visit.page.evaluate("navigator.clipboard.readText()") == visit.page.url
-
-
 def test_the_status_says_what_is_proven(visit: Visit) -> None:
     rooms = visit.open(SMALL.format(4))["scene"]["certificate"]["rooms"]
     proven = sum(room["proven"] for room in rooms.values())

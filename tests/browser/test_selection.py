@@ -1,26 +1,10 @@
-"""Clicks: a door opens, a line of the YAML selects its body, a body its line."""
+"""Clicks: a line of the YAML selects its body, a body its line."""
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import Route, expect
 
 from tests.browser.visit import FRAMES, SMALL, Visit, furniture_of, intercept, rows, said
-
-
-@pytest.mark.draws_all
-def test_a_click_opens_a_door_and_another_closes_it(visit: Visit) -> None:
-    visit.open(SMALL.format(4))
-    closed = visit.page.locator("#stage > canvas").screenshot()
-    doors = visit.state()["doors"]
-    clicked = next(door for door in doors if visit.click_on(door))
-    visit.settle()
-    assert visit.state()["openDoors"] == [clicked]
-    assert visit.page.locator("#stage > canvas").screenshot() != closed
-    assert visit.click_on(clicked)
-    visit.settle()
-    assert visit.state()["openDoors"] == []
-    assert visit.state()["selected"] is None
 
 
 def test_a_line_selects_its_body_and_only_one_at_a_time(visit: Visit) -> None:
