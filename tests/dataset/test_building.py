@@ -155,15 +155,15 @@ def test_archives_hold_each_home_once(folder: Path) -> None:
     assert {name.partition(".")[0] for name in names if ".boxes." in name} == {str(seed) for seed in range(3, 20)}
 
 
-def test_killed_and_resumed_by_two_processes_it_is_what_one_makes(folder: Path, tmp_path: Path) -> None:
+def test_killed_and_resumed_by_two_processes_it_is_what_one_makes(tmp_path: Path) -> None:
     killed = tmp_path / "killed"
-    command = (sys.executable, "-m", "compose_homes", *SMALL, "--workers", "2", *FORMATS, "--out", str(killed))
+    command = (sys.executable, "-m", "compose_homes", *SMALL, *ONE_ROOM, "--workers", "2", *FORMATS, "--out", str(killed))
     with started(*command, stderr=subprocess.PIPE) as run:
         until(lambda: bool(list(killed.glob("shards/*.json"))) or run.poll() is not None)
         run.kill()
         run.communicate(timeout=GUARD_S)  # until its processes have ended too, and write no more
     (killed / "tables" / "rooms" / "train-000009.parquet.elsewhere.1.part").write_bytes(b"half")
-    assert made(killed, "--workers", "2", *FORMATS) == contents(folder)
+    assert made(killed, *ONE_ROOM, "--workers", "2", *FORMATS) == made(tmp_path / "alone", *ONE_ROOM, *FORMATS)
 
 
 @pytest.mark.parametrize(

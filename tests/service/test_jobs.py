@@ -24,6 +24,7 @@ from tests.service.stores import client_of
 
 SMALL: dict[str, Any] = {"width": 4.0, "depth": 4.0}
 GUARD_S = 600
+FEW = ("--processes", "1", "--light-processes", "1")
 
 
 def told(text: str) -> list[tuple[str, dict[str, Any]]]:
@@ -161,7 +162,7 @@ def begun(address: str, seeds: range) -> dict[str, Any]:
 
 
 def test_a_job_outlives_the_service_that_took_it_on(tmp_path: Path) -> None:
-    words, seeds = (0, "--store", str(tmp_path / "homes.sqlite")), range(40)
+    words, seeds = (0, *FEW, "--store", str(tmp_path / "homes.sqlite")), range(10)
     with running(*words) as service:
         while (before := begun(service.address, seeds))["state"] == "done":  # before anybody looked again
             seeds = range(2 * len(seeds))

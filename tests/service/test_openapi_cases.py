@@ -21,13 +21,14 @@ from solver.export_formats import EXPORTERS
 from solver.request import Request
 from tests.service.heavy import PATIENCE_S
 from tests.service.here import Here
+from tests.sweeps import times
 
 if TYPE_CHECKING:
     from schemathesis import Case, CheckContext, Response
     from schemathesis.schemas import BaseSchema
 
-CASES = int(os.environ.get("CASES", "3"))
-"""Generated calls of each kind."""
+CASES = int(os.environ.get("CASES", times(50, 2)))
+"""Generated calls of each kind; `make targets` makes more."""
 BEYOND_A_SCHEMA = (
     "runs at an angle",  # outlines
     "encloses nothing",
