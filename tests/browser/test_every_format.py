@@ -20,6 +20,7 @@ from solver.scene import Scene
 from tests.browser.test_rooms_and_files import drawn_plan
 from tests.browser.visit import SMALL, Visit
 from tests.imports.test_foreign_formats import apartment
+from tests.sweeps import seeds
 
 DROP = """([name, text]) => {
     const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
@@ -62,6 +63,7 @@ def test_there_is_a_file_of_each_format() -> None:
 
 
 def test_each_dropped_file_becomes_a_home_and_is_furnished(visit: Visit) -> None:
+    """Furnished once it is a home it is as any other: of some formats in `make test`, of all in `make targets`."""
     visit.open(SMALL.format(4))
     page = visit.page
     furnish = page.get_by_role("button", name="Furnish empty rooms")
@@ -71,6 +73,9 @@ def test_each_dropped_file_becomes_a_home_and_is_furnished(visit: Visit) -> None
         visit.settle()
         expected = {"geojson": 2, "rplan": 3}.get(format, len(bare().rooms))
         assert (name, page.evaluate("compose.scene.rooms.length"), visit.count("furniture")) == (name, expected, 0)
+        expect(furnish).to_be_visible()
+        if name not in seeds([*FILES], 4):
+            continue
         furnish.click()
         expect(furnish).to_be_hidden()
         visit.settle()
