@@ -153,7 +153,7 @@ def test_a_crowd_whose_search_was_ended_is_repaired_no_worse_again(seed: int) ->
     assert broken == sorted(broken, reverse=True)
 
 
-@pytest.mark.parametrize("seed", seeds([3, 5, 6, 7], 2))
+@pytest.mark.parametrize("seed", seeds([6, 7, 1, 2], 2))
 def test_a_crowd_beyond_the_limit_is_left_as_sent_unless_fewer_are_wrong(seed: int) -> None:
     """Repaired again, such halls came out as another one with as many wrong, or more."""
 
