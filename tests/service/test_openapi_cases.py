@@ -96,7 +96,7 @@ def schema() -> BaseSchema:
 
     app = create_app()
     app.workers = Here()  # type: ignore[assignment]
-    schema = schemathesis.openapi.from_asgi("/openapi.json", app)
+    schema = schemathesis.openapi.from_asgi("/openapi.json", app, timeout=PATIENCE_S)
     schema.config.phases.update(phases=["examples", "fuzzing"])
     schema.config.update(request_timeout=PATIENCE_S)
     return schema
