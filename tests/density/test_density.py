@@ -111,7 +111,7 @@ def count_slivers(room: Room) -> int:
 def test_tidying_leaves_a_third_of_the_slivers(monkeypatch: pytest.MonkeyPatch) -> None:
     tidy = {name: slivers_of(name) for name in KINDS}
     pipeline = importlib.import_module("solver.pipeline.generate")
-    monkeypatch.setattr(pipeline, "place_wanted", lambda rooms, tidy: place_wanted(rooms))
+    monkeypatch.setattr(pipeline, "place_wanted", lambda rooms, tidy, engine: place_wanted(rooms, engine=engine))
     untidy = {name: sum(count_slivers(drawn(name, seed)) for seed in range(SEEDS)) for name in KINDS}
     assert sum(untidy.values()) > SEEDS
     assert sum(tidy.values()) <= sum(untidy.values()) / 3
