@@ -15,7 +15,7 @@ from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, DrawnText, Spot
 from solver.imports.rectilinear import DrawnLine
 from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line, sides_of
-from solver.imports.wall_faces import SAME_LINE, THICKEST, line_between
+from solver.imports.wall_faces import CRACK, SAME_LINE, THICKEST, WallRows, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, WallOutlines, rooms_between
 
@@ -46,7 +46,8 @@ def told_by_form(
     is_large = sum(len(one.points) for one in shapes if one.sort is None) > MOST_POINTS
     if metres is None or is_large or 2 * sum(one.sort == "room" for one in rooms) > len(names):
         return rooms
-    found = _with_windows(shapes, metres * 1000)
+    found = _with_windows(shapes, None, metres * 1000)
+    openings = [*doors, *_windows_of(found)]
     groups: dict[tuple[str, bool, bool], list[int]] = {}
     for at, one in enumerate(found):
         if one.sort is None and len(one.points) > 1:
@@ -54,7 +55,7 @@ def told_by_form(
     counts = {key: sum(len(found[at].points) for at in members) for key, members in groups.items()}
     several = [groups[key] for key in sorted(counts, key=lambda key: -counts[key])[:MOST_LAYERS] if counts[key] >= LEAST_POINTS]
     ways = [
-        (*_without_furniture(way, found, names, doors, metres), is_paired)
+        (*_without_furniture(way, found, names, openings, metres), is_paired)
         for members in several
         for way, is_paired in {tuple(members): False, tuple(_side_by_side(members, found, metres * 1000)): True}.items()
     ]
@@ -67,39 +68,87 @@ def told_by_form(
     return [one._replace(sort="wall") if at in walls else one for at, one in enumerate(found)]
 
 
+def told_among_walls(
+    shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
+) -> list[DrawnShape]:
+    """Returns shapes, of which those that are called walls are windows or nothing where they are so by their form."""
+    found = list(shapes) if any(one.sort == "window" for one in shapes) else _with_windows(shapes, "wall", metres * 1000)
+    openings = openings if found == list(shapes) else [*openings, *_windows_of(found)]
+    way = [at for at, one in enumerate(found) if one.sort == "wall"]
+    kept = set(_without_furniture(way, found, names, openings, metres)[0])
+    return [one._replace(sort=None) if one.sort == "wall" and at not in kept else one for at, one in enumerate(found)]
+
+
+def _windows_of(shapes: Sequence[DrawnShape]) -> list[DrawnOpening]:
+    return [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
+
+
 def _rooms_of(
-    shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
+    shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
 ) -> list[DrawnRoom]:
-    windows = [DrawnOpening("window", *longer_line(one.points), one.where) for one in shapes if one.sort == "window"]
     walls = [shapes[at].round() for at in way]
-    fit = fitted([*doors, *windows], gaps_of(walls, metres), metres)
+    fit = fitted(openings, gaps_of(walls, metres), metres)
     areas = [shapes[at].points for at in way if shapes[at].filled]
     return rooms_between(WallOutlines(walls, areas), fit, metres, names).rooms if walls else []
 
 
 def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:
     """Returns in how many rooms one room is named, and how many there are."""
-    named = [{name.name for name in names if room.holds(name.x, name.z)} for room in rooms]
-    return sum(len(one) == 1 for one in named), len(rooms)
+    return sum(len(_names_in(room, names)) == 1 for room in rooms), len(rooms)
 
 
 def _without_furniture(
-    way: Sequence[int], shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], doors: Sequence[DrawnOpening], metres: float
+    way: Sequence[int], shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
 ) -> tuple[Sequence[int], list[DrawnRoom]]:
     """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms.
 
-    Where rooms or floor are lost with these, walls are drawn as single lines, and all stay.
+    Where rooms or floor are lost with these, walls are drawn as single lines: then but for those that end at nothing and part no two names.
     """
-    rooms = _rooms_of(shapes, way, names, doors, metres)
+    rooms = _rooms_of(shapes, way, names, openings, metres)
     by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
     spots = np.array([sides_of(a, b, by) for _, a, b in sides]).reshape(-1, 2)
-    are_floor = _are_in(spots, [points for room in rooms for points in (room.points, *room.holes)]).reshape(-1, 2)
-    left_out = {at for (at, *_), is_floor in zip(sides, are_floor, strict=True) if is_floor.all()}
-    kept = [at for at in way if at not in left_out]
-    others = _rooms_of(shapes, kept, names, doors, metres) if left_out else rooms
-    is_less = sum(room.area for room in others) < (1 - LOST) * sum(room.area for room in rooms)
-    are_fewer = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
-    return (way, rooms) if is_less or are_fewer else (kept, others)
+    around = [(_names_in(room, names), _are_in(spots, (room.points, *room.holes)).reshape(-1, 2)) for room in rooms]
+    are_floor = np.any([inside for _, inside in around], axis=0) if rooms else np.zeros((len(sides), 2), dtype=np.bool_)
+    between_floor = [(number, at) for number, (at, *_) in enumerate(sides) if are_floor[number].all()]
+    loose = _loose(way, shapes, openings, metres) if names else set[int]()
+    parting = {
+        at for number, at in between_floor
+        if at in loose and len({frozenset(called) for called, inside in around if called and inside[number].any()}) > 1
+    }  # fmt: skip
+    for left_out in ({at for _, at in between_floor}, {at for _, at in between_floor if at in loose} - parting):
+        if not left_out:
+            continue
+        kept = [at for at in way if at not in left_out]
+        others = _rooms_of(shapes, kept, names, openings, metres)
+        is_less = sum(room.area for room in others) < (1 - LOST) * sum(room.area for room in rooms)
+        are_fewer = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
+        if not is_less and not are_fewer:
+            return kept, others
+    return way, rooms
+
+
+def _names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
+    return {one.name for one in names if room.holds(one.x, one.z)}
+
+
+def _loose(way: Sequence[int], shapes: Sequence[DrawnShape], openings: Sequence[DrawnOpening], metres: float) -> set[int]:
+    """Returns single lines of which an end is at no other line and at no gap that an opening fills."""
+    scale = metres * 1000
+    walls = [shapes[at].round() for at in way]
+    sides = list(_sides(shapes, way, scale))
+    rows = WallRows([one.line for one in sides])
+    fit = fitted(openings, gaps_of(walls, metres), metres)
+    ends = np.array([spot for one in (*fit.filled, *fit.left) for spot in (one.start, one.end)]).reshape(-1, 2) * scale
+
+    def is_free(line: DrawnLine, end: int) -> bool:
+        spot = (end, line.at) if line.axis == "x" else (line.at, end)
+        by = min(CRACK, (line.high - line.low) // 2)
+        short = line._replace(low=line.low + by) if end == line.low else line._replace(high=line.high - by)
+        crossed = rows.ahead(short, short.low if end == line.low else short.high, by + SAME_LINE)
+        is_crossed = crossed is not None and crossed.low <= line.at <= crossed.high
+        return not is_crossed and not rows.is_met(line, end) and not (np.hypot(*(ends - spot).T) <= SAME_LINE).any()
+
+    return {one.shape for one in sides if len(shapes[one.shape].points) == 2 and any(is_free(one.line, end) for end in one.line[2:])}
 
 
 def _are_in(spots: np.ndarray, outlines: Sequence[Sequence[Spot]]) -> np.ndarray:
@@ -212,15 +261,15 @@ def _beside(line: DrawnLine, row: np.ndarray, within: int = THICKEST) -> tuple[n
     return away[near], lows[near], highs[near]
 
 
-def _with_windows(shapes: Sequence[DrawnShape], scale: float) -> list[DrawnShape]:
-    """Returns shapes, of which those around a line between two jambs, from one of which a wall goes on, are windows."""
-    sides = list(_sides(shapes, [at for at, one in enumerate(shapes) if one.sort is None], scale))
+def _with_windows(shapes: Sequence[DrawnShape], sort: str | None, scale: float) -> list[DrawnShape]:
+    """Returns shapes, of which those of a sort around a line between two jambs, from one of which a wall goes on, are windows."""
+    sides = list(_sides(shapes, [at for at, one in enumerate(shapes) if one.sort == sort], scale))
     boxes = list(_window_boxes(sides))
     around = np.array(boxes).reshape(-1, 4) + np.array((-SAME_LINE, -SAME_LINE, SAME_LINE, SAME_LINE))
     found = []
     for one in shapes:
         box = np.array(bounds_of_points(one.points)) * scale
-        is_in = one.sort is None and ((around[:, :2] <= box[:2]) & (around[:, 2:] >= box[2:])).all(axis=1).any()
+        is_in = one.sort == sort and ((around[:, :2] <= box[:2]) & (around[:, 2:] >= box[2:])).all(axis=1).any()
         found.append(one._replace(sort="window") if is_in else one)
     return found
 

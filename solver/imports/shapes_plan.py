@@ -21,7 +21,7 @@ from solver.answers import Unread
 from solver.geometry import bounds_of_points
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnPlan, DrawnRoom, DrawnText, DrawnWall, Spot, check_count
 from solver.imports.in_walls import doors_in_walls, windows_in_walls
-from solver.imports.nameless_shapes import told_by_form, without_pieces
+from solver.imports.nameless_shapes import told_among_walls, told_by_form, without_pieces
 from solver.imports.shape_openings import (
     DrawnBox,
     DrawnShape,
@@ -216,8 +216,13 @@ def _told_by_form(
     shapes: Sequence[DrawnShape], swings: Sequence[DrawnSwing], names: Sequence[NamedSpot], metres: UnitTold
 ) -> tuple[list[DrawnShape], list[DrawnShape]]:
     """Returns shapes, of which those of no sort are told by their form where none is called a room or a wall; and of these the others."""
-    if any(one.sort in ("room", "wall") for one in shapes):
+    if any(one.sort == "room" for one in shapes):
         return list(shapes), []
+    walls = [one.round() for one in shapes if one.sort == "wall"]
+    if walls:
+        openings = _openings(shapes, swings, walls)
+        unit = _length(metres, openings, walls).metres
+        return told_among_walls(shapes, names, openings, unit) if unit else list(shapes), []
     shapes = without_leaves(shapes, swings)
     lines = [one.round() for one in shapes if one.sort is None and len(one.points) > 1]
     doors = doors_of_swings(swings, lines)
@@ -254,14 +259,21 @@ def _no_doors(nameless: Sequence[DrawnSwing], openings: Sequence[DrawnOpening]) 
 
 
 def _untold_layers(shapes: Sequence[DrawnShape], drawn: Sequence[DrawnShape]) -> Iterator[Unread]:
-    """Yields the layers whose names tell nothing: those of walls that are so by their form, and those of which nothing is read."""
+    """Yields the layers whose names tell nothing: those of walls that are so by their form, and those of which nothing is read.
+
+    And those of walls on which some are none by their form.
+    """
+    called = {one.names for one in drawn if one.sort == "wall"}
     walls = {one.names for one in shapes if one.sort == "wall"} - {one.names for one in drawn if one.sort}
     yield from (
         Unread(f"layer {quoted(name)}", "it is taken as walls, as it encloses rooms: its name does not say what it holds")
         for name in sorted(walls)
     )
     for name, count in sorted(Counter(one.names for one in shapes if one.sort is None).items()):
-        yield Unread(f"layer {quoted(name)}", f"{count} shapes: its name tells neither rooms nor openings")
+        words = (
+            "with floor before and behind them are taken as no walls" if name in called else ": its name tells neither rooms nor openings"
+        )
+        yield Unread(f"layer {quoted(name)}", f"{count} shapes{' ' * (name in called)}{words}")
 
 
 def _beside(

@@ -228,6 +228,31 @@ def test_a_room_as_narrow_as_a_wall_may_be_thick_is_one_if_it_is_named(name: str
     assert len(single_lines(*around, more=name).scene.rooms) == count
 
 
+AROUND = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400))
+TILES = tuple((x, 10, x, 390) for x in (470, 535, 600, 665, 735))
+
+
+@pytest.mark.parametrize("extra", [TILES, ((0, 330, 395, 330),)])
+def test_lines_on_a_layer_of_walls_that_end_at_nothing_and_part_no_two_names_are_no_walls(
+    extra: tuple[tuple[int, int, int, int], ...],
+) -> None:
+    answer = single_lines(*AROUND, *extra)
+    assert [(room.width, room.depth) for room in answer.scene.rooms] == [(4.0, 4.0)] * 2
+    assert [one["reason"] for one in answer.unread] == [f"{len(extra)} shapes with floor before and behind them are taken as no walls"]
+
+
+def test_a_line_that_ends_at_nothing_is_a_wall_between_two_names() -> None:
+    answer = single_lines(*AROUND[:4], (400, 10, 400, 390))
+    assert (len(answer.scene.rooms), list(answer.unread)) == (2, [])
+
+
+def test_lines_with_floor_on_both_sides_are_no_walls_beside_walls_of_two_faces() -> None:
+    """A counter, with corners as walls have them."""
+    counter = "<path class='wall' d='M100 30 V370'/>"
+    answer = drawn(OUTER + INNER.format(150, 240) + DOOR + counter)
+    assert [len(room.openings) for room in answer.scene.rooms] == [1, 1]
+
+
 @pytest.mark.parametrize(("gap", "is_closed"), [(25, True), (26, False)])
 def test_walls_that_end_short_of_their_corner_meet_there(gap: int, is_closed: bool) -> None:
     """The eastern room's corner is left open: its name is told, where nothing encloses it."""
