@@ -121,12 +121,12 @@ def _placed(in_room: Callable[..., PlaceTask], task: PlaceTask, pieces: Sequence
     setting = task.setting._replace(flush=True, roaming=_bound(pieces))
     if found.score[0] and setting.roaming and not is_call_spent():
         listed = in_room(pieces, setting=setting)
-        other = best_placement(listed, listed.pieces)
+        other = best_placement(listed, listed.pieces, quick=True)
         if other.score[0] < found.score[0]:
-            task, found = listed, replace(other, whole=False)
+            task, found = listed, replace(thorough_placement(listed, other), whole=False)
     if found.score[0] and not is_call_spent():
         bare = in_room([without_wishes(piece) for piece in pieces], setting=setting)
-        other = best_placement(bare, bare.pieces)
+        other = best_placement(bare, bare.pieces, quick=True)
         other = walked_placement(bare) or other if other.score[0] and not is_call_spent() else other
         if not other.score[0]:
             return replace(bare, requests=task.requests), replace(other, whole=False)

@@ -1,8 +1,8 @@
 """From the candidates of pieces to the placement that holds most: the placement stage, asked several times.
 
 The first round decides the candidates of all pieces together, best-first, those with the least freedom first. Then pieces that are
-missing or miss a relation are taken out and put in again between the others, where more is held then. The judge of the
-relations says which round is better; only the last goes through the final solve.
+missing or miss a relation are taken out and put in again between the others, where more is held then, and again while a required one is
+missing. The judge of the relations says which round is better; only the last goes through the final solve.
 
 Other placements: from one that was found, the stance of one of its pieces is forbidden and the rest solved again (after Lawler, 1972): once
 for every piece, cheapest placement first. Two differ truly where a piece stands at another wall or is turned otherwise, or where one that
@@ -26,7 +26,7 @@ from solver.requested import Placement, relations_of
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
 THOROUGH = Limits(required=3000, required_qps=1000)
-"""What is tried next to prove a placement best or find a better one; where a required piece is missing, all that is tried for a house."""
+"""What is tried next to prove a placement best or find a better one."""
 NEARLY_BEST = 3.0
 """Candidates that cost this much more than a piece's best one count for how free it is: half a relation."""
 SLIDES_MM = 100
@@ -85,10 +85,20 @@ def best_placement(task: PlaceTask, wanted: Sequence[Piece], quick: bool = False
 def _best(task: PlaceTask, wanted: Sequence[Piece], quick: bool) -> Round:
     best = _first(task, wanted, FIRST)
     if not best.perfect and not is_call_spent():
-        best = min(best, _mended(task, wanted, best), key=lambda one: one.score[:4])
-    if wanted is task.pieces and not quick and not best.is_best:
-        best = _thorough(task, best)
-    return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if best.score[0] and not is_call_spent() else best
+        best = _best_mended(task, wanted, best)
+    if wanted is not task.pieces or quick or best.is_best:
+        return best
+    thorough = _thorough(task, best)
+    return thorough if thorough is best or not thorough.score[0] or is_call_spent() else _best_mended(task, wanted, thorough)
+
+
+def _best_mended(task: PlaceTask, wanted: Sequence[Piece], best: Round) -> Round:
+    """Returns a placement or a better one that was mended, once and then as long as a required piece is missing and that helps."""
+    while (other := _mended(task, wanted, best)).score[:4] < best.score[:4]:
+        best = other
+        if not best.score[0] or is_call_spent():
+            break
+    return best
 
 
 def thorough_placement(task: PlaceTask, found: Round) -> Round:
