@@ -26,7 +26,7 @@ from solver.requested import Placement, relations_of
 FIRST, MENDING = Limits(required=100, required_qps=100), Limits(required=40, required_qps=60)
 """What a first round, and what every other one, may try."""
 THOROUGH = Limits(required=3000, required_qps=1000)
-"""What is tried next to prove a placement best or find a better one."""
+"""What is tried next to prove a placement best or find a better one; where a piece is missing without it, all that is for a house."""
 NEARLY_BEST = 3.0
 """Candidates that cost this much more than a piece's best one count for how free it is: half a relation."""
 SLIDES_MM = 100
@@ -87,7 +87,8 @@ def _best(task: PlaceTask, wanted: Sequence[Piece], quick: bool) -> Round:
     if not best.perfect and not is_call_spent():
         best = _best_mended(task, wanted, best)
     if wanted is not task.pieces or quick or best.is_best:
-        return best
+        missing = best.score[0] and not is_call_spent()
+        return min(best, _first(task, wanted, Limits()), key=lambda one: one.score) if missing else best
     thorough = _thorough(task, best)
     return thorough if thorough is best or not thorough.score[0] or is_call_spent() else _best_mended(task, wanted, thorough)
 
