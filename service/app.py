@@ -43,7 +43,7 @@ from solver.fields import OneOf
 EMBEDDED: Final = Settings(allow_host=(ANY,), store=TEMPORARY)
 """The settings of an application that another server runs."""
 OPENAPI: Final = "openapi"
-"""What asks for the OpenAPI document."""
+"""What asks for the OpenAPI document, which is JSON as its path says."""
 
 
 def _in_worker(name: str) -> Answering:
@@ -67,7 +67,7 @@ def _at_once(name: str) -> Answering:
 
     async def answer(request: Request) -> Response:
         app: ComposeApp = request.app
-        wanted = format_wanted(request)
+        wanted = "json" if name == OPENAPI else format_wanted(request)
         text, tag = app.told(name, wanted) if name == "healthz" else await run_in_threadpool(app.told, name, wanted)
         return not_changed(tag) if is_known(request, tag) else tagged(as_written(text, wanted), tag)
 

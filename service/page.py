@@ -21,10 +21,10 @@ from solver.core import WASM
 STATIC: Final = Path(__file__).parent / "static"
 WORKER: Final = "core_worker-"
 """How the name of the worker's file begins."""
-ALIKE: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm", "/openapi.json", "/docs"})
+ALIKE: Final = frozenset({"/", "/embed", "/catalog", "/core.wasm", "/openapi.json"})
 """What is the same for all who ask, beside the page's files: it is packed once."""
-ONCE: Final = "/export/"
-"""How the path of what is asked for once begins: files, packed for each who asks, so as quickly as can be."""
+ONCE: Final = ("/export/", "/docs")
+"""How paths of what is written for one who asks begin: files, and /docs with its address. It is packed quickly, and not kept."""
 WHOLE: Final = 1 << 24
 """Files of fewer bytes are sent in one go, so that they can be packed once for all."""
 SMALL: Final = 500
@@ -109,7 +109,7 @@ class Assets(WholeFiles):
 
 
 class Packed:
-    """Packs what is alike for all, and files, for who takes it so; other answers go as they are: streams would be held back."""
+    """Packs what is alike for all, and what is written for one, for who takes it so; other answers are as they are: streams would wait."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app

@@ -62,7 +62,7 @@ def test_the_files_of_the_page_may_be_kept(built: TestClient) -> None:
 
 
 @pytest.mark.parametrize("path", ["/", "/assets/long-1a2b.js", "/catalog", "/core.wasm", "/openapi.json", "/docs"])
-def test_what_is_alike_for_all_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
+def test_what_is_large_comes_packed_to_who_takes_it_so(built: TestClient, path: str) -> None:
     (page.STATIC / "assets" / "long-1a2b.js").write_text("export const house = 1;\n" * 10_000)
     (page.STATIC / "index.html").write_text(HTML + " " * 10_000)
     plain, refused, packed = (built.get(path, headers={"accept-encoding": coding}) for coding in ("identity", "gzip;q=0, *", "br, gzip"))
@@ -81,6 +81,7 @@ def test_what_the_page_loads_is_packed_once_for_all_until_it_is_built_anew(built
     for html in pages:
         (page.STATIC / "index.html").write_text(html)
         assert [built.get("/", headers={"accept-encoding": "gzip"}).text for _ in range(3)] == [html] * 3
+    assert "http://localhost:7/" in built.get("/docs", headers={"host": "localhost:7", "accept-encoding": "gzip"}).text  # for one, not kept
     assert [call.args[0] for call in packing.call_args_list] == [html.encode() for html in pages]
 
 
@@ -104,9 +105,9 @@ def test_what_a_browser_has_is_not_sent_again_until_it_changes(
     assert (changed.status_code, changed.text) == (200, "after" * 1000)
 
 
-def test_files_come_packed_to_who_takes_them_so_unless_they_are_archives(client: TestClient) -> None:
+def test_files_come_packed_to_who_takes_them_so_unless_they_are_zip_files(client: TestClient) -> None:
     scene = {"rooms": [{"width": 4, "depth": 3}]}
-    for format, coding in (("mjcf", "gzip"), ("ifc", "gzip"), ("boxes", None)):
+    for format, coding in (("mjcf", "gzip"), ("ifc", "gzip"), ("usdz", "gzip"), ("boxes", None)):
         plain, packed = (client.post(f"/export/{format}", json=scene, headers={"accept-encoding": one}) for one in ("identity", "gzip"))
         assert (plain.headers.get("content-encoding"), packed.headers.get("content-encoding")) == (None, coding), format
         assert packed.content == plain.content, format
