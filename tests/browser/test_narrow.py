@@ -21,6 +21,8 @@ WIDE_NAMES = """() => {
 }"""
 PHONE: ViewportSize = {"width": 390, "height": 844}
 ZOOMED: ViewportSize = {"width": 720, "height": 450}
+A_WORD = 60
+"""How wide some letters are [CSS pixels]."""
 FRAME = 4
 """How far the frame of what has the focus reaches around it [CSS pixels]."""
 """A laptop at 200 %."""
@@ -230,7 +232,9 @@ def test_names_are_no_wider_than_their_rooms_and_a_phone_is_all_sheet(visit: Vis
         expect(visit.page.locator(f"#tools [data-tool={tool}]")).to_be_in_viewport(ratio=0.99)
     visit.page.evaluate(MUCH_TOLD)
     expect(visit.page.get_by_role("button", name="Furnish now")).to_be_in_viewport(ratio=0.99)
-    button, line = (visit.page.locator(one).bounding_box() for one in ("#furnish_empty", "#shortfall_line"))
-    assert button and line and button["x"] + button["width"] <= line["x"]
+    told = [visit.page.locator(one).bounding_box() for one in (".verdict", ".unfurnished > span", "#furnish_empty", "#shortfall_line")]
+    ends = [0.0, *(one["x"] + one["width"] for one in told if one)]
+    assert all(one and one["width"] > A_WORD and end <= one["x"] for one, end in zip(told, ends, strict=False)), told
+    assert ends[-1] <= 568
     assert before
     visit.page.set_viewport_size(before)

@@ -50,8 +50,8 @@ export interface Window {
   readonly isNarrow?: boolean;
 }
 
-/** So much of the canvas lies under its toolbar; so much is left over the switch of views at its foot, and at the foot of a sheet where there is none [CSS pixels]. */
-const TOOLBAR = 52;
+/** So much of the canvas lies under its toolbar, whose buttons are as high as fingers on a phone; so much is left over the switch of views at its foot, and at the foot of a sheet where there is none [CSS pixels]. */
+const [TOOLBAR, PHONE_TOOLBAR] = [52, 66];
 const [OVER_SWITCH, NO_SWITCH] = [16, 60];
 const NARROW = 560;
 /** No more of the canvas than this share is left to either. */
@@ -67,7 +67,8 @@ const MOST_ROUND = 0.34;
 export function windowOf({ width, height }: { readonly width: number; readonly height: number }, views: Pick<HTMLElement, "offsetLeft" | "offsetWidth" | "offsetHeight"> | null): Window {
   const share = (pixels: number): number => Math.min(MOST_COVERED, pixels / height);
   const switched = views && ([(views.offsetLeft + views.offsetWidth) / width, share(views.offsetLeft + views.offsetHeight + OVER_SWITCH)] as const); // as far from the foot as from the left
-  return { aspect: width / height, covered: share(TOOLBAR), switched, height, isNarrow: width < NARROW };
+  const isNarrow = width < NARROW;
+  return { aspect: width / height, covered: share(isNarrow ? PHONE_TOOLBAR : TOOLBAR), switched, height, isNarrow };
 }
 
 const MARGIN = 1.06;
