@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -11,7 +12,8 @@ from playwright.sync_api import expect
 from tests.browser.visit import SMALL, Visit
 
 SVG = "{http://www.w3.org/2000/svg}"
-PRINTS = "() => { globalThis.print = () => { globalThis.paper = {...document.querySelector('#plan_print').dataset}.paper; }; }"
+PRINTS = "() => { globalThis.print = () => new Promise(done => { globalThis.printed = done; }); }"
+A4 = (210, 297)
 
 
 @pytest.mark.own_page
@@ -37,13 +39,16 @@ def test_the_plan_goes_along_as_svg_png_and_paper_at_a_scale(visit: Visit, tmp_p
     assert int.from_bytes(header[16:20]) == round(wide / 100 * 300 / 25.4)
     page.evaluate(PRINTS)
     page.get_by_role("button", name="Print the plan").click()
-    page.wait_for_function("() => globalThis.paper !== undefined")
-    assert page.evaluate("globalThis.paper") in ("a4", "a4-wide")
+    page.wait_for_function("() => globalThis.printed !== undefined")
+    sheets = re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", page.pdf(prefer_css_page_size=True))
+    assert [sorted(round(float(side) / 72 * 25.4) for side in sides) for sides in sheets] == [list(A4)]
+    page.evaluate("globalThis.printed()")
     expect(page.locator("#plan_print")).to_be_hidden()
-    page.evaluate("delete globalThis.paper")
+    page.evaluate("delete globalThis.printed")
     page.locator("#stage").focus()
     page.keyboard.press("Control+p")  # beside the house in 3D, where the page has nothing of its own to print
-    page.wait_for_function("() => globalThis.paper !== undefined")
+    page.wait_for_function("() => globalThis.printed !== undefined")
+    page.evaluate("globalThis.printed()")
     expect(page.locator("#plan_print")).to_be_hidden()
     page.emulate_media(media="print")
     expect(page.locator(".print-words")).to_be_visible()

@@ -5,26 +5,40 @@ import { made } from "../made";
 import { fileName, save } from "../panel/files";
 import { planOf } from "../service";
 import { say } from "../words/language";
-import { printSheet } from "./printing";
 import { element } from "../element";
 
 /** Sheets of paper upright, as a drawing has them with its frame [mm]. */
-const PAPERS: readonly (readonly [string, number, number])[] = [["a4", 210, 297], ["a3", 297, 420], ["a2", 420, 594], ["a1", 594, 841], ["a0", 841, 1189]];
+const LARGEST = [841, 1189] as const;
+const PAPERS = [[210, 297], [297, 420], [420, 594], [594, 841], LARGEST] as const;
 const DOTS_PER_MM = 300 / 25.4;
 /** More a side is beyond what browsers draw at once. */
 const MOST_DOTS = 8192;
 
 /** How large a drawing is on paper [mm]. */
-export function sizeOf(text: string): { width: number; height: number } {
+function sizeOf(text: string): { width: number; height: number } {
   const [width = 0, height = 0] = ["width", "height"].map((side) => Number(new RegExp(`<svg[^>]* ${side}="([0-9.]+)mm"`).exec(text)?.[1] ?? 0));
   return { width, height };
 }
 
-/** The smallest paper that holds a drawing, `-wide` where it lies on its side; the largest where none does. */
-export function paperFor({ width, height }: { width: number; height: number }): string {
-  const [short, long] = [Math.min(width, height), Math.max(width, height)];
-  const [name] = PAPERS.find(([, a, b]) => short <= a && long <= b) ?? ["a0"];
-  return width > height ? `${name}-wide` : name;
+/** The smallest paper that holds a drawing, on its side where that is wide; the largest where none does: width and height [mm]. */
+function paperFor({ width, height }: { width: number; height: number }): readonly [number, number] {
+  const [low, high] = [Math.min(width, height), Math.max(width, height)];
+  const [short, long] = PAPERS.find(([a, b]) => low <= a && high <= b) ?? LARGEST;
+  return width > height ? [long, short] : [short, long];
+}
+
+/** Has an image show a drawing while something is done with it. */
+async function shown<Result>(text: string, image: HTMLImageElement, act: (image: HTMLImageElement) => Result | Promise<Result>): Promise<Result> {
+  image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+  try {
+    await image.decode();
+    image.hidden = false;
+    return await act(image);
+  } finally {
+    image.hidden = true;
+    URL.revokeObjectURL(image.src);
+    image.removeAttribute("src");
+  }
 }
 
 export class PlanFiles {
@@ -63,25 +77,21 @@ export class PlanFiles {
   async #png(text: string): Promise<Blob | null> {
     const { width, height } = sizeOf(text);
     const dots = Math.min(DOTS_PER_MM, MOST_DOTS / Math.max(width, height));
-    const address = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
-    try {
-      const picture = new Image();
-      picture.src = address;
-      await picture.decode();
+    return shown(text, new Image(), (picture) => {
       const canvas = made("canvas", { width: Math.round(width * dots), height: Math.round(height * dots) });
       canvas.getContext("2d")?.drawImage(picture, 0, 0, canvas.width, canvas.height);
-      return await new Promise<Blob | null>((done) => { canvas.toBlob(done, "image/png"); });
-    } finally {
-      URL.revokeObjectURL(address);
-    }
+      return new Promise<Blob | null>((done) => { canvas.toBlob(done, "image/png"); });
+    });
   }
 
   /** Prints the plan alone, in its own millimetres; the browser makes a PDF of it where that is wished. */
   #print(): void {
     this.#with(say("Drawing the plan"), async (text) => {
-      const sheet = element<HTMLImageElement>("plan_print");
-      sheet.dataset.paper = paperFor(sizeOf(text));
-      await printSheet(text, sheet);
+      const [width, height] = paperFor(sizeOf(text));
+      const paper = new CSSStyleSheet();
+      paper.replaceSync(`@page plan { size: ${width}mm ${height}mm; margin: 0; }`);
+      document.adoptedStyleSheets = [paper];
+      await shown(text, element<HTMLImageElement>("plan_print"), () => window.print());
     });
   }
 }
