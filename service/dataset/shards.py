@@ -11,7 +11,7 @@ import sys
 import tarfile
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from functools import cache, partial
 from hashlib import file_digest, sha256
 from importlib.machinery import BuiltinImporter
@@ -178,9 +178,12 @@ class _ShardFiles:
         """Removes what is not finished."""
         for table in self._tables.values():
             table.is_open = False  # or, thrown away, it would write its end still, and tell of the full disk itself
+        self._open.pop_all()
+        for archive in self._archives.values():
+            with suppress(OSError):  # what waits to be written has no room
+                archive.fileobj.close()
         for part in self._parts.values():
             part.unlink(missing_ok=True)
-        self._open.pop_all()
 
     def _flush(self) -> None:
         for (table, split), rows in self._waiting.items():

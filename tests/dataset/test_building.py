@@ -69,6 +69,14 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The set of rooms in several formats, made so too."""
+    path = tmp_path_factory.mktemp("datasets") / "exported"
+    made(path, *ONE_ROOM, *FORMATS)
+    return path
+
+
 def test_each_seed_has_one_row_whose_scene_is_what_generate_makes(folder: Path, tmp_path: Path) -> None:
     houses = rows(folder, "houses")
     assert [row["seed"] for row in houses] == list(range(3, 20))
@@ -155,7 +163,7 @@ def test_archives_hold_each_home_once(folder: Path) -> None:
     assert {name.partition(".")[0] for name in names if ".boxes." in name} == {str(seed) for seed in range(3, 20)}
 
 
-def test_killed_and_resumed_by_two_processes_it_is_what_one_makes(tmp_path: Path) -> None:
+def test_killed_and_resumed_by_two_processes_it_is_what_one_makes(exported: Path, tmp_path: Path) -> None:
     killed = tmp_path / "killed"
     command = (sys.executable, "-m", "compose_homes", *SMALL, *ONE_ROOM, "--workers", "2", *FORMATS, "--out", str(killed))
     with started(*command, stderr=subprocess.PIPE) as run:
@@ -163,7 +171,7 @@ def test_killed_and_resumed_by_two_processes_it_is_what_one_makes(tmp_path: Path
         run.kill()
         run.communicate(timeout=GUARD_S)  # until its processes have ended too, and write no more
     (killed / "tables" / "rooms" / "train-000009.parquet.elsewhere.1.part").write_bytes(b"half")
-    assert made(killed, *ONE_ROOM, "--workers", "2", *FORMATS) == made(tmp_path / "alone", *ONE_ROOM, *FORMATS)
+    assert made(killed, *ONE_ROOM, "--workers", "2", *FORMATS) == contents(exported)
 
 
 @pytest.mark.parametrize(
@@ -234,30 +242,31 @@ def test_where_nothing_can_be_written_is_said(tmp_path: Path, capfd: pytest.Capt
 
 
 def test_a_full_disk_is_said_and_leaves_nothing_half_written(
-    whole: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    exported: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write_table = pq.ParquetWriter.write_table
 
     def on_a_full_disk(table: pq.ParquetWriter, *rows: Any) -> None:
-        names = [name for name in Path("/proc/self/fd").iterdir() if re.search(r"-000001\.parquet\..*part$", os.path.realpath(name))]
-        if len(names) > 2:  # two tables have rows, and no end yet
+        opened = {name: os.path.realpath(name) for name in Path("/proc/self/fd").iterdir()}
+        parts = {name: path for name, path in opened.items() if re.search(r"-000001\.\w+\..*part$", path)}
+        if sum(".parquet." in path for path in parts.values()) > 2:  # two tables have rows, and no end yet
             with open("/dev/full", "wb") as disk:
-                for name in names:
+                for name in parts:
                     os.dup2(disk.fileno(), int(name.name))
         write_table(table, *rows)
 
     monkeypatch.setattr(pq.ParquetWriter, "write_table", on_a_full_disk)
     told: list[object] = []
     monkeypatch.setattr(sys, "unraisablehook", told.append)
-    assert main([*SMALL, *ONE_ROOM, "--out", str(tmp_path)]) == 2
+    assert main([*SMALL, *ONE_ROOM, *FORMATS, "--out", str(tmp_path / "set")]) == 2
     words = capfd.readouterr().err
     gc.collect()
-    assert told == [], "nothing is written once more as it is thrown away"
+    assert told == [], "nothing is left open, and written once more as it is thrown away"
     assert "the disk is full" in words and "goes on" in words and "Traceback" not in words
     assert list(tmp_path.rglob("*.part")) == []
     assert {re.sub(r".*-(\d+).*", r"\1", path.name) for path in tmp_path.rglob("*.parquet")} == {"000000"}
     monkeypatch.undo()
-    assert made(tmp_path, *ONE_ROOM) == contents(whole)
+    assert made(tmp_path / "set", *ONE_ROOM, *FORMATS) == contents(exported)
 
 
 def test_homes_that_break_rules_or_cannot_be_are_kept_and_marked(tmp_path: Path) -> None:
