@@ -270,10 +270,12 @@ def _untold_layers(shapes: Sequence[DrawnShape], drawn: Sequence[DrawnShape]) ->
         for name in sorted(walls)
     )
     for name, count in sorted(Counter(one.names for one in shapes if one.sort is None).items()):
-        words = (
-            "with floor before and behind them are taken as no walls" if name in called else ": its name tells neither rooms nor openings"
+        yield Unread(
+            f"layer {quoted(name)}",
+            f"{count} shapes with floor before and behind them are taken as no walls"
+            if name in called
+            else f"{count} shapes: its name tells neither rooms nor openings",
         )
-        yield Unread(f"layer {quoted(name)}", f"{count} shapes{' ' * (name in called)}{words}")
 
 
 def _beside(
