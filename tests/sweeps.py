@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from math import gcd
 from typing import Any, TypeVar
 
 from hypothesis import settings
@@ -28,10 +29,19 @@ def seeds(everything: Some, every: int) -> Some:
 
 
 def pairs(ones: Sequence[One], others: Sequence[Other]) -> list[tuple[One, Other]]:
-    """Returns each of the longer list with one of the other, dealt in turn, so that none is left out; in `make targets`, each with each."""
-    longest = range(max(len(ones), len(others)))
-    dealt = [(ones[at % len(ones)], others[at % len(others)]) for at in longest]
+    """Returns each of the longer list with one of the other, dealt in turn, so that none is left out; in `make targets`, each with each.
+
+    Where the lengths have a common factor each round of the shorter list begins one further on, and so do rounds of rounds: kinds that take
+    turns in the longer one, as many as a factor of both or a power of it, would else meet the same of the shorter always.
+    """
+    longest, shifted = max(len(ones), len(others)), gcd(len(ones), len(others)) > 1
+    dealt = [(_in_turn(ones, at, shifted), _in_turn(others, at, shifted)) for at in range(longest)]
     return [(one, other) for one in ones for other in others] if ALL else dealt
+
+
+def _in_turn(members: Sequence[T], at: int, shifted: bool) -> T:
+    rounds = range(at.bit_length() if shifted else 1)
+    return members[sum(at // len(members) ** power for power in rounds) % len(members)]
 
 
 def times(everything: int, some: int) -> int:

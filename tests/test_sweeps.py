@@ -54,3 +54,14 @@ def test_pairs_leave_out_none_of_either_list_and_all_are_each_with_each(ones: st
     assert len(some) == len(set(some)) == max(len(ones), len(others))
     monkeypatch.setattr(sweeps, "ALL", True)
     assert sweeps.pairs(ones, others) == [*product(ones, others)]
+
+
+@pytest.mark.parametrize(("longer", "kinds", "shorter"), [(4, 2, 2), (8, 4, 2), (8, 2, 4), (9, 3, 3), (16, 4, 4), (15, 3, 4)])
+def test_kinds_that_take_turns_in_the_longer_list_meet_each_of_the_shorter(
+    longer: int, kinds: int, shorter: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two of four formats were read with walls of one thickness alone."""
+    monkeypatch.setattr(sweeps, "ALL", False)
+    met = {(one % kinds, other) for one, other in sweeps.pairs(range(longer), range(shorter))}
+    assert met == {*product(range(kinds), range(shorter))}
+    assert met == {(one % kinds, other) for other, one in sweeps.pairs(range(shorter), range(longer))}

@@ -66,7 +66,7 @@ def test_one_locked_piece_stays_and_the_rest_is_furnished_around_it(seed: int) -
     assert changed > 15
 
 
-@pytest.mark.parametrize("seed", seeds(range(4), 2))
+@pytest.mark.parametrize("seed", range(4))
 def test_several_locked_pieces_stay(seed: int) -> None:
     scene, stream = house(seed), Stream(seed, "locks")
     for room in scene.rooms:
