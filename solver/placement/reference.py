@@ -1,6 +1,7 @@
 """The final problem in cvxpy, for a solver that shares nothing with OSQP: `--engine reference`; never on the default path."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import cvxpy
@@ -27,8 +28,11 @@ def solve(programme: Programme, begun_at: tuple[Floats, Floats] | None, settings
     above, below = A[over] @ x >= programme.low[over], A[under] @ x <= programme.high[under]
     whole = cp.psd_wrap(upper + np.triu(upper, 1).T)
     problem = cp.Problem(cp.Minimize(cp.quad_form(x, whole) / 2 + programme.q @ x), [above, below])
-    problem.solve(solver=cp.CLARABEL, **dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12))
+    with suppress(cp.SolverError):  # it has no status then
+        problem.solve(solver=cp.CLARABEL, **dict.fromkeys(("tol_gap_abs", "tol_gap_rel", "tol_feas"), 1e-12))
     y = np.zeros(len(A))
+    if problem.status != cp.OPTIMAL:
+        return OsqpAnswer(False, np.zeros(A.shape[1]), y, 0)
     y[over] -= above.dual_value
     y[under] += below.dual_value
-    return OsqpAnswer(problem.status == cp.OPTIMAL, np.asarray(x.value, dtype=np.float64), y, problem.solver_stats.num_iters)
+    return OsqpAnswer(True, np.asarray(x.value, dtype=np.float64), y, problem.solver_stats.num_iters)

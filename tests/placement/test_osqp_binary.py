@@ -5,12 +5,14 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 
 import numpy as np
 import osqp
 import pytest
 from scipy import sparse
 
+from solver.placement import reference
 from solver.placement.osqp_binary import OsqpAnswer, Programme, SparseColumns, solve
 from solver.placement.qp import SETTINGS
 from tests.cli.programs import GUARD_S
@@ -105,8 +107,13 @@ def test_answers_are_those_of_the_interface_to_the_bit(seed: int, is_warm: bool)
     )  # fmt: skip
 
 
-def test_what_cannot_be_is_said_not_to_be_solved() -> None:
-    assert not solve(programme_of(np.eye(1), [0.0], np.array([[1.0], [1.0]]), [1.0, -2.0], [2.0, 0.0]), None, SETTINGS).solved
+@pytest.mark.parametrize("solver", [solve, reference.solve])
+def test_what_cannot_be_is_said_not_to_be_solved(solver: Callable[..., OsqpAnswer]) -> None:
+    assert not solver(programme_of(np.eye(1), [0.0], np.array([[1.0], [1.0]]), [1.0, -2.0], [2.0, 0.0]), None, SETTINGS).solved
+
+
+def test_where_the_reference_fails_it_says_not_solved() -> None:
+    assert not reference.solve(programme_of(1e300 * np.eye(1), [1.0], np.eye(1), [0.0], [1.0]), None, SETTINGS).solved
 
 
 def test_wrong_settings_and_programmes_are_refused() -> None:
