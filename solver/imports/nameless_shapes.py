@@ -15,7 +15,7 @@ from solver.geometry import bounds_of_points, edges_round, encloses
 from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, DrawnText, Spot
 from solver.imports.rectilinear import DrawnLine
 from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line, sides_of
-from solver.imports.wall_faces import CRACK, SAME_LINE, THICKEST, WallRows, line_between
+from solver.imports.wall_faces import REACH, SAME_LINE, THICKEST, WallRows, line_between
 from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
 from solver.imports.walls_alone import NamedSpot, WallOutlines, rooms_between
 
@@ -142,7 +142,7 @@ def _loose(way: Sequence[int], shapes: Sequence[DrawnShape], openings: Sequence[
 
     def is_free(line: DrawnLine, end: int) -> bool:
         spot = (end, line.at) if line.axis == "x" else (line.at, end)
-        by = min(CRACK, (line.high - line.low) // 2)
+        by = min(REACH, (line.high - line.low) // 2)
         short = line._replace(low=line.low + by) if end == line.low else line._replace(high=line.high - by)
         crossed = rows.ahead(short, short.low if end == line.low else short.high, by + SAME_LINE)
         is_crossed = crossed is not None and crossed.low <= line.at <= crossed.high

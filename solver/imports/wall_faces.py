@@ -16,8 +16,10 @@ STRAIGHT: Final = 15
 """A line may leave its axis by so much from end to end, mm."""
 SAME_LINE: Final = 5
 """Coordinates no farther apart, mm, are one."""
-CRACK: Final = 250
-"""A gap in a wall's line that is no longer, mm, is none: half an outer wall, by which single lines may fail to meet."""
+CRACK: Final = 150
+"""A gap in a wall's line that is no longer, mm, is none."""
+REACH: Final = 250
+"""Nor is one up to a wall across its way, or to a corner: half an outer wall, by which single lines may fail to meet."""
 NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
 NARROWEST_NAMED: Final = 400
@@ -181,7 +183,7 @@ def _reaching(walls: Sequence[DrawnLine]) -> Iterator[DrawnLine]:
     rows = WallRows(walls)
     for one in walls:
         for end in (one.low, one.high):
-            crossed = None if rows.is_met(one, end) else rows.ahead(one, end, CRACK)
+            crossed = None if rows.is_met(one, end) else rows.ahead(one, end, REACH)
             if crossed:
                 yield DrawnLine(one.axis, one.at, *sorted((end, crossed.at)))
                 if not crossed.low <= one.at <= crossed.high:

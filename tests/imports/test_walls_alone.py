@@ -222,6 +222,13 @@ def test_a_wall_that_ends_short_of_one_across_its_way_reaches_it(gap: int, is_cl
     assert told == ([] if is_closed else ["names a room, but no wall is drawn between it and 'Kitchen'"])
 
 
+@pytest.mark.parametrize(("gap", "count"), [(15, 3), (20, 2)])
+def test_two_wing_walls_with_a_gap_between_leave_one_room(gap: int, count: int) -> None:
+    """Each ends in a line across, as walls of two faces do; what is no wider than a crack is closed all the same."""
+    wings = "".join(f"<path class='wall' d='M{wall} 240 H{end} V250 H{wall}'/>" for wall, end in ((412, 580), (770, 580 + gap)))
+    assert len(drawn(OUTER + INNER.format(150, 240) + DOOR + wings).scene.rooms) == count
+
+
 @pytest.mark.parametrize(("name", "count"), [("<text x='780' y='200'>Storage</text>", 3), ("", 2)])
 def test_a_room_as_narrow_as_a_wall_may_be_thick_is_one_if_it_is_named(name: str, count: int) -> None:
     around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400), (750, 0, 750, 400))
