@@ -22,8 +22,8 @@ REACH: Final = 250
 """Nor is one up to a wall across its way, or to a corner: half an outer wall, by which single lines may fail to meet."""
 NARROWEST: Final = 650
 """A face into which no square of that side fits, mm, is the inside of a wall."""
-NARROWEST_NAMED: Final = 400
-"""So it is of a face in which the name of a room stands, such as a closet."""
+NARROWEST_CLOSET: Final = 400
+"""So it is of a face in which the name of a room stands and into which a door leads."""
 THICKEST: Final = 600
 """Of a wall, mm."""
 FAR: Final = 10**9
@@ -37,6 +37,16 @@ class RowGap(NamedTuple):
 
     line: DrawnLine
     in_line: bool
+
+
+class ClosetSigns(NamedTuple):
+    """Where names of rooms stand, and where one stands who goes through a door or passage, mm: what has both may be narrow."""
+
+    names: Sequence[Spot] = ()
+    doors: Sequence[Spot] = ()
+
+
+NO_SIGNS: Final = ClosetSigns()
 
 
 class WallFace(NamedTuple):
@@ -57,11 +67,11 @@ def line_between(a: Spot, b: Spot) -> DrawnLine | None:
 
 
 def faces_between(
-    walls: Sequence[DrawnLine], names: Sequence[Spot] = (), slants: Sequence[SlantedLine] = (), step: int = STEP
+    walls: Sequence[DrawnLine], signs: ClosetSigns = NO_SIGNS, slants: Sequence[SlantedLine] = (), step: int = STEP
 ) -> list[WallFace] | None:
     """Returns the rooms that walls enclose, from north to south; None where the drawing is too intricate.
 
-    Slanted lines enclose, too: rooms reach to the steps before them. `names` are where the names of rooms stand.
+    Slanted lines enclose, too: rooms reach to the steps before them.
     """
     lines = gathered(walls)
     slants = [_lengthened(one) for one in slants]
@@ -77,7 +87,7 @@ def faces_between(
         return []
     if len(xs) * len(zs) * 4 > MOST_CELLS:
         return None
-    parts = [one for one in parts_between(_closed(lines), slants, xs, zs) if _is_room(*one, names)]
+    parts = [one for one in parts_between(_closed(lines), slants, xs, zs) if _is_room(*one, signs)]
     found = [WallFace(outline_of_cells(*one), list(_holes(*one))) for one in parts]
     return sorted((one for one in found if one.corners), key=lambda one: (one.corners[0][1], one.corners[0][0]))
 
@@ -208,11 +218,15 @@ def _holes(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64
             yield outline_of_cells(hole, xs, zs)
 
 
-def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64], names: Sequence[Spot] = ()) -> bool:
-    """Tells whether a square of NARROWEST fits into cells, or where a name stands in them one of NARROWEST_NAMED."""
-    within = ((int(np.searchsorted(xs, x)), int(np.searchsorted(zs, z))) for x, z in names)
-    is_named = any(0 < at < len(xs) and 0 < row < len(zs) and cells[at - 1, row - 1] for at, row in within)
-    least = NARROWEST_NAMED if is_named else NARROWEST
+def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64], signs: ClosetSigns = NO_SIGNS) -> bool:
+    """Tells whether a square of NARROWEST fits into cells, or into those of a closet one of NARROWEST_CLOSET."""
+
+    def is_in(x: float, z: float) -> bool:
+        at, row = int(np.searchsorted(xs, x)), int(np.searchsorted(zs, z))
+        return bool(0 < at < len(xs) and 0 < row < len(zs) and cells[at - 1, row - 1])
+
+    is_closet = all(any(is_in(*spot) for spot in spots) for spots in signs)
+    least = NARROWEST_CLOSET if is_closet else NARROWEST
     if min(np.ptp(xs), np.ptp(zs)) < least:
         return False
     for start in np.flatnonzero(cells.any(axis=1)).tolist():

@@ -17,7 +17,7 @@ from solver.imports.shape_openings import between, sides_of, to_lines
 from solver.imports.steps_inside import STEP
 from solver.imports.straighten import turn_of, turned_by
 from solver.imports.units import told_by_doors
-from solver.imports.wall_faces import STRAIGHT, faces_between, free_ends, line_between, thickness_about
+from solver.imports.wall_faces import STRAIGHT, ClosetSigns, faces_between, free_ends, line_between, thickness_about
 from solver.imports.wall_gaps import BESIDE, PASSAGES, Fitted, WallGap, fitted, gaps_of
 
 NO_UNIT: Final = "no rooms are drawn, and neither a unit nor doors tell how thick walls are: `unit` says it"
@@ -183,7 +183,8 @@ def _is_wall(room: DrawnRoom, openings: Sequence[DrawnOpening], areas: Sequence[
     x0, z0, x1, z1 = bounds_of_points(room.points)
     if min(x1 - x0, z1 - z0) * metres > THICKEST:
         return False
-    at_opening = any(room.holds(*between(one.start, one.end)) for one in openings)
+    sides = (sides_of(one.start, one.end, INSIDE / metres) for one in openings if one.start != one.end)
+    at_opening = any(room.holds(*before) and room.holds(*behind) for before, behind in sides)
     return at_opening or all(any(encloses(area, *spot) for area in areas) for spot in _inside(room.points, INSIDE / metres))
 
 
@@ -228,6 +229,14 @@ def _inside(points: Sequence[Spot], within: float) -> Iterator[Spot]:
         yield from (spot for spot in ((x + across[0], z + across[1]), (x - across[0], z - across[1])) if encloses(points, *spot))
 
 
+def _behind_doors(openings: Sequence[DrawnOpening], filled: Sequence[WallGap], metres: float) -> Iterator[Spot]:
+    """Yields the spots before and behind gaps that doors and passages fill."""
+    doors = np.array([between(one.start, one.end) for one in openings if one.kind != "window"]).reshape(-1, 2)
+    for gap in filled:
+        if (np.hypot(*(doors - between(gap.start, gap.end)).T) <= gap.width / 2).any():
+            yield from gap.sides(INSIDE / metres)
+
+
 def _enclosed(
     walls: WallOutlines, openings: Sequence[DrawnOpening], metres: float | None, filled: Sequence[WallGap], names: Sequence[NamedSpot]
 ) -> Between:
@@ -245,14 +254,15 @@ def _enclosed(
     pairs = [(there(a), there(b)) for points in walls.lines for a, b in pairwise(points)]
     lines = [line for a, b in pairs if (line := line_between(a, b))]
     across = [(there(one.start), there(one.end)) for one in openings]
-    named = [there((one.x, one.z)) for one in names]
+    doors = _behind_doors(openings, filled, metres) if names else ()
+    signs = ClosetSigns([there((one.x, one.z)) for one in names], list(map(there, doors)))
     closing = [(there(a), there(b)) for gap in filled for a, b in gap.faces]
     closed = [*lines, *(line for a, b in closing if (line := line_between(a, b)))]
     slants = [(a, b) for a, b in (*pairs, *across) if min(abs(a[0] - b[0]), abs(a[1] - b[1])) > STRAIGHT]
-    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(closed, named, slants, step)) is not None), None)
+    found = next((faces for step in (STEP, 4 * STEP) if (faces := faces_between(closed, signs, slants, step)) is not None), None)
     unread = [Unread("walls", SLANTED.format(len(slants)))] if slants and found is None else []
     if found is None and slants:
-        found = faces_between(closed, named)
+        found = faces_between(closed, signs)
     if found is None:
         return Between([], None, [*unread, Unread("walls", f"{len(lines):,} lines: too many to look for rooms between them")], [])
     rooms = [

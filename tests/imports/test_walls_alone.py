@@ -229,10 +229,14 @@ def test_two_wing_walls_with_a_gap_between_leave_one_room(gap: int, count: int) 
     assert len(drawn(OUTER + INNER.format(150, 240) + DOOR + wings).scene.rooms) == count
 
 
-@pytest.mark.parametrize(("name", "count"), [("<text x='780' y='200'>Storage</text>", 3), ("", 2)])
-def test_a_room_as_narrow_as_a_wall_may_be_thick_is_one_if_it_is_named(name: str, count: int) -> None:
-    around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400), (750, 0, 750, 400))
-    assert len(single_lines(*around, more=name).scene.rooms) == count
+STORAGE, CLOSETS_DOOR = "<text x='780' y='200'>Storage</text>", "<line class='door' x1='750' y1='100' x2='750' y2='170'/>"
+
+
+@pytest.mark.parametrize(("more", "count"), [(STORAGE + CLOSETS_DOOR, 3), (STORAGE, 2), (CLOSETS_DOOR, 2)])
+def test_a_room_as_narrow_as_a_wall_may_be_thick_is_one_if_it_is_named_and_a_door_leads_into_it(more: str, count: int) -> None:
+    around = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400))
+    front = ((750, 0, 750, 100), (750, 170, 750, 400)) if CLOSETS_DOOR in more else ((750, 0, 750, 400),)
+    assert len(single_lines(*around, *front, more=more).scene.rooms) == count
 
 
 AROUND = ((0, 0, 800, 0), (800, 0, 800, 400), (800, 400, 0, 400), (0, 400, 0, 0), (400, 0, 400, 400))
