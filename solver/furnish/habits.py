@@ -105,11 +105,16 @@ def _dealt(
 ) -> dict[str, tuple[RelationSpec, ...]]:
     """Returns by label the relations of who asks to be at any of several pieces: which of them it is dealt comes first.
 
-    It has all it asks for at the same one, where it has its place; those who ask for a single one come before.
+    It has all it asks for at the same one, where it has its place; those who ask for a single one come before. What a relation is to comes
+    in the order of `copies`, whichever it was told in.
     """
+    places = {name: place for place, name in enumerate(copies)}
+
+    def in_order(spec: RelationSpec) -> Sequence[str]:
+        return sorted(spec.of, key=lambda name: (places.get(name, len(places)), name))
 
     def others(request: PieceRequest, spec: RelationSpec) -> Sequence[str]:
-        labels = [label for name in spec.of for label in copies.get(name, ())]
+        labels = [label for name in in_order(spec) for label in copies.get(name, ())]
         return labels if not traits(spec.type).with_all and request.id not in spec.of else ()
 
     for request in requests:
@@ -122,10 +127,10 @@ def _dealt(
         for spec in sorted(request.relations, key=lambda spec: not traits(spec.type).gives_place):
             if len(several := others(request, spec)) > 1:
                 at[hosts.taking(spec, [one for one in several if one in at] or several, kinds[request.id])] = None
-        if at:
+        if at or any(len(spec.of) > 1 for spec in request.relations):
             firsts = [[one for one in at if one in others(request, spec)][:1] for spec in request.relations]
             found[label] = tuple(
-                spec.model_copy(update={"of": (*first, *spec.of)}) for spec, first in zip(request.relations, firsts, strict=True)
+                spec.model_copy(update={"of": (*first, *in_order(spec))}) for spec, first in zip(request.relations, firsts, strict=True)
             )
     return found
 

@@ -10,7 +10,7 @@ from catalogs import Catalogs, load_catalogs
 from solver.answers import Conflict
 from solver.errors import RequestError
 from solver.pieces import Piece, with_relying
-from solver.pipeline.place_task import PlaceSetting, PlaceTask, task_of, without_partings, without_wishes
+from solver.pipeline.place_task import PlaceSetting, PlaceTask, first_copies, task_of, without_partings, without_wishes
 from solver.pipeline.reasons import at_limit
 from solver.pipeline.rounds import (
     Round,
@@ -180,7 +180,8 @@ def _bound(pieces: Sequence[PieceRequest]) -> frozenset[str]:
 def _conflicts(task: PlaceTask, placement: Placement, found: Round, asked: Asking) -> tuple[Conflict, ...]:
     """Explains every required piece that found no place: a minimal set that cannot stand together, or that none was found."""
     missing = [entry.id for entry in placement.unplaced]
-    given_up = with_relying((piece for piece in task.pieces if piece.candidates), found.given_up)
+    called = first_copies(task.requests, found.arrangement)
+    given_up = {called.get(label, label) for label in with_relying((one for one in task.pieces if one.candidates), found.given_up)}
     required = [piece for piece in task.pieces if piece.required]
     before = {piece.label: {one.label for one in task.pieces[:k]} & {*missing} for k, piece in enumerate(task.pieces)}
     conflicts, budget = [], Budget(ROOM_WORK)

@@ -1,14 +1,14 @@
 """One request of place: what it means to every stage, and an arrangement written down and judged.
 
 Pieces are placed in an order that follows from what is asked for, not from ids or places in the list: so a list told otherwise is the
-same. What relations cannot tell apart stays in the order that was sent. Where not everything finds a place the sent order counts, as it
-says what matters most (place). Not here: which arrangement (rounds, place).
+same. What relations cannot tell apart stays in the order that was sent, and of equal copies the first ones stand. Where not everything
+finds a place the sent order counts, as it says what matters most (place). Not here: which arrangement (rounds, place).
 """
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Final, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from catalogs import Catalogs
 from catalogs.schema import RelationSpec
@@ -17,7 +17,7 @@ from solver.furnish import Habits, Listing, habits_of, opened_about, scope_of, s
 from solver.furnished import furnished
 from solver.geometry import WALL_BEHIND, to_mm
 from solver.named_assets import with_assets
-from solver.pieces import Arrangement, Piece, Placed, Space
+from solver.pieces import Arrangement, Candidate, Piece, Placed, Space
 from solver.pipeline.frames import SearchFrame, frame_of
 from solver.pipeline.room_spaces import entrances_of
 from solver.pipeline.staying import obstacles
@@ -183,7 +183,7 @@ def _heights(kind: Kind) -> list[float]:
 
 def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
     """Writes an arrangement of the frame down, as the room was sent, and judges it."""
-    arrangement = task.frame.back(arrangement)
+    arrangement = _first_copies(task, task.frame.back(arrangement))
     room = _written(task, arrangement)
     document = {"rules": list(RULES), "rooms": {room.id: room_certificate(arrangement, room)}}
     request = {"robot_width": task.setting.robot_width}
@@ -199,6 +199,28 @@ def finished(task: PlaceTask, arrangement: Arrangement) -> Placement:
         holds, of = held(seen, label, spec)
         relations.append(Held(label, spec.type, of, holds))
     return Placement(with_assets(scene, task.catalogs), tuple(relations), unplaced, arrangement.cost, validate(scene, task.catalogs))
+
+
+def first_copies(requests: Sequence[PieceRequest], arrangement: Arrangement) -> Mapping[str, str]:
+    """Returns what the copies of requests are called, by label, so that of each the first ones stand: which of them does, says nothing."""
+    there = {one.label for one in arrangement.placed}
+    several = [one.labels for one in requests if one.count > 1 and not there.issuperset(one.labels)]
+    return {old: new for own in several for old, new in zip(sorted(own, key=lambda label: label not in there), own, strict=True)}
+
+
+def _first_copies(task: PlaceTask, arrangement: Arrangement) -> Arrangement:
+    """Returns an arrangement in which of equal copies the first ones stand, and the list of what is missing as that of the requests."""
+    called = first_copies(task.requests, arrangement)
+    places = {label: place for place, label in enumerate(label for request in task.requests for label in request.labels)}
+    gone = sorted(((called.get(label, label), why) for label, why in arrangement.left_out), key=lambda one: places.get(one[0], -1))
+    placed = [replace(one, label=called.get(one.label, one.label), chosen=_beside(one.chosen, called)) for one in arrangement.placed]
+    return replace(arrangement, placed=tuple(placed), left_out=tuple(gone)) if called else replace(arrangement, left_out=tuple(gone))
+
+
+def _beside(chosen: Candidate, called: Mapping[str, str]) -> Candidate:
+    """Returns a way to stand with other names for what it stands on or under."""
+    on, under = (other and called.get(other, other) for other in (chosen.on, chosen.under))
+    return replace(chosen, on=on, under=under)
 
 
 def _written(task: PlaceTask, arrangement: Arrangement) -> Room:
@@ -232,30 +254,45 @@ def _standing(task: PlaceTask, one: Placed) -> Standing:
     return at_wall(Standing(one.label, one.footprint, one.rotation, bottom, None, one.chosen.on, levels), task.listing.space.clear)
 
 
-ROUNDS_TOLD: Final = 2
-"""How many pieces away relations tell pieces apart."""
-
-
 def by_content(requests: Sequence[PieceRequest], kinds: Mapping[str, Kind]) -> tuple[PieceRequest, ...]:
-    """Returns requests, with every size filled in, sorted by kind, size, number, relations, and those of others to them."""
-    told = {name: repr((kind.name, kind.size)) for name, kind in kinds.items()}
+    """Returns requests, with every size filled in, sorted by kind, size, number, relations, and those of others to them.
+
+    Of those that all this leaves tied the first of the list goes first, and what is asked for in relation to it is told apart by that.
+    """
+    words = {request.id: [(spec.model_dump_json(exclude={"of"}), spec.of) for spec in request.relations] for request in requests}
+    told = {name: repr((name,)) for own in words.values() for _, of in own for name in of}
+    told |= {name: repr((kind.name, kind.size, place)) for place, (name, kind) in enumerate(kinds.items())}
+    told |= {one.id: repr((not one.required, kinds[one.id].name, one.size, one.count)) for one in requests}
+    ranks = _told_apart(_ranked(told), words)
     for request in requests:
-        told[request.id] = repr((not request.required, kinds[request.id].name, request.size, request.count))
-    for _ in range(ROUNDS_TOLD):
-        told |= {request.id: f"{told[request.id]} {_relations(request, told)}" for request in requests}
-    named: dict[str, list[str]] = {}
-    for other in requests:
-        for spec in other.relations:
-            words = f"{told[other.id]} {_word(spec)}"
-            for name in spec.of:
-                named.setdefault(name, []).append(words)
-    return tuple(sorted(requests, key=lambda request: (told[request.id], sorted(named.get(request.id, ())))))
+        others = [one.id for one in requests if ranks[one.id] == ranks[request.id] and one is not request]
+        if others:
+            ranks = _told_apart(ranks | {name: ranks[name] + 1 for name in others}, words)
+    return tuple(sorted(requests, key=lambda request: ranks[request.id]))
 
 
-def _relations(request: PieceRequest, told: Mapping[str, str]) -> str:
-    """Returns a request's relations as words, the pieces they name by what these are."""
-    return repr([_word(spec) + repr([told.get(name, name) for name in spec.of]) for spec in request.relations])
+_Words: TypeAlias = Mapping[str, Sequence[tuple[str, Sequence[str]]]]
+"""The relations of requests, in words, each with the names that it is to, by the request's id."""
 
 
-def _word(spec: RelationSpec) -> str:
-    return spec.model_dump_json(exclude={"of"})
+def _told_apart(ranks: Mapping[str, int], words: _Words) -> dict[str, int]:
+    """Returns ranks of names, those of one rank told apart by their relations to others of other ranks, and by those of others to them."""
+    known, ranks = 0, dict(ranks)
+    while len({*ranks.values()}) > known:
+        known = len({*ranks.values()})
+        named: dict[str, list[tuple[int, str]]] = {name: [] for name in ranks}
+        for own, relations in words.items():
+            for word, of in relations:
+                for name in of:
+                    named[name].append((ranks[own], word))
+        to = {own: tuple((word, tuple(sorted(ranks[name] for name in of))) for word, of in words.get(own, ())) for own in ranks}
+        ranks = _ranked({name: (rank, to[name], tuple(sorted(named[name]))) for name, rank in ranks.items()})
+    return ranks
+
+
+def _ranked(keys: Mapping[str, Any]) -> dict[str, int]:
+    """Returns how many names have a lesser key than each."""
+    places: dict[Any, int] = {}
+    for place, key in enumerate(sorted(keys.values())):
+        places.setdefault(key, place)
+    return {name: places[key] for name, key in keys.items()}

@@ -8,9 +8,12 @@ from typing import Any
 
 import pytest
 
+from catalogs import load_catalogs
 from catalogs.schema import RelationSpec
 from solver import place
 from solver.errors import RequestError
+from solver.pipeline.place_task import PlaceSetting, finished, task_of
+from solver.pipeline.rounds import quick_placement
 from solver.requested import Answered, PieceRequest
 from solver.scene import Furniture, Room
 from tests.pipeline.place_lists import TASKS, drawn
@@ -187,3 +190,13 @@ def test_chairs_asked_for_around_a_table_share_its_sides(
     assert sorted(found[180]) == pytest.approx(front, abs=0.02)
     assert sorted(found[0]) == pytest.approx(back, abs=0.02)
     assert found[90] + found[270] == pytest.approx(ends, abs=0.02)
+
+
+def test_of_copies_that_are_missing_the_last_ones_are_not_there() -> None:
+    asked, room = [PieceRequest("floor_lamp"), PieceRequest("stool", count=3)], Room("den", width=4.0, depth=4.0)
+    task = task_of(room, asked, load_catalogs(), PlaceSetting(0.1, 0.6, "osqp", None))
+    whole = quick_placement(task, task.pieces).arrangement
+    stood = tuple(one for one in whole.placed if one.label == "stool_2")
+    found = finished(task, replace(whole, placed=stood, left_out=tuple((name, "none") for name in ("stool_3", "stool_1", "floor_lamp"))))
+    assert [piece.id for piece in found.scene.rooms[0].furniture] == ["stool_1"]
+    assert [one.id for one in found.unplaced] == ["floor_lamp", "stool_2", "stool_3"]

@@ -5,7 +5,7 @@ What is mirrored may only differ where a catalog or a relation says left or righ
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -170,6 +170,31 @@ def test_a_room_with_an_outline_stays_as_it_is() -> None:
     door = Opening("door", "door", edge=5, position=1.0, connects_to="EXTERIOR")
     frame = frame_of(Room("den", width=4.0, depth=3.0, outline=corners, openings=(door,)), (), (), ())
     assert (frame.mirrored, frame.quarters) == (False, 0)
+
+
+SEATS: list[dict[str, Any]] = [
+    {"id": "c0", "name": "dining_chair"},
+    {"id": "c1", "name": "armchair", "count": 2},
+    {"id": "c2", "name": "dining_chair", "count": 2},
+]
+
+
+@pytest.mark.parametrize("sizes", [((1.4, 0.9), (1.2, 0.8)), ((1.2, 0.8), (1.2, 0.8), (1.2, 0.8))])
+def test_seats_asked_for_at_several_tables_stand_the_same_however_those_are_called_and_ordered(sizes: tuple[Sequence[float], ...]) -> None:
+    tables: list[dict[str, Any]] = [{"id": f"t{k}", "name": "dining_table", "width": w, "depth": d} for k, (w, d) in enumerate(sizes)]
+    ids, turns = [table["id"] for table in tables], (0, 1, 2)
+    seats: list[dict[str, Any]] = [{**seat, "relations": [{"type": "around", "of": ids[k % 2 :]}]} for k, seat in enumerate(SEATS)]
+    door = {"id": "d", "kind": "door", "wall": "west", "position": 1.52, "width": 0.9, "connects_to": "EXTERIOR"}
+    room = {"id": "den", "width": 5.66, "depth": 6.91, "openings": [door]}
+    found = []
+    for turn in turns:
+        called = {name: f"{'zay'[turn]}{k * (-1) ** turn}" for k, name in enumerate(ids)}
+        of = [[called[name] for name in seat["relations"][0]["of"]][:: -1 if turn else 1] for seat in seats]
+        told = [{**seat, "relations": [{"type": "around", "of": names}]} for seat, names in zip(seats, of, strict=True)]
+        listed = [*({**table, "id": called[table["id"]]} for table in tables), *told]
+        stood = answered({"room": room, "pieces": [*listed[turn:], *listed[:turn]]}).best.scene.rooms[0].furniture
+        found.append(sorted((one.name, one.x, one.z, one.rotation) for one in stood))
+    assert found[1:] == [found[0]] * 2
 
 
 def test_pieces_that_differ_in_what_refers_to_them_have_one_order() -> None:
