@@ -16,8 +16,8 @@ from solver.imports.drawn import MOST_POINTS, DrawnOpening, DrawnRoom, DrawnText
 from solver.imports.rectilinear import DrawnLine
 from solver.imports.shape_openings import DrawnBox, DrawnShape, longer_line, sides_of
 from solver.imports.wall_faces import REACH, SAME_LINE, THICKEST, WallRows, line_between
-from solver.imports.wall_gaps import WIDTHS, fitted, gaps_of
-from solver.imports.walls_alone import NamedSpot, WallOutlines, rooms_between
+from solver.imports.wall_gaps import WIDTHS, Fitted, fitted, gaps_of
+from solver.imports.walls_alone import NamedSpot, WallOutlines, names_in, rooms_between
 
 MOST_AROUND: Final = 20
 """Of the shapes around a text so many are looked at."""
@@ -72,8 +72,13 @@ def told_among_walls(
     shapes: Sequence[DrawnShape], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
 ) -> list[DrawnShape]:
     """Returns shapes, of which those that are called walls are windows or nothing where they are so by their form."""
-    found = list(shapes) if any(one.sort == "window" for one in shapes) else _with_windows(shapes, "wall", metres * 1000)
-    openings = openings if found == list(shapes) else [*openings, *_windows_of(found)]
+    if sum(len(one.points) for one in shapes if one.sort == "wall") > MOST_POINTS:
+        return list(shapes)
+    if any(one.sort == "window" for one in shapes):
+        found = list(shapes)
+    else:
+        found = _with_windows(shapes, "wall", metres * 1000)
+        openings = [*openings, *_windows_of(found)]
     way = [at for at, one in enumerate(found) if one.sort == "wall"]
     kept = set(_without_furniture(way, found, names, openings, metres)[0])
     return [one._replace(sort=None) if one.sort == "wall" and at not in kept else one for at, one in enumerate(found)]
@@ -85,16 +90,16 @@ def _windows_of(shapes: Sequence[DrawnShape]) -> list[DrawnOpening]:
 
 def _rooms_of(
     shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
-) -> list[DrawnRoom]:
+) -> tuple[list[DrawnRoom], Fitted]:
     walls = [shapes[at].round() for at in way]
     fit = fitted(openings, gaps_of(walls, metres), metres)
     areas = [shapes[at].points for at in way if shapes[at].filled]
-    return rooms_between(WallOutlines(walls, areas), fit, metres, names).rooms if walls else []
+    return rooms_between(WallOutlines(walls, areas), fit, metres, names).rooms if walls else [], fit
 
 
 def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:
     """Returns in how many rooms one room is named, and how many there are."""
-    return sum(len(_names_in(room, names)) == 1 for room in rooms), len(rooms)
+    return sum(len(names_in(room, names)) == 1 for room in rooms), len(rooms)
 
 
 def _without_furniture(
@@ -102,24 +107,30 @@ def _without_furniture(
 ) -> tuple[Sequence[int], list[DrawnRoom]]:
     """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms.
 
-    Where rooms or floor are lost with these, walls are drawn as single lines: then but for those that end at nothing and part no two names.
+    What ends at a gap that an opening fills is a wall. Where rooms or floor are lost with the others, walls are drawn as single lines: then
+    but for those that end at nothing and part no two names.
     """
-    rooms = _rooms_of(shapes, way, names, openings, metres)
+    rooms, fit = _rooms_of(shapes, way, names, openings, metres)
     by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
     spots = np.array([sides_of(a, b, by) for _, a, b in sides]).reshape(-1, 2)
-    around = [(_names_in(room, names), _are_in(spots, (room.points, *room.holes)).reshape(-1, 2)) for room in rooms]
+    around = [(names_in(room, names), _are_in(spots, (room.points, *room.holes)).reshape(-1, 2)) for room in rooms]
     are_floor = np.any([inside for _, inside in around], axis=0) if rooms else np.zeros((len(sides), 2), dtype=np.bool_)
-    between_floor = [(number, at) for number, (at, *_) in enumerate(sides) if are_floor[number].all()]
-    loose = _loose(way, shapes, openings, metres) if names else set[int]()
-    parting = {
-        at for number, at in between_floor
-        if at in loose and len({frozenset(called) for called, inside in around if called and inside[number].any()}) > 1
-    }  # fmt: skip
-    for left_out in ({at for _, at in between_floor}, {at for _, at in between_floor if at in loose} - parting):
-        if not left_out:
-            continue
+    jambs = _ends([stretch for gap in fit.filled for stretch in gap.faces])
+    within = SAME_LINE / 1000 / metres
+    floor_at = [
+        (number, at) for number, (at, *_) in enumerate(sides)
+        if are_floor[number].all() and not any((np.hypot(*(jambs - spot).T) <= within).any() for spot in shapes[at].points)
+    ]  # fmt: skip
+    left_out, scale = {at for _, at in floor_at}, metres * 1000
+    for is_strict in (False, True):
+        if left_out and is_strict:
+            left_out &= _loose(way, shapes, _ends([(gap.start, gap.end) for gap in (*fit.filled, *fit.left)]) * scale, scale)
+            parted = ((at, [called for called, inside in around if called and inside[number].any()]) for number, at in floor_at)
+            left_out -= {at for at, called in parted if len({frozenset(one) for one in called}) > 1}
+        if not left_out or (is_strict and not names):
+            break
         kept = [at for at in way if at not in left_out]
-        others = _rooms_of(shapes, kept, names, openings, metres)
+        others, _ = _rooms_of(shapes, kept, names, openings, metres)
         is_less = sum(room.area for room in others) < (1 - LOST) * sum(room.area for room in rooms)
         are_fewer = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
         if not is_less and not are_fewer:
@@ -127,18 +138,14 @@ def _without_furniture(
     return way, rooms
 
 
-def _names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
-    return {one.name for one in names if room.holds(one.x, one.z)}
+def _ends(stretches: Sequence[tuple[Spot, Spot]]) -> np.ndarray:
+    return np.array(stretches).reshape(-1, 2)
 
 
-def _loose(way: Sequence[int], shapes: Sequence[DrawnShape], openings: Sequence[DrawnOpening], metres: float) -> set[int]:
-    """Returns single lines of which an end is at no other line and at no gap that an opening fills."""
-    scale = metres * 1000
-    walls = [shapes[at].round() for at in way]
+def _loose(way: Sequence[int], shapes: Sequence[DrawnShape], ends: np.ndarray, scale: float) -> set[int]:
+    """Returns single lines of which an end is at no other line and at none of some ends of gaps, mm."""
     sides = list(_sides(shapes, way, scale))
     rows = WallRows([one.line for one in sides])
-    fit = fitted(openings, gaps_of(walls, metres), metres)
-    ends = np.array([spot for one in (*fit.filled, *fit.left) for spot in (one.start, one.end)]).reshape(-1, 2) * scale
 
     def is_free(line: DrawnLine, end: int) -> bool:
         spot = (end, line.at) if line.axis == "x" else (line.at, end)

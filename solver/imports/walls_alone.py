@@ -145,7 +145,7 @@ def rooms_between(walls: WallOutlines, fit: Fitted, metres: float | None, names:
     if metres:
         found = found._replace(rooms=[one for one in found.rooms if not _is_ground(one, found.rooms, names, openings, metres)])
     wide = _empty(fit.left, openings, metres)
-    kept = [room for room in found.rooms if len(_names_in(room, names)) <= 1]
+    kept = [room for room in found.rooms if len(names_in(room, names)) <= 1]
     inside = {spot for room in kept for spot in names if room.holds(spot.x, spot.z)}
     if metres is None or not wide or (kept and len(kept) == len(found.rooms) and len(inside) == len(names)):
         return found
@@ -153,13 +153,13 @@ def rooms_between(walls: WallOutlines, fit: Fitted, metres: float | None, names:
     parted = [room for room in found.rooms if room not in kept]
     if names:
         rooms = _enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide], names).rooms
-        wide = [gap for gap in wide if gap.in_line or _parts([_names_in(room, names) for room in _beside(gap, rooms, within)])]
+        wide = [gap for gap in wide if gap.in_line or _parts([names_in(room, names) for room in _beside(gap, rooms, within)])]
     else:
         wide = [gap for gap in wide if gap.in_line or gap.width * metres * 1000 <= UP_TO_WALLS]
     added = [
         room for room in (_enclosed(walls, [*openings, *map(_passage, wide)], metres, [*fit.filled, *wide], names) if wide else found).rooms
         if not any(overlap(room.points, other.points, within) for other in kept)
-        and (not found.rooms or _names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
+        and (not found.rooms or names_in(room, names) or any(overlap(room.points, other.points, within) for other in parted))
     ]  # fmt: skip
     passages = [_passage(gap) for gap in wide if _beside(gap, added, within)]
     told = [Unread("walls", GAPS_TAKEN.format(len(passages)))] if passages else []
@@ -172,7 +172,7 @@ def _is_ground(
     """Tells whether what is enclosed lies around a home, in one, and nothing names it or opens its outline: the ground, in a frame."""
     others = [other for other in rooms if other is not room]
     is_around = any(all(encloses(hole, *other.points[0]) for other in others) for hole in room.holes)
-    if len(others) < 2 or not is_around or _names_in(room, names) or sum(other.area for other in others) * metres**2 < LEAST_HOME:
+    if len(others) < 2 or not is_around or names_in(room, names) or sum(other.area for other in others) * metres**2 < LEAST_HOME:
         return False
     sides = np.array([(*a, *b) for a, b in edges_round(room.points)])
     return all(to_lines(between(one.start, one.end), sides) * metres * 1000 > BESIDE for one in openings)
@@ -209,7 +209,8 @@ def _parts(names: Sequence[set[str]]) -> bool:
     return len(names) == 2 and all(names) and names[0] != names[1]
 
 
-def _names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
+def names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
+    """Returns what is named in a room."""
     return {one.name for one in names if room.holds(one.x, one.z)}
 
 

@@ -264,6 +264,12 @@ def test_lines_with_floor_on_both_sides_are_no_walls_beside_walls_of_two_faces()
     assert [len(room.openings) for room in answer.scene.rooms] == [1, 1]
 
 
+def test_what_ends_at_a_door_is_a_wall_though_it_has_floor_on_both_sides() -> None:
+    """A single line beside walls of two faces."""
+    thin = "<path class='wall' d='M200 30 V150'/><path class='wall' d='M200 240 V370'/>" + DOOR.replace("406", "200")
+    assert len(drawn(OUTER + INNER.format(150, 240) + DOOR + thin).scene.rooms) == 3
+
+
 @pytest.mark.parametrize(("gap", "is_closed"), [(25, True), (26, False)])
 def test_walls_that_end_short_of_their_corner_meet_there(gap: int, is_closed: bool) -> None:
     """The eastern room's corner is left open: its name is told, where nothing encloses it."""
