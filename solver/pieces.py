@@ -241,7 +241,7 @@ class Piece:
         candidates: the ways it may stand; their costs need not be sorted.
         links: conditions and terms against pieces earlier in the list.
         stands: its use sides; `need_all` tells whether all of them must be reachable or any one.
-        skip_cost: what leaving it out costs (optional pieces).
+        skip_cost: what leaving it out costs; infinite where its room type requires it.
         with_next: an optional piece that stands only together with the next one.
         is_floor: it stands for floor to be kept empty: no body, but bodies keep out of it.
         is_there: it stands already, and need not keep apart from zones and from others that do.
@@ -335,7 +335,7 @@ class Arrangement:
     `cost` counts terms and preferences where the pieces stand at last; `proven` tells that the search for these candidates
     closed below its limit; `best` that no other candidates of the required pieces are cheaper, within the widenings tried:
     both of the placement before slivers were tidied away, which costs at most 0.8 (core/placement/tidy.hpp). `left_out` pairs a label
-    with the reason, for a person; `skipped` tells what doing without each of these costs, infinite where it is required. `insisted` is the
+    with the reason, for a person; `skipped` tells what doing without each of these costs (`Piece.skip_cost`). `insisted` is the
     label of the piece that was asked for as if it were required.
     """
 

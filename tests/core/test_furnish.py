@@ -25,7 +25,7 @@ from tests.furnish.worlds import catalog
 from tests.sweeps import seeds
 
 KNOWN = load_catalogs()
-GOLDEN = "6ffec21b7f5fa3cf02a17564e5af7f49eefa229fa7f3439c30c4da05283d0d1e"
+GOLDEN = "50ab24b0955514f91abbd1aa34c5c9696f1cf2f22c28a43af25c2fcaa4648f9c"
 """Of 20 rooms of random types of the hand-made kinds, recorded from the Python stage."""
 
 

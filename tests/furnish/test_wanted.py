@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
 from catalogs import load_catalogs
 from solver.furnish import space_of, unwanted_pieces, wanted_pieces
 from solver.pieces import Piece, Stand
+from solver.placement import arrange
 from solver.scene import Opening, Room
 from solver.streams import Stream
 from tests.every import every
@@ -82,6 +84,15 @@ def test_what_is_required_from_an_area_on_is_optional_below_it() -> None:
     assert (pot.label, couch.label, couch.required, couch.skip_cost) == ("pot_1", "couch_1", False, 7)
     couch, pot = ask(den(width=6.0), piece("pot"), piece("couch", required=True, min_area=21, skip_cost=7))
     assert (pot.label, couch.label, couch.required) == ("pot_1", "couch_1", True)
+
+
+def test_leaving_out_what_is_insisted_on_costs_what_it_costs_otherwise() -> None:
+    room, pieces = den(), [piece("couch", required=True), piece("pot", skip_cost=7)]
+    space = space_of(room, 0.1)
+    couch, pot = wanted_pieces(room, space, catalog(pieces), Stream(1, "furnish", 0), "pot_1")
+    assert (couch.skip_cost, pot.required, pot.skip_cost) == (math.inf, True, 7)
+    without = [replace(one, candidates=()) for one in (couch, pot)]
+    assert arrange(space, without).arrangement.skipped == {"couch_1": math.inf, "pot_1": 7}
 
 
 def test_use_sides_and_approach_are_handed_over() -> None:

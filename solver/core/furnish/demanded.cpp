@@ -93,7 +93,7 @@ class Demanded {
   void add(i32 piece, bool required, bool with_next) {
     moved_[piece] = pieces_.size();
     PieceRow& row = pieces_.add(wanted_.pieces[piece]);
-    if (required && row.required == OPTIONAL) row.required = DEMANDED;
+    row.required |= required;
     row.with_next = with_next;
     candidates_.add_all(ways_of(piece));
     links_.add_all(part_of(wanted_.links, bonds_[piece]));

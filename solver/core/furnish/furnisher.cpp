@@ -204,7 +204,8 @@ void Furnisher::keep(const CountedPiece& counted, i32 number, Span<Candidate*> w
   const i32 piece = pieces.size();
   const PieceSpec& spec = type_.pieces[counted.spec];
   const i32 bonds = links.size() - before;
-  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, bonds, -1, spec.required, spec.with_next, spec.skip_cost});
+  const f64 skipped = spec.required ? INFINITE : spec.skip_cost;
+  pieces.add({counted.spec, number, counted.variants[0].kind, ways.size, bonds, -1, spec.required, spec.with_next, skipped});
   earlier_.by_word[type_.pieces[counted.spec].word].add(piece);
   List<i32> kinds;
   for (const Candidate* way : ways) {

@@ -6,9 +6,6 @@
 
 namespace furnish {
 
-// Whether a piece must stand; `DEMANDED` is an optional one that must for one that is insisted on.
-enum Required : i32 { OPTIONAL, REQUIRED, DEMANDED };
-
 // A piece of the answer; its candidates and links are the next rows of theirs. Floor that is better kept free is one, too.
 struct PieceRow {
   i32 spec;    // of the piece at whose side floor is
@@ -17,9 +14,9 @@ struct PieceRow {
   i32 candidates;
   i32 links;
   i32 floor_side;  // -1 for a piece
-  i32 required;  // of `Required`
+  i32 required;
   i32 with_next;  // it stands only together with the next one
-  f64 skip_cost;
+  f64 skip_cost;  // infinite for a piece that the room type requires, its own for one that must stand for what is insisted on
 };
 
 class Furnisher {

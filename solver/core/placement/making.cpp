@@ -155,7 +155,7 @@ void Making::add_left(i64 piece, Fate fate) {
   LeftOutRow row = {};
   row.piece = piece;
   row.fate = fate;
-  row.skip_cost = own.required > 0 ? INFINITE : room_.skip_costs[piece];
+  row.skip_cost = room_.skip_costs[piece];
   row.parent = row.kind = -1;
   const CandidateRow* smallest = nullptr;
   bool at_parents = true;  // at one in all ways: else it may stand elsewhere, too

@@ -36,7 +36,7 @@ struct PlacedRow {
 struct LeftOutRow {
   i64 piece;
   Fate fate;
-  f64 skip_cost;  // infinite where it is required
+  f64 skip_cost;
   i64 parent;     // of that way, where all of its ways are at one; -1
   i64 kind, width, depth;  // the kind is -1 where it has no way
   i64 at_walls;   // whether any of its ways is at a wall
@@ -69,7 +69,6 @@ class Making {
   const WholeRoom& whole() const { return whole_; }
   const MadeRoom& made() const { return made_; }
   Span<PlacedRow> placed() const { return placed_.all(); }
-  Span<LeftOutRow> left_out() const { return left_out_.all(); }
 
  private:
   const Desk& desk() const { return *whole_.desk; }

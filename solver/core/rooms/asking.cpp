@@ -67,7 +67,7 @@ class Asked {
         add_use(piece);
       }
       tables_.mark(own, 1);
-      own.required = piece.required != furnish::OPTIONAL;
+      own.required = piece.required;
       own.group_end = piece.with_next;
       own.empty = is_floor ? placement::EMPTY_FLOOR : 0;
       tables_.pieces.add(own);

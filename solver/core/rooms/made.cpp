@@ -4,7 +4,6 @@
 
 namespace rooms {
 
-using placement::LeftOutRow;
 using placement::PlacedRow;
 
 constexpr placement::RoomLimits LIMITS = {3000, 2000, 16, 50, 2, 8, 24000};
@@ -57,14 +56,6 @@ static List<ToldBody> bodies_of(const WantingRoom& room, Span<PlacedRow> placed)
   return bodies;
 }
 
-// A piece that was wanted as if it were required counts what it counts otherwise.
-static void count_demanded(const WantingRoom& room, Span<LeftOutRow> left_out) {
-  for (LeftOutRow& row : left_out) {
-    const furnish::PieceRow& piece = room.wanted.pieces[row.piece];
-    if (piece.required == furnish::DEMANDED) row.skip_cost = piece.skip_cost;
-  }
-}
-
 static Bytes written(const WantingRoom& room, const placement::Making& making) {
   List<NameRow> names;
   for (const furnish::PieceRow& piece : room.wanted.pieces) names.add({piece.spec, piece.number, piece.floor_side});
@@ -86,7 +77,6 @@ Bytes made_room(Bytes type_rows, Bytes room_rows, bool tidy, f64 budget) {
   const WantingRoom room = read(type_rows, room_rows);
   placement::Making making(asked_room(room), room.doorways, {LIMITS, budget, true, true, tidy});
   making.make();
-  count_demanded(room, making.left_out());
   return moved_down(mark, written(room, making));
 }
 

@@ -189,7 +189,7 @@ def _piece(spec: PieceSpec, number: int, kind: Kind, candidates: Sequence[Candid
         links=tuple(link for _, effect in effects for link in effect.links),
         stands=tuple(Stand(side) for side in spec.approach) or kind.stands,
         need_all=bool(spec.approach) or kind.need_all,
-        skip_cost=spec.skip_cost,
+        skip_cost=math.inf if spec.required else spec.skip_cost,
         with_next=spec.with_next,
     )
 
