@@ -19,6 +19,8 @@ from solver.scene import Decoration, Dynamic, Furniture
 
 REACH_MM = 140
 """How far along each axis a neighbour may go between two frames: less than 0.2 m in all."""
+HELD_REACH_MM = 450
+"""How much farther from where it is wished the piece in hand may go in a frame: back from what gives way, not to the room's other end."""
 PERSON_REACH_MM = 800
 """The same of somebody who stands in the way."""
 PERSON_WEIGHT = 0.05
@@ -29,8 +31,8 @@ PERSON_WEIGHT = 0.05
 class InHand:
     """What may move in a room: pieces, each with its ways, parents before what is attached to them, and the number of the one in hand.
 
-    `reaches` is how far each piece may go between frames, mm; `riders` has by id of everything in the room that moves the number of the
-    piece, standing free, that takes it along.
+    `reaches` is how far each piece may go between frames, mm, the one in hand away from its wish; `riders` has by id of everything in the
+    room that moves the number of the piece, standing free, that takes it along.
     """
 
     pieces: tuple[Piece, ...]
@@ -53,8 +55,9 @@ def in_hand(problem: RoomProblem, label: str, people: Sequence[Dynamic]) -> InHa
     held = numbers.get(label)
     if held is None or len(numbers) < len(pieces) or not _is_free(pieces[held]):
         return None
-    reaches = tuple(PERSON_REACH_MM if piece.label in standing else REACH_MM for piece in pieces)
-    return InHand(tuple(pieces), held, reaches, _riders(problem, pieces, numbers, people))
+    reaches = [PERSON_REACH_MM if piece.label in standing else REACH_MM for piece in pieces]
+    reaches[held] = HELD_REACH_MM
+    return InHand(tuple(pieces), held, tuple(reaches), _riders(problem, pieces, numbers, people))
 
 
 def _ways(piece: Piece, body: Body, table: Body | None, problem: RoomProblem) -> tuple[Candidate, ...]:

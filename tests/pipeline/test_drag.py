@@ -6,7 +6,7 @@ import statistics
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
-from math import nan
+from math import ceil, dist, nan
 
 import pytest
 
@@ -19,10 +19,11 @@ from solver.geometry import Rect
 from solver.pieces import Arrangement, Placed, Space
 from solver.pipeline.drag import DRAWN, NO_ANSWER, PLACED, STAYED, Dragging, opening_of
 from solver.repair import InHand, RepairSettings, RoomProblem, Walls, in_hand
+from solver.repair.in_hand import HELD_REACH_MM
 from solver.scene import WALLS, robot_width_of
 from solver.scene_bodies import bodies_of
 from tests.oracles.rules import faults, unreached
-from tests.pipeline.drags import Step, dense_rooms, dragged, jump, neighbours, scene_at, spots_of
+from tests.pipeline.drags import STEP_M, Step, dense_rooms, dragged, jump, neighbours, scene_at, spots_of
 from tests.pipeline.fix_rooms import body, room_of
 from tests.sweeps import seeds, times
 
@@ -30,6 +31,8 @@ FRAMES = 60
 USUAL_WORK, MOST_WORK = 20, 530
 """QPs and walks that half of all frames take at most, and any: the core stops after 400 QPs and 120 walks, between two nodes."""
 JUMP_M = 0.2
+WALL_M = 0.1
+"""What is wished this far from the walls may stand there by them."""
 RULES_EVERY = times(1, 12)
 """Every so many frames the service's own validator reads the whole answer; the oracle reads each."""
 SEEDS = seeds(range(1, 13), 6)
@@ -115,20 +118,25 @@ def test_neighbours_never_jump(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_no_answer_is_farther_from_the_wishes_than_the_last_one(seed: int) -> None:
-    """What was in hand at one side of a bed does not jump behind the pointer to the other end of the room."""
-    for scene, label, steps in drags(seed):
-        ways = {piece.label: piece.candidates[0] for piece in asked(scene, label)[1].pieces}
-        bodies = [(number, one, ways[one.id].weights) for number, one in enumerate(bodies_of(scene)) if one.id in ways]
-        free = [(number, one, weights) for number, one, weights in bodies if ways[one.id].attach is None]
-        for step in steps:
-            wishes = [(number, step.wish if one.id == label else (one.x, one.z), weights) for number, one, weights in free]
-            assert _far(step.answer.spots, wishes) <= _far(step.before, wishes) + 0.01
+def test_what_is_in_hand_does_not_jump_away_from_where_it_is_wished(seed: int) -> None:
+    for scene, label, step in answers(seed):
+        number, held = next((number, one) for number, one in enumerate(bodies_of(scene)) if one.id == label)
+        most, room = max(held.width, held.depth) / 2 + WALL_M, scene.rooms[0]
+        if most < step.wish[0] < room.width - most and most < step.wish[1] < room.depth - most:
+            assert _off(step.answer.spots, number, step.wish) < _off(step.before, number, step.wish) + HELD_REACH_MM / 1000 + 0.002
 
 
-def _far(spots: Sequence[float], wishes: Sequence[tuple[int, tuple[float, float], tuple[float, float]]]) -> float:
-    """What the distances of bodies, by their numbers, from where they are wished cost."""
-    return sum(weights[axis] * (spots[2 * number + axis] - wish[axis]) ** 2 for number, wish, weights in wishes for axis in (0, 1))
+def _off(spots: Sequence[float], number: int, wish: tuple[float, float]) -> float:
+    """How far a body is from where it is wished, along the axis on which it is farther, m."""
+    return max(abs(spots[2 * number + axis] - wish[axis]) for axis in (0, 1))
+
+
+def test_what_stood_wrongly_when_the_drag_began_is_placed() -> None:
+    """The piece in hand is wished where it is, within what is locked: the nearest place is farther than it may go otherwise."""
+    scene = room_of(body("bed_1", 2.0, 2.0, (2.4, 2.4, 0.5)), body("box_1", 2.0, 2.0, (0.8, 0.8, 0.4)), width=4.0, depth=5.0)
+    opening = opening_of(scene, "room_0/box_1", ("room_0/bed_1",), load_catalogs())
+    assert opening is not None
+    assert Dragging(opening).frame(2.0, 2.0, spots_of(scene)).outcome == PLACED
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -139,10 +147,10 @@ def test_the_work_is_bounded_by_a_count(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_nearly_every_frame_moves_something_and_many_are_answered_by_the_search(seed: int) -> None:
+def test_nearly_every_frame_moves_something_and_most_are_answered_by_the_search(seed: int) -> None:
     outcomes = [step.answer.outcome for _, _, step in answers(seed)]
     assert outcomes.count(NO_ANSWER) == 0
-    assert outcomes.count(PLACED) > 0.4 * len(outcomes)
+    assert outcomes.count(PLACED) > 0.6 * len(outcomes)
     assert outcomes.count(STAYED) < 0.1 * len(outcomes)
     assert outcomes.count(PLACED) + outcomes.count(STAYED) + outcomes.count(DRAWN) == len(outcomes)
 
@@ -176,6 +184,19 @@ def test_neighbours_are_pushed_and_come_back() -> None:
     for _ in range(6):
         spots = drag.frame(2.0, 1.0, spots).spots
     assert spots == spots_of(scene)
+
+
+def test_what_is_in_hand_backs_off_to_let_others_give_way() -> None:
+    """A counter drawn up to its neighbours gets past them by going back a little first: 0.4 m from where it is wished, else 0.74 m."""
+    scene = next(scene for scene in dense_rooms(2) if scene.rooms[0].type == "kitchen")
+    number, held = next((number, one) for number, one in enumerate(scene.rooms[0].furniture) if one.id.endswith("/counter_2"))
+    opening = opening_of(scene, held.id, (), load_catalogs())
+    assert opening is not None
+    drag, spots, wish = Dragging(opening), spots_of(scene), (0.25 * scene.rooms[0].width, 0.75 * scene.rooms[0].depth)
+    frames = ceil(dist(wish, (held.x, held.z)) / STEP_M)
+    for share in (min(1.0, k / frames) for k in range(1, frames + 13)):
+        spots = drag.frame(held.x + share * (wish[0] - held.x), held.z + share * (wish[1] - held.z), spots).spots
+    assert _off(spots, number, wish) < 0.5
 
 
 def test_where_no_place_is_known_there_is_no_answer() -> None:

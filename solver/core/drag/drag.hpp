@@ -2,9 +2,9 @@
 //
 // Opened once a drag with all that does not change (`Opening`); then a frame is poses in, poses out. Of the room's placement problem every
 // neighbour may go no farther than its reach from where it was in the last frame, so that nearly all choices of the last frame hold and
-// the search is short; what costs more than staying does not count. Work is counted, never timed. What it finds is put on whole
-// millimetres and judged by the rules of validate/; where that fails, everything goes from the last frame towards its wish as far as it
-// can; else nothing moves.
+// the search is short; the piece in hand goes no farther from its wish than it was, but for its reach. Work is counted, never timed.
+// What it finds is put on whole millimetres and judged by the rules of validate/; where that fails, everything goes from the last frame
+// towards its wish as far as it can; else nothing moves.
 #pragma once
 
 #include "placement/space.hpp"
@@ -26,7 +26,7 @@ struct OpeningHead {
 // A piece of the problem.
 struct Mover {
   i64 body;   // which body of the room it is
-  i64 reach;  // how far it may go between frames along each axis, mm
+  i64 reach;  // how far it may go between frames along each axis, mm; the piece in hand: how much farther from its wish
 };
 
 // A body of the room.

@@ -15,6 +15,7 @@ using placement::Part;
 constexpr i64 MOST_QPS = 400;    // of one frame's search
 constexpr i64 MOST_WALKS = 120;  // of going back from the last frame
 constexpr f64 ANY_COST = 1e12;
+constexpr i64 ANYWHERE = 1'000'000'000;  // mm
 constexpr f64 AS_SENT = 0.00051;  // a neighbour this near to where it was at the start is there, m
 
 static i64 millimetres(f64 metres) { return whole(floor(metres * 1000 + 0.5)); }
@@ -33,31 +34,47 @@ static i64 corner(const CandidateRow& row, i64 axis, const Spot& spot) {
   return whole(floor(middle * 1000 - static_cast<f64>(extent_of(row, axis)) / 2 + 0.5));
 }
 
-// Leaves a way of a neighbour the places within reach of its spot; false where there are none.
-static bool keep_near(CandidateRow& row, const CandidateRow& sent, const Spot& spot, i64 reach) {
+// Leaves a way the places within reach of one, whose lesser corner is there; false where there are none.
+static bool keep_near(CandidateRow& row, const CandidateRow& sent, const i64 (&at)[2], i64 reach) {
   row = sent;
   for (i64 axis = 0; axis < 2; axis++) {
-    const i64 extent = extent_of(sent, axis), at = corner(sent, axis, spot);
+    const i64 extent = extent_of(sent, axis);
     if (sent.high[axis] - sent.low[axis] == extent) continue;  // it stays where it is
-    row.low[axis] = most(sent.low[axis], at - reach);
-    row.high[axis] = least(sent.high[axis], at + extent + reach);
+    row.low[axis] = most(sent.low[axis], at[axis] - reach);
+    row.high[axis] = least(sent.high[axis], at[axis] + extent + reach);
     if (row.high[axis] - row.low[axis] < extent) return false;
   }
   return true;
 }
 
-// Chooses every piece's first way that is within reach of the last frame, and wishes the piece in hand where the frame says.
-static bool aim(const Drag& drag, const Frame& frame) {
+// Wishes the piece in hand somewhere, and leaves it the places that are, by the farther axis, no more than `farther` farther from there
+// than it is, or from the nearest place that it may have.
+static bool keep_nearing(CandidateRow& row, const CandidateRow& sent, const Spot& spot, const Spot& wish, i64 farther) {
+  i64 nearest[2], away = 0;
+  for (i64 axis = 0; axis < 2; axis++) {
+    nearest[axis] = least(most(corner(sent, axis, wish), sent.low[axis]), sent.high[axis] - extent_of(sent, axis));
+    away = most(away, magnitude(corner(sent, axis, spot) - nearest[axis]));
+  }
+  const bool is_possible = keep_near(row, sent, nearest, away + farther);
+  row.anchor[0] = millimetres(wish.x), row.anchor[1] = millimetres(wish.z);
+  return is_possible;
+}
+
+// Chooses every piece's first way that is within reach of the last frame, and wishes the piece in hand where the frame says: it may go
+// `farther` from there.
+static bool aim(const Drag& drag, const Frame& frame, i64 farther) {
   const placement::Room& room = drag.desk->engine.room;
   for (i64 k = 0; k < drag.movers.size; k++) {
     i64 chosen = placement::ABSENT;
     for (i64 c = room.pieces[k].candidates[0]; c < room.pieces[k].candidates[1] && chosen == placement::ABSENT; c++) {
       CandidateRow& row = room.candidates[c];
       const CandidateRow& sent = drag.sent[c];
+      const Spot& spot = frame.spots[drag.movers[k].body];
+      const i64 at[] = {corner(sent, 0, spot), corner(sent, 1, spot)};
       row = sent;
-      if (k == drag.held) row.anchor[0] = millimetres(frame.wish.x), row.anchor[1] = millimetres(frame.wish.z);
-      const bool is_free = k == drag.held || sent.parent >= 0;
-      if (is_free || keep_near(row, sent, frame.spots[drag.movers[k].body], drag.movers[k].reach)) chosen = c;
+      const bool is_held = k == drag.held;
+      if (is_held ? keep_nearing(row, sent, spot, frame.wish, farther)
+                  : sent.parent >= 0 || keep_near(row, sent, at, drag.movers[k].reach)) chosen = c;
     }
     if (chosen == placement::ABSENT) return false;
     drag.desk->decisions[k] = 8 * chosen;
@@ -67,9 +84,9 @@ static bool aim(const Drag& drag, const Frame& frame) {
 }
 
 // Searches for what costs less; leaves the places on whole millimetres. False where none is found within the count.
-static bool find_best(const Drag& drag, f64 ceiling) {
+static bool find_best(const Drag& drag) {
   const placement::Desk& desk = *drag.desk;
-  placement::search(desk.engine, MOST_QPS, ceiling, true);
+  placement::search(desk.engine, MOST_QPS, ANY_COST, true);
   return desk.engine.nodes.result->found == 1 && placement::settle(desk, true, false) == placement::Settled::walkable;
 }
 
@@ -123,15 +140,14 @@ static bool write_valid(const Drag& drag, Frame& frame) {
 
 // Answers the frame; `walks` comes in as how many are allowed and goes out as how many are left.
 static Outcome outcome_of(const Drag& drag, const Frame& last, Frame& frame, i64& walks) {
-  if (!aim(drag, last)) return Outcome::none;
-  const auto is_better = [&](f64 ceiling) { return find_best(drag, ceiling) && write_valid(drag, frame); };
-  put_back(drag, last);
-  if (is_better(placement::movement(drag.desk->engine.work, drag.desk->engine.grid.positions))) return Outcome::placed;
+  if (!aim(drag, last, drag.movers[drag.held].reach)) return Outcome::none;
+  const auto is_found = [&] { return find_best(drag) && write_valid(drag, frame); };
+  if (is_found()) return Outcome::placed;
   put_back(drag, last);
   if (placement::pull_back(drag.desk->engine, walks) && write_valid(drag, frame)) return Outcome::drawn;
   put_back(drag, last);
   if (write_valid(drag, frame)) return Outcome::stayed;
-  return is_better(ANY_COST) ? Outcome::placed : Outcome::none;  // all stood wrongly when the drag began
+  return aim(drag, last, ANYWHERE) && is_found() ? Outcome::placed : Outcome::none;  // all stood wrongly when the drag began
 }
 
 void answer(const Drag& drag, Frame& frame) {

@@ -32,7 +32,8 @@ bool holds(const Work& work, const Table<i64>& positions) {
   return true;
 }
 
-f64 movement(const Work& work, const Table<i64>& positions) {
+// What the distances from the wished places cost at integer positions.
+static f64 movement(const Work& work, const Table<i64>& positions) {
   f64 cost = 0.0;
   for (i64 axis = 0; axis < 2; axis++) {
     for (i64 v = 0; v < work.sizes[axis]; v++) {

@@ -12,9 +12,6 @@ namespace placement {
 // Tells whether bounds, rows and choices hold at integer positions, mm.
 bool holds(const Work& work, const Table<i64>& positions);
 
-// What the distances from the wished places cost at integer positions.
-f64 movement(const Work& work, const Table<i64>& positions);
-
 // Brings the bodies of the assembled problem back towards their wishes; what stands free of another stays so.
 //
 // Integer positions, mm, are in grid.positions; the result is left where a search leaves it. Returns whether all rules and the walk
