@@ -225,18 +225,23 @@ def _is_room(cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int
         at, row = int(np.searchsorted(xs, x)), int(np.searchsorted(zs, z))
         return bool(0 < at < len(xs) and 0 < row < len(zs) and cells[at - 1, row - 1])
 
-    is_closet = all(any(is_in(*spot) for spot in spots) for spots in signs)
-    least = NARROWEST_CLOSET if is_closet else NARROWEST
-    if min(np.ptp(xs), np.ptp(zs)) < least:
+    def is_closet() -> bool:
+        return all(any(is_in(*spot) for spot in spots) for spots in signs)
+
+    return _fits(NARROWEST, cells, xs, zs) or (_fits(NARROWEST_CLOSET, cells, xs, zs) and is_closet())
+
+
+def _fits(size: int, cells: NDArray[np.bool_], xs: NDArray[np.int64], zs: NDArray[np.int64]) -> bool:
+    if min(np.ptp(xs), np.ptp(zs)) < size:
         return False
     for start in np.flatnonzero(cells.any(axis=1)).tolist():
-        end = int(np.searchsorted(xs, xs[start] + least))
+        end = int(np.searchsorted(xs, xs[start] + size))
         if end >= len(xs):
             return False
         long = 0
         for row, covered in enumerate(np.all(cells[start:end], axis=0)):
             long = long + int(zs[row + 1] - zs[row]) if covered else 0
-            if long >= least:
+            if long >= size:
                 return True
     return False
 

@@ -211,7 +211,8 @@ def _parts(names: Sequence[set[str]]) -> bool:
 
 def names_in(room: DrawnRoom, names: Sequence[NamedSpot]) -> set[str]:
     """Returns what is named in a room."""
-    return {one.name for one in names if room.holds(one.x, one.z)}
+    x0, z0, x1, z1 = bounds_of_points(room.points)
+    return {one.name for one in names if x0 <= one.x <= x1 and z0 <= one.z <= z1 and room.holds(one.x, one.z)}
 
 
 def overlap(a: Sequence[Spot], b: Sequence[Spot], within: float) -> bool:
