@@ -90,11 +90,13 @@ def _windows_of(shapes: Sequence[DrawnShape]) -> list[DrawnOpening]:
 
 def _rooms_of(
     shapes: Sequence[DrawnShape], way: Sequence[int], names: Sequence[NamedSpot], openings: Sequence[DrawnOpening], metres: float
-) -> tuple[list[DrawnRoom], Fitted]:
+) -> tuple[list[DrawnRoom], Fitted, bool]:
+    """Returns the rooms between shapes, the openings in their gaps, and whether the walls have two faces."""
     walls = [shapes[at].round() for at in way]
     fit = fitted(openings, gaps_of(walls, metres), metres)
     areas = [shapes[at].points for at in way if shapes[at].filled]
-    return rooms_between(WallOutlines(walls, areas), fit, metres, names).rooms if walls else [], fit
+    found = rooms_between(WallOutlines(walls, areas), fit, metres, names) if walls else None
+    return (found.rooms, fit, found.thickness is not None) if found else ([], fit, False)
 
 
 def _score(rooms: Sequence[DrawnRoom], names: Sequence[NamedSpot]) -> tuple[int, int]:
@@ -107,10 +109,10 @@ def _without_furniture(
 ) -> tuple[Sequence[int], list[DrawnRoom]]:
     """Returns shapes but for those of which a side has floor before and behind it, as of a wall of two faces none has; and the rooms.
 
-    What ends at a gap that an opening fills is a wall. Where rooms or floor are lost with the others, walls are drawn as single lines: then
-    but for those that end at nothing and part no two names.
+    What ends at a gap that an opening fills is a wall. Where walls have one face alone, or rooms or floor are lost with the others: but for
+    those that end at nothing and part no two names.
     """
-    rooms, fit = _rooms_of(shapes, way, names, openings, metres)
+    rooms, fit, have_two_faces = _rooms_of(shapes, way, names, openings, metres)
     by, sides = THINNEST / 2000 / metres, [(at, a, b) for at in way for a, b in pairwise(shapes[at].round()) if a != b]
     spots = np.array([sides_of(a, b, by) for _, a, b in sides]).reshape(-1, 2)
     around = [(names_in(room, names), _are_in(spots, (room.points, *room.holes)).reshape(-1, 2)) for room in rooms]
@@ -122,7 +124,7 @@ def _without_furniture(
         if are_floor[number].all() and not any((np.hypot(*(jambs - spot).T) <= within).any() for spot in shapes[at].points)
     ]  # fmt: skip
     left_out, scale = {at for _, at in floor_at}, metres * 1000
-    for is_strict in (False, True):
+    for is_strict in (False, True) if have_two_faces else (True,):
         if left_out and is_strict:
             left_out &= _loose(way, shapes, _ends([(gap.start, gap.end) for gap in (*fit.filled, *fit.left)]) * scale, scale)
             parted = ((at, [called for called, inside in around if called and inside[number].any()]) for number, at in floor_at)
@@ -130,7 +132,7 @@ def _without_furniture(
         if not left_out or (is_strict and not names):
             break
         kept = [at for at in way if at not in left_out]
-        others, _ = _rooms_of(shapes, kept, names, openings, metres)
+        others, *_ = _rooms_of(shapes, kept, names, openings, metres)
         is_less = sum(room.area for room in others) < (1 - LOST) * sum(room.area for room in rooms)
         are_fewer = len(others) < max(LEAST_ROOMS, len(rooms) - len(left_out)) or _score(others, names)[0] < _score(rooms, names)[0]
         if not is_less and not are_fewer:
